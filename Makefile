@@ -1,0 +1,90 @@
+# The one task runner: people and CI call these recipes only.
+#
+# Needs Rust, Python >= 3.10 and, for the bindings to come, a JDK; everything else comes from crates.io and PyPI into
+# `target/` and `.venv/`.
+
+SHELL := /bin/bash
+PYTHON ?= python3
+VENV := $(CURDIR)/.venv
+BIN := $(VENV)/bin
+LOGS := build/logs
+# Runs a command with its output shown and kept, so that what was skipped can be told at the end.
+STEP := tests/step $(LOGS)
+CRATES := --workspace --exclude gyradius-python
+
+.PHONY: help demo test lint bench package test-rust test-vectors test-python test-blind blind blind-tools doc skips report-shots clean
+
+help:
+	@echo "make demo    the main job on the sessions that ship, ending in a report"
+	@echo "make test    everything that must hold; says at the end what was skipped"
+	@echo "make lint    formatting and lints, Rust and Python"
+	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
+	@echo "make bench   speed of the analysis"
+
+demo: package
+	@$(BIN)/gyradius demo -o build/demo
+
+# Lints first: they are quick, and they compile what the tests need.
+test:
+	@rm -rf $(LOGS) && mkdir -p $(LOGS)
+	@$(MAKE) --no-print-directory lint
+	@$(MAKE) --no-print-directory doc
+	@$(MAKE) --no-print-directory test-rust
+	@$(MAKE) --no-print-directory test-vectors
+	@$(MAKE) --no-print-directory test-python
+	@$(MAKE) --no-print-directory test-blind
+	@$(MAKE) --no-print-directory skips
+
+lint: package
+	@$(STEP) fmt cargo fmt --all --check
+	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
+	@$(STEP) ruff-check $(BIN)/ruff check python tests
+	@$(STEP) ruff-format $(BIN)/ruff format --check python
+	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
+
+test-rust:
+	@$(STEP) rust cargo test --no-fail-fast $(CRATES) -- --show-output
+
+# The expected values themselves, computed anew at 30 digits by code that shares nothing with the core.
+test-vectors: blind-tools
+	@$(STEP) vectors $(BIN)/python tests/oracles/check_vectors.py
+
+# Python's half: vectors, API and command (pytest), and the stubs against the module (a test among them).
+test-python: package
+	@$(STEP) python $(BIN)/python -m pytest -c python/pyproject.toml python/tests
+
+# Sessions drawn afresh by a generator that shares nothing with the analysis, its witness MuJoCo, and the sessions that ship.
+test-blind: package blind-tools
+	@$(STEP) blind $(BIN)/python -m pytest -q -rA --strict-markers tests/blind
+
+N ?= 200
+blind: package blind-tools
+	@$(BIN)/python tests/blind/coverage.py --count $(N)
+
+blind-tools: $(BIN)/maturin
+	@$(BIN)/python -m pip --quiet install -r tests/requirements.txt
+
+doc:
+	@RUSTDOCFLAGS="-D warnings" $(STEP) doc cargo doc --no-deps $(CRATES)
+
+bench:
+	cargo bench $(CRATES)
+
+skips:
+	@tests/skips $(LOGS) build/skips.txt
+
+# The report as a browser shows it, at desktop and phone width; needs a Chromium on the path.
+report-shots: demo
+	$(BIN)/python tests/report_shots.py build/demo build/shots
+
+# The package, its native module in release, and what its tests need, in a virtual environment at the root.
+package: $(BIN)/maturin
+	@VIRTUAL_ENV=$(VENV) PIP_QUIET=1 $(BIN)/maturin develop --quiet --release --extras test -m python/Cargo.toml
+
+$(BIN)/maturin:
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip --quiet install "maturin>=1.9.4,<2"
+
+clean:
+	rm -rf build $(VENV)
+	cargo clean

@@ -1,0 +1,27 @@
+//! The body on its lines: small oscillations and full motion.
+//!
+//! May know `error`, `constants`, `frames`. Must never know `modes` or `signal`: a simulation that knows the
+//! estimator makes every simulated test circular.
+//!
+//! # Conventions
+//! **World axes**: z up; gravity is −z. **Hanging axes** are fixed in the body and agree with the world axes
+//! when the body hangs level: the suspension points lie where the [`Rig`] says. A hull hung level has hanging
+//! axes = hull axes; a pitched hull enters by [`RigidBody::rotated`]. Body points count from the mid-point of
+//! the two suspension points.
+
+mod constraint;
+mod dop853;
+mod equilibrium;
+mod motion;
+mod rig;
+mod sensor;
+mod small;
+mod trajectory;
+
+pub use equilibrium::{Equilibrium, Pose, equilibrium};
+pub use rig::{Line, Rig, RigidBody, SuspensionAxis};
+pub use sensor::{IdealPhone, ideal_phone};
+pub use small::{ModeKind, SmallModes, compound_pendulum_period_s, mode_kind, small_modes};
+pub use trajectory::{
+    Damping, ModalPart, Sampling, Slack, State, Trajectory, initial_state, placed, simulate,
+};

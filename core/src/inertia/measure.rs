@@ -1,0 +1,465 @@
+//! The main job: from a loaded session, or a bare recording, to a [`Measurement`].
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use crate::error::{Error, Result};
+use crate::frames::Vec3;
+use crate::modes::{Hanging, tilt_between_rad};
+use crate::recording::{
+    Incline, InclineAngle, LoadedData, LoadedSession, ModeName, PeriodList, Quantity, Recording, Session,
+    Swing, SwingData,
+};
+use crate::signal::{
+    FittedMode, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude, period_from_list,
+    small_amplitude_limit,
+};
+
+use super::alternatives::routes;
+use super::court;
+use super::estimate::{Observation, Observed, Solution, System, incline_observations};
+use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
+use super::observe::{Evidence, mode_text, names_by_period, observe_recording, observe_track, parasites};
+use super::outputs::write_quantities;
+use super::parameters::{Layout, effective_gravity};
+use super::routes::corrections::normal_gravity_m_s2;
+use super::routes::guard::{Limit, verdict};
+use super::twin::{Correction, corrections};
+
+/// Name and version of the result's format.
+pub const FORMAT: &str = "gyradius-measurement/1";
+/// Uncertainty of a phone's tilt between two swings, degrees: an accelerometer's bias of some 0.03 m/s² that does
+/// not turn with gravity.
+const PHONE_TILT_U_DEG: f64 = 0.15;
+/// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last digit).
+const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
+
+/// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger motion drives them
+/// off their own period.
+const WEAKEST_DB: f64 = -16.0;
+
+/// What a caller may ask beyond the measurement.
+#[derive(Debug, Clone, Default)]
+pub struct MeasureOptions {
+    /// Class limits to judge against.
+    pub limits: Vec<Limit>,
+}
+
+/// A measurement with the evidence that pictures are drawn from.
+#[derive(Debug, Clone)]
+pub struct Analysis {
+    /// The result.
+    pub measurement: Measurement,
+    /// What was found in each recording, in swing order; swings without a recording have none.
+    pub evidence: Vec<Option<Evidence>>,
+}
+
+/// One swing on its way to the estimate.
+struct SwingWork {
+    result: SwingResult,
+    evidence: Option<Evidence>,
+    /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
+    periods: Vec<(usize, Quantity)>,
+}
+
+/// Measures a session.
+pub fn measure(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Measurement> {
+    analyse(loaded, options).map(|a| a.measurement)
+}
+
+/// Measures a session and keeps the evidence.
+pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
+    let session = &loaded.session;
+    let (gravity, gravity_warning) =
+        effective_gravity(session, |lat, alt| normal_gravity_m_s2(lat, alt).unwrap_or(f64::NAN));
+    let mut works: Vec<SwingWork> = session
+        .swings
+        .iter()
+        .zip(&loaded.data)
+        .map(|(swing, data)| work_swing(swing, &data.data, gravity.value))
+        .collect();
+    let mut result = Measurement { format: FORMAT.into(), title: title(session), ..Default::default() };
+    result.warnings.extend(gravity_warning);
+    if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
+        return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
+    }
+    let pitch = phone_pitches(session, &works);
+    let inclines = recorded_inclines(loaded, &works);
+    let layout = Layout::of(session, gravity, &pitch);
+    let mut observations = observations(session, &works, &[]);
+    observations.extend(incline_observations(session, &inclines));
+    let mut system = System { session, layout, observations };
+    match estimate(&mut system, session, &mut works, &inclines) {
+        Ok(solution) => conclude(&system, &solution, options, &mut result),
+        Err(error) => result.warnings.push(format!("no joint estimate: {error}")),
+    }
+    let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
+    result.swings = swings;
+    Ok(Analysis { measurement: result, evidence })
+}
+
+fn title(session: &Session) -> String {
+    if session.title.is_empty() { session.body.name.clone() } else { session.title.clone() }
+}
+
+fn no_modes_reason(works: &[SwingWork]) -> String {
+    let reasons: Vec<String> =
+        works.iter().map(|w| format!("{}: {}", w.result.id, w.result.warnings.join("; "))).collect();
+    format!("no swing gives a period ({})", reasons.join(" | "))
+}
+
+/// First without, then with the correction for finite amplitude, which needs a body to simulate.
+fn estimate(
+    system: &mut System,
+    session: &Session,
+    works: &mut [SwingWork],
+    inclines: &[Option<Quantity>],
+) -> Result<Solution> {
+    if system.observations.is_empty() {
+        return Err(Error::no_result(title(session), "no mode of any swing could be named"));
+    }
+    let first = system.solve(&system.layout.start())?;
+    let mut other = first.x.clone();
+    other[system.layout.log_gyradii[0]] += first.u(system.layout.log_gyradii[0]);
+    let corrections: Vec<Vec<Correction>> = (0..works.len())
+        .map(|i| {
+            let (swing, index) = (&session.swings[i], &system.layout.swings[i]);
+            corrections(&system.layout, (&first.x, &other), swing, index, &works[i].result)
+        })
+        .collect();
+    for (work, corrections) in works.iter_mut().zip(&corrections) {
+        apply(&mut work.result, corrections);
+    }
+    system.observations = observations(session, works, &corrections);
+    system.observations.extend(incline_observations(session, inclines));
+    system.solve(&first.x)
+}
+
+/// Writes the small-amplitude period of each corrected mode.
+fn apply(result: &mut SwingResult, corrections: &[Correction]) {
+    for (mode, correction) in result.modes.iter_mut().zip(corrections) {
+        mode.period_s = mode.period_observed_s * correction.factor;
+        mode.period_se_s = mode.period_se_s.hypot(mode.period_s * correction.u_relative);
+    }
+}
+
+fn conclude(system: &System, solution: &Solution, options: &MeasureOptions, result: &mut Measurement) {
+    write_quantities(system, solution, result);
+    let calculations = routes(system, solution);
+    for calculation in &calculations {
+        let known = result.alternatives.entry(calculation.quantity.clone()).or_default();
+        known.extend(calculation.route());
+    }
+    result.consistency = court::sit(system, solution, &calculations);
+    result.warnings.extend(worst_of_each(&result.consistency));
+    if solution.birge > 1.0 {
+        result.warnings.push(format!(
+            "the session contradicts itself (χ² = {:.1} with {:.1} degrees of freedom): all uncertainties are widened by {:.1}",
+            solution.chi2, solution.dof, solution.birge
+        ));
+    }
+    for limit in &options.limits {
+        match result.quantities.get(&limit.quantity).and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?))) {
+            Some((value, u)) => match verdict(Quantity::new(value, u), limit) {
+                Ok(judged) => result.verdicts.push(judged),
+                Err(error) => result.warnings.push(format!("no verdict on {}: {error}", limit.quantity)),
+            },
+            None => result
+                .warnings
+                .push(format!("no verdict on {}: the swings do not determine it", limit.quantity)),
+        }
+    }
+}
+
+/// The worst contradiction of each claim; the court's full list stands in `consistency`.
+fn worst_of_each(claims: &[Claim]) -> Vec<String> {
+    let mut names: Vec<&str> = Vec::new();
+    let mut said = Vec::new();
+    for claim in claims.iter().filter(|c| c.flagged) {
+        if !names.contains(&claim.claim.as_str()) {
+            names.push(&claim.claim);
+            said.push(claim.text.clone());
+        }
+    }
+    said
+}
+
+fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork {
+    let hanging = Hanging::of(&swing.suspension, gravity_m_s2);
+    let worked = match data {
+        LoadedData::Recording(recording) => {
+            observe_recording(&swing.id, recording, gravity_m_s2, &hanging, Some(swing))
+                .map(|e| work(e, Some(swing)))
+        }
+        LoadedData::Track(track) => {
+            observe_track(&swing.id, track, &hanging, swing).map(|e| work(e, Some(swing)))
+        }
+        LoadedData::Periods(list) => work_list(swing, list, &hanging),
+        LoadedData::Typed => Ok(work_typed(swing)),
+    };
+    worked.unwrap_or_else(|error| SwingWork {
+        result: SwingResult { id: swing.id.clone(), warnings: vec![error.to_string()], ..Default::default() },
+        evidence: None,
+        periods: vec![],
+    })
+}
+
+fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
+    let mut warnings = evidence.warnings.clone();
+    let parasitic = parasites(&evidence.named, swing, &mut warnings);
+    let modes: Vec<ModeResult> = evidence
+        .found
+        .modes
+        .iter()
+        .zip(&evidence.named)
+        .zip(parasitic)
+        .enumerate()
+        .map(|(i, ((mode, named), (db, parasitic)))| ModeResult {
+            relative_db: db,
+            parasitic,
+            ..mode_result(&evidence, i, mode, named.name, named.angle_rad)
+        })
+        .collect();
+    let periods = modes
+        .iter()
+        .enumerate()
+        .filter(|(_, m)| m.mode != ModeName::Other && m.relative_db > WEAKEST_DB && m.decay_time_s.is_some())
+        .map(|(i, m)| (i, Quantity::new(m.period_observed_s, evidence.found.modes[i].period_se_s())))
+        .collect();
+    let result = SwingResult {
+        id: evidence.id.clone(),
+        span_s: Some([evidence.span.start_s, evidence.span.end_s]),
+        modes,
+        repairs: evidence.repairs.clone(),
+        warnings,
+        rms_over_noise: Some(evidence.found.rms_over_noise),
+    };
+    SwingWork { result, evidence: Some(evidence), periods }
+}
+
+fn mode_result(
+    evidence: &Evidence,
+    i: usize,
+    mode: &FittedMode,
+    name: ModeName,
+    amplitude: Option<f64>,
+) -> ModeResult {
+    let points = windows(evidence, i);
+    let limit = small_limit(mode, &points);
+    ModeResult {
+        mode: name,
+        period_s: limit.value,
+        period_se_s: limit.u,
+        period_observed_s: mode.period_s(),
+        decay_time_s: (mode.alpha_per_s > 0.0).then(|| 1.0 / mode.alpha_per_s),
+        decay_time_se_s: (mode.alpha_per_s > 0.0).then(|| mode.alpha_se_per_s / mode.alpha_per_s.powi(2)),
+        amplitude,
+        amplitude_unit: if amplitude.is_some() { evidence.amplitude_unit.into() } else { String::new() },
+        phase_rad: Some(phase_rad(mode)),
+        relative_db: 0.0,
+        parasitic: false,
+        against_amplitude: points_in_unit(&points, amplitude),
+    }
+}
+
+/// Follows one mode through the record, its channels combined as its shape says.
+fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
+    let found = &evidence.found;
+    let pole = |m: &FittedMode| Pole { omega_rad_s: m.omega_rad_s, alpha_per_s: m.alpha_per_s };
+    let others: Vec<Pole> =
+        found.modes.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, m)| pole(m)).collect();
+    let project = projection(&found.modes[i], &found.noise);
+    let wanted = WindowedMode {
+        span_s: (found.t_ref_s, found.t_end_s),
+        mode: pole(&found.modes[i]),
+        others: &others,
+        noise: &found.noise,
+        project: &project,
+    };
+    against_amplitude(&evidence.groups, &wanted)
+}
+
+/// The combination of channels that reads 1 for the mode's own shape with the least noise.
+fn projection(mode: &FittedMode, noise: &[f64]) -> Vec<Complex64> {
+    let weight = |c: usize| noise.get(c).filter(|n| **n > 0.0).map_or(0.0, |n| 1.0 / (n * n));
+    let energy: f64 = mode.shape.iter().enumerate().map(|(c, a)| a.norm_sqr() * weight(c)).sum();
+    mode.shape.iter().enumerate().map(|(c, a)| a.conj() * weight(c) / energy.max(f64::MIN_POSITIVE)).collect()
+}
+
+/// Phase of the channel that shows the mode best.
+fn phase_rad(mode: &FittedMode) -> f64 {
+    mode.shape.iter().max_by(|a, b| a.norm().total_cmp(&b.norm())).map_or(0.0, |c| c.arg())
+}
+
+/// The windows' amplitude is relative to that at the start of the span: scaled to the mode's own.
+fn points_in_unit(points: &[WindowPoint], amplitude: Option<f64>) -> Vec<AmplitudePoint> {
+    let scale = amplitude.unwrap_or(1.0);
+    points
+        .iter()
+        .map(|p| AmplitudePoint {
+            t_s: p.t_s,
+            amplitude: p.amplitude * scale,
+            period_s: p.period_s,
+            period_se_s: p.period_se_s,
+            decrement: p.decrement,
+            decrement_se: p.decrement_se,
+        })
+        .collect()
+}
+
+/// The period at small amplitude as the record itself shows it: by its windows where the period depends on the
+/// amplitude, else the period of the whole record.
+fn small_limit(mode: &FittedMode, points: &[WindowPoint]) -> Quantity {
+    let observed = Quantity::new(mode.period_s(), mode.period_se_s());
+    if mode.law.shift_rad_s == 0.0 {
+        return observed;
+    }
+    match small_amplitude_limit(points) {
+        Some(SmallAmplitude { period_s, period_se_s, .. }) => Quantity::new(period_s, period_se_s),
+        None => {
+            let omega = mode.law.omega_small_rad_s;
+            Quantity::new(TAU / omega, TAU / omega * mode.law.omega_small_se_rad_s / omega)
+        }
+    }
+}
+
+fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> ModeResult {
+    ModeResult {
+        mode,
+        period_s: period.value,
+        period_se_s: period.u,
+        period_observed_s: period.value,
+        decay_time_s: None,
+        decay_time_se_s: None,
+        amplitude: amplitude_rad,
+        amplitude_unit: if amplitude_rad.is_some() { "rad".into() } else { String::new() },
+        phase_rad: None,
+        relative_db: 0.0,
+        parasitic: false,
+        against_amplitude: vec![],
+    }
+}
+
+fn work_typed(swing: &Swing) -> SwingWork {
+    let SwingData::PeriodsS(typed) = &swing.data else {
+        return SwingWork { result: SwingResult::default(), evidence: None, periods: vec![] };
+    };
+    let modes: Vec<ModeResult> = typed
+        .iter()
+        .map(|(mode, period)| {
+            typed_mode(*mode, *period, swing.amplitude_deg.get(mode).map(|a| a.to_radians()))
+        })
+        .collect();
+    let floor = |q: Quantity| Quantity::new(q.value, q.u.max(TYPED_PERIOD_U_RELATIVE * q.value));
+    let periods = typed.values().enumerate().map(|(i, q)| (i, floor(*q))).collect();
+    SwingWork {
+        result: SwingResult { id: swing.id.clone(), modes, ..Default::default() },
+        evidence: None,
+        periods,
+    }
+}
+
+fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<SwingWork> {
+    let found = period_from_list(list)?;
+    let period = Quantity::new(found.period_s, found.u_s);
+    let name = names_by_period(&[period.value], hanging, swing)[0];
+    let mut result =
+        SwingResult { id: swing.id.clone(), repairs: list.repairs.clone(), ..Default::default() };
+    result.warnings = found
+        .flagged
+        .iter()
+        .map(|f| {
+            format!(
+                "the entry at {:.1} s ({:.4} s) is no single period of this motion: left out",
+                f.t_s, f.period_s
+            )
+        })
+        .collect();
+    result.modes = vec![typed_mode(name, period, None)];
+    let u = period.u.max(TYPED_PERIOD_U_RELATIVE * period.value);
+    let periods = if name == ModeName::Other { vec![] } else { vec![(0, Quantity::new(period.value, u))] };
+    Ok(SwingWork { result, evidence: None, periods })
+}
+
+/// All observed periods with their corrections (which free them of amplitude and damping).
+fn observations(session: &Session, works: &[SwingWork], corrections: &[Vec<Correction>]) -> Vec<Observation> {
+    let mut all = Vec::new();
+    for (i, work) in works.iter().enumerate() {
+        let compound_like = |mode: ModeName| {
+            session.swings[i].suspension.axis_height_m.is_some() == (mode == ModeName::Compound)
+        };
+        for (m, observed) in work.periods.iter().filter(|(m, _)| compound_like(work.result.modes[*m].mode)) {
+            let mode = &work.result.modes[*m];
+            let correction = corrections.get(i).and_then(|c| c.get(*m)).copied().unwrap_or_default();
+            let value = observed.value * correction.factor;
+            let u_amplitude = value * correction.u_relative;
+            all.push(Observation {
+                what: Observed::Period(i, mode.mode),
+                value: Quantity::new(value, observed.u.hypot(u_amplitude)),
+                u_amplitude,
+                label: format!("{} period of {}", mode_text(mode.mode), work.result.id),
+            });
+        }
+    }
+    all
+}
+
+/// What the phones say of the pitch of each swing: the tilt against the first level swing, its sense as stated.
+fn phone_pitches(session: &Session, works: &[SwingWork]) -> Vec<Option<Quantity>> {
+    let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
+    let up = |i: usize| works[i].evidence.as_ref().and_then(|e| e.up);
+    let reference = (0..works.len())
+        .filter(|i| up(*i).is_some())
+        .min_by(|a, b| pitch_size(stated(*a)).total_cmp(&pitch_size(stated(*b))));
+    (0..works.len())
+        .map(|i| {
+            let (reference, here) = (reference?, up(i)?);
+            let base = stated(reference).unwrap_or_default();
+            let tilt = tilt_between_rad(&up(reference)?, &here).to_degrees();
+            let sense = (stated(i)?.value - base.value).signum();
+            // Below half a degree the unsigned tilt is its own noise: the stated angle stands.
+            (i != reference && tilt > 0.5)
+                .then(|| Quantity::new(base.value + sense * tilt, base.u.hypot(PHONE_TILT_U_DEG)))
+        })
+        .collect()
+}
+
+fn pitch_size(stated: Option<Quantity>) -> f64 {
+    stated.map_or(0.0, |q| q.value.abs())
+}
+
+/// Incline angles from phones: the tilt against the level swings' vertical.
+fn recorded_inclines(loaded: &LoadedSession, works: &[SwingWork]) -> Vec<Option<Quantity>> {
+    let level = works.iter().find_map(|w| w.evidence.as_ref().and_then(|e| e.up));
+    loaded
+        .inclines
+        .iter()
+        .zip(&loaded.session.inclines)
+        .map(|(recording, incline)| recorded_incline(recording.as_ref()?, incline, &level?))
+        .collect()
+}
+
+fn recorded_incline(recording: &Recording, incline: &Incline, level: &Vec3) -> Option<Quantity> {
+    if !matches!(incline.angle, InclineAngle::Recording(_)) {
+        return None;
+    }
+    let force = recording.accelerometer.as_ref()?;
+    let mean = Vec3::from_fn(|i, _| force.axes[i].iter().sum::<f64>() / force.axes[i].len() as f64);
+    let up = mean.try_normalize(1.0)?;
+    Some(Quantity::new(tilt_between_rad(level, &up).to_degrees(), PHONE_TILT_U_DEG))
+}
+
+/// Measures a bare recording: the modes alone.
+pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Result<Analysis> {
+    let gravity = crate::constants::STANDARD_GRAVITY_M_S2;
+    let evidence = observe_recording(&recording.name, recording, gravity, &Hanging::default(), None)?;
+    let work = work(evidence, None);
+    let mut result =
+        Measurement { format: FORMAT.into(), title: recording.name.clone(), ..Default::default() };
+    result
+        .warnings
+        .push("a bare recording gives modes alone; a session with dimensions gives inertia".into());
+    result.swings.push(work.result);
+    Ok(Analysis { measurement: result, evidence: vec![work.evidence] })
+}

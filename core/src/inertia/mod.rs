@@ -1,0 +1,21 @@
+//! From periods and dimensions to inertia: single routes, the joint estimate, its budget and its consistency.
+//!
+//! May know `recording`, `signal`, `modes`, `dynamics` and what they may know.
+
+mod alternatives;
+mod court;
+mod estimate;
+mod measure;
+mod measurement;
+mod observe;
+mod outputs;
+mod parameters;
+pub mod routes;
+mod theory;
+mod twin;
+
+pub use measure::{Analysis, MeasureOptions, analyse, measure, measure_recording};
+pub use measurement::{
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
+};
+pub use observe::Evidence;

@@ -1,0 +1,139 @@
+//! What small-oscillation theory says a session should show, for given parameters.
+
+use crate::dynamics::{
+    ModeKind, Rig, RigidBody, SuspensionAxis, compound_pendulum_period_s, mode_kind, small_modes,
+};
+use crate::error::{Error, Result};
+use crate::frames::{Mat3, Vec3, world_from_hull_pitched};
+use crate::recording::{Incline, ModeName, Orientation, Session, Swing};
+
+use super::parameters::{Layout, SwingIndex};
+
+/// Everything that hangs, in hull axes: mass, centre of mass from the mid-point of the suspension points, inertia
+/// about the centre of mass.
+pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
+    let mass = x[layout.mass];
+    let mut k2 = layout.log_gyradii.map(|i| (2.0 * x[i]).exp());
+    k2[0] *= k2[2];
+    let mut inertia = Mat3::from_diagonal(&Vec3::from(k2)) * mass;
+    inertia[(0, 2)] = x[layout.product_xz] * mass;
+    inertia[(2, 0)] = inertia[(0, 2)];
+    RigidBody { mass_kg: mass, inertia_kg_m2: inertia, cm_m: Vec3::new(0.0, 0.0, -x[log_depth].exp()) }
+}
+
+/// Inertia of a point mass about the origin.
+fn point_inertia(mass: f64, r: &Vec3) -> Mat3 {
+    (Mat3::identity() * r.norm_squared() - r * r.transpose()) * mass
+}
+
+/// Two bodies made one (parallel-axis rule); a negative mass takes a body off.
+pub fn joined(a: &RigidBody, mass_kg: f64, position_m: Vec3, own_inertia: Mat3) -> RigidBody {
+    let total = a.mass_kg + mass_kg;
+    let cm = (a.cm_m * a.mass_kg + position_m * mass_kg) / total;
+    let inertia = a.inertia_kg_m2
+        + point_inertia(a.mass_kg, &(a.cm_m - cm))
+        + own_inertia
+        + point_inertia(mass_kg, &(position_m - cm));
+    RigidBody { mass_kg: total, inertia_kg_m2: inertia, cm_m: cm }
+}
+
+/// The body of one swing as it hangs: added masses on, pitched as stated, centre of mass below the suspension.
+///
+/// Added masses that shift the centre of mass fore and aft tilt a hull that is free to pitch until the centre
+/// hangs below the suspension again.
+pub fn swing_body(layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex) -> RigidBody {
+    let pitch = world_from_hull_pitched(x[index.pitch_deg].to_radians());
+    // The depth parameter is the vertical one of this hanging: the centre lies straight below.
+    let mut body = hanging_body(layout, x, index.log_depth);
+    body = RigidBody { cm_m: body.cm_m, ..body.rotated(pitch) };
+    for added in &swing.added_masses {
+        body = joined(&body, added.mass_kg.value, pitch * Vec3::from(added.position_m), Mat3::zeros());
+    }
+    settle(&body, swing.suspension.orientation)
+}
+
+fn settle(body: &RigidBody, orientation: Orientation) -> RigidBody {
+    let cm = body.cm_m;
+    let turn = match orientation {
+        Orientation::Athwartships => Vec3::y() * (cm.x.atan2(-cm.z)),
+        Orientation::ForeAndAft => Vec3::x() * (-cm.y.atan2(-cm.z)),
+    };
+    if turn.norm() == 0.0 { *body } else { body.rotated(crate::frames::Rotation::from_scaled_axis(turn)) }
+}
+
+/// The lines of a bifilar swing.
+pub fn swing_rig(layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<Rig> {
+    let value = |i: Option<usize>, key: &str| {
+        i.map(|i| x[i]).ok_or_else(|| Error::no_result(&swing.id, format!("the suspension states no {key}")))
+    };
+    Rig::bifilar(
+        axis(swing.suspension.orientation),
+        value(index.line_length, "line_length")?,
+        value(index.spacing, "spacing")?,
+        value(index.top_spacing, "top_spacing")?,
+        x[layout.gravity],
+    )
+}
+
+/// The suspension's direction for the dynamics.
+pub fn axis(orientation: Orientation) -> SuspensionAxis {
+    match orientation {
+        Orientation::Athwartships => SuspensionAxis::Athwartships,
+        Orientation::ForeAndAft => SuspensionAxis::ForeAndAft,
+    }
+}
+
+/// The name of a small oscillation on a suspension of this orientation.
+pub fn kind_name(kind: ModeKind, orientation: Orientation) -> ModeName {
+    match (kind, orientation) {
+        (ModeKind::Yaw, _) => ModeName::Yaw,
+        (ModeKind::SwayLine, _) => ModeName::Sway,
+        (ModeKind::DoublePendulumInPhase, Orientation::Athwartships) => ModeName::PitchInPhase,
+        (ModeKind::DoublePendulumOutOfPhase, Orientation::Athwartships) => ModeName::PitchOutOfPhase,
+        (ModeKind::DoublePendulumInPhase, Orientation::ForeAndAft) => ModeName::RollInPhase,
+        (ModeKind::DoublePendulumOutOfPhase, Orientation::ForeAndAft) => ModeName::RollOutOfPhase,
+    }
+}
+
+/// Small-amplitude undamped periods of one swing by mode, s.
+pub fn swing_periods(
+    layout: &Layout,
+    x: &[f64],
+    swing: &Swing,
+    index: &SwingIndex,
+) -> Result<Vec<(ModeName, f64)>> {
+    let body = swing_body(layout, x, swing, index);
+    if let Some(height) = index.axis_height {
+        return Ok(vec![(ModeName::Compound, compound_period_s(&body, swing, x[height], x[layout.gravity]))]);
+    }
+    let modes = small_modes(&swing_rig(layout, x, swing, index)?, &body)?;
+    let unit = axis(swing.suspension.orientation).unit();
+    Ok((0..4)
+        .map(|i| {
+            let kind = mode_kind(&body, &modes.shapes[i], unit);
+            (kind_name(kind, swing.suspension.orientation), modes.period_s(i))
+        })
+        .collect())
+}
+
+/// Eq. (22): the axis lies `axis_height_m` above the suspension points, along the suspension's direction.
+fn compound_period_s(body: &RigidBody, swing: &Swing, axis_height_m: f64, gravity_m_s2: f64) -> f64 {
+    let unit = axis(swing.suspension.orientation).unit();
+    let k2 = unit.dot(&(body.inertia_kg_m2 * unit)) / body.mass_kg;
+    compound_pendulum_period_s(k2.sqrt(), axis_height_m - body.cm_m.z, gravity_m_s2)
+}
+
+/// The angle an incline weight makes, degrees, eq. (20) solved for the angle.
+pub fn incline_angle_deg(layout: &Layout, x: &[f64], incline: &Incline, log_depth: usize) -> f64 {
+    let (m, arm, drop) = (incline.mass_kg.value, incline.arm_m.value, incline.depth_m.value);
+    (m * arm / (x[layout.mass] * x[log_depth].exp() + m * drop)).atan().to_degrees()
+}
+
+/// The hull alone: attachments taken off the hanging body.
+pub fn hull_alone(session: &Session, layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
+    let body = hanging_body(layout, x, log_depth);
+    session.attachments.iter().zip(&layout.attachment_masses).fold(body, |body, (attachment, mass)| {
+        let k2 = Vec3::from(attachment.gyradii_m).map(|k| k * k);
+        joined(&body, -x[*mass], Vec3::from(attachment.position_m), -Mat3::from_diagonal(&k2) * x[*mass])
+    })
+}

@@ -1,0 +1,134 @@
+//! What the sensors wrote, on their own clocks, with every repair listed.
+
+use serde::{Deserialize, Serialize};
+
+/// Which sensor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sensor {
+    /// Rotation rate, rad/s.
+    Gyroscope,
+    /// Specific force, m/s² (at rest, screen up: z = +g).
+    Accelerometer,
+    /// Acceleration with gravity already taken out by the phone, m/s².
+    LinearAccelerometer,
+    /// A rangefinder's displacement, m.
+    Displacement,
+    /// A stopwatch or photogate: times and periods, s.
+    Timer,
+}
+
+impl Sensor {
+    /// What a report calls it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Sensor::Gyroscope => "gyroscope",
+            Sensor::Accelerometer => "accelerometer",
+            Sensor::LinearAccelerometer => "gravity-free accelerometer",
+            Sensor::Displacement => "rangefinder",
+            Sensor::Timer => "timer",
+        }
+    }
+}
+
+/// Three axes of one sensor on its own clock, phone axes. All vectors have the same length; `t_s` increases strictly.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Triad {
+    /// Time stamps, s.
+    pub t_s: Vec<f64>,
+    /// Samples by axis: `axes[0]` is x.
+    pub axes: [Vec<f64>; 3],
+}
+
+/// A phone's recording after its repairs.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Recording {
+    /// File name as the user knows it.
+    pub name: String,
+    /// Gyroscope, rad/s.
+    pub gyroscope: Option<Triad>,
+    /// Accelerometer, specific force, m/s².
+    pub accelerometer: Option<Triad>,
+    /// Gravity-free acceleration, m/s², where the phone gave that instead.
+    pub linear_accelerometer: Option<Triad>,
+    /// What was found wrong and how it was treated.
+    pub repairs: Vec<Repair>,
+}
+
+/// A rangefinder's track.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Track {
+    /// File name as the user knows it.
+    pub name: String,
+    /// Time, s, strictly increasing.
+    pub t_s: Vec<f64>,
+    /// Displacement, m.
+    pub y_m: Vec<f64>,
+    /// Repairs.
+    pub repairs: Vec<Repair>,
+}
+
+/// A list of periods in time order.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PeriodList {
+    /// File name as the user knows it.
+    pub name: String,
+    /// Time of each period (its middle), s.
+    pub t_s: Vec<f64>,
+    /// Period, s.
+    pub period_s: Vec<f64>,
+    /// Repairs.
+    pub repairs: Vec<Repair>,
+}
+
+/// A two-gate timer's log: one entry per beam edge, with the state of both gates after it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct GateEvents {
+    /// Time of each edge, s, increasing.
+    pub t_s: Vec<f64>,
+    /// Gate A is blocked from this edge on.
+    pub a: Vec<bool>,
+    /// Gate B is blocked from this edge on.
+    pub b: Vec<bool>,
+}
+
+/// The kinds of damage a recording can have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RepairKind {
+    /// Time stamps scatter about their rate by more than a twentieth of the interval: used as they stand.
+    Jitter,
+    /// A time stamp repeats the one before: the repeated row is dropped for that sensor.
+    RepeatedStamp,
+    /// A time stamp steps back: the row is dropped for that sensor.
+    BackwardStamp,
+    /// Rows are missing (gap of 1.5 to 10 intervals): left as a gap.
+    MissingRows,
+    /// The record stood still (gap over 10 intervals): left as a gap.
+    Stall,
+    /// Cells that are not numbers (NaN, inf): the row is dropped for that sensor.
+    NotANumber,
+    /// Samples at the sensor's limit: dropped for that sensor.
+    Saturation,
+    /// A pause, put back from the system clock.
+    Pause,
+    /// A second swing (hull touched or released again): only the longest is used.
+    SecondSwing,
+}
+
+/// One kind of damage of one sensor: how often, where first and last, what was done.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Repair {
+    /// Kind.
+    pub kind: RepairKind,
+    /// Sensor.
+    pub sensor: Sensor,
+    /// How many samples or gaps.
+    pub count: usize,
+    /// Time of the first, s.
+    pub first_s: f64,
+    /// Time of the last, s.
+    pub last_s: f64,
+    /// A sentence for the report: what was found and what was done.
+    pub text: String,
+}

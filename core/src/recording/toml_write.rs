@@ -1,0 +1,189 @@
+//! A [`Session`] as the text of `session.toml`, in the layout that people edit.
+
+use std::collections::BTreeMap;
+
+use super::quantity::Quantity;
+use super::session::{
+    AddedMass, Attachment, Body, End, Incline, InclineAngle, ModeName, Session, Site, Suspension, Swing,
+    SwingData,
+};
+use super::toml_read::FORMAT;
+use super::toml_swing::{EXCITATIONS, KINDS, MODES, ORIENTATIONS};
+
+/// The text of a `session.toml` that reads back to an equal session, if the session is a valid one.
+pub fn write_session(session: &Session) -> String {
+    let mut text = Lines::default();
+    text.key("format", quoted(FORMAT));
+    text.key_unless_empty("title", &session.title);
+    body(&mut text, &session.body);
+    site(&mut text, &session.site);
+    for one in &session.attachments {
+        attachment(&mut text, one);
+    }
+    for one in &session.swings {
+        swing(&mut text, one);
+    }
+    for one in &session.inclines {
+        incline(&mut text, one);
+    }
+    text.0
+}
+
+/// The lines written so far.
+#[derive(Default)]
+struct Lines(String);
+
+impl Lines {
+    fn header(&mut self, header: &str) {
+        self.0.push('\n');
+        self.subheader(header);
+    }
+
+    fn subheader(&mut self, header: &str) {
+        self.0.push_str(header);
+        self.0.push('\n');
+    }
+
+    fn key(&mut self, key: &str, value: String) {
+        self.0.push_str(&format!("{key} = {value}\n"));
+    }
+
+    fn key_if<T>(&mut self, key: &str, value: Option<T>, write: impl Fn(T) -> String) {
+        if let Some(value) = value {
+            self.key(key, write(value));
+        }
+    }
+
+    fn key_unless_empty(&mut self, key: &str, value: &str) {
+        if !value.is_empty() {
+            self.key(key, quoted(value));
+        }
+    }
+}
+
+fn body(text: &mut Lines, body: &Body) {
+    text.header("[body]");
+    text.key_unless_empty("name", &body.name);
+    text.key_if("mass", body.mass_kg, quantity);
+    text.key_if("length_overall", body.length_overall_m, number);
+    text.key_if("density", body.density_kg_m3, number);
+}
+
+fn site(text: &mut Lines, site: &Site) {
+    if *site == Site::default() {
+        return;
+    }
+    text.header("[site]");
+    text.key_if("gravity", site.gravity_m_s2, quantity);
+    text.key_if("latitude_deg", site.latitude_deg, number);
+    text.key_if("altitude", site.altitude_m, number);
+    text.key_if("air_density", site.air_density_kg_m3, number);
+}
+
+fn attachment(text: &mut Lines, attachment: &Attachment) {
+    text.header("[[attachment]]");
+    text.key_unless_empty("name", &attachment.name);
+    text.key("mass", quantity(attachment.mass_kg));
+    text.key("position", vector(attachment.position_m));
+    if attachment.gyradii_m != [0.0; 3] {
+        text.key("gyradii", vector(attachment.gyradii_m));
+    }
+}
+
+fn swing(text: &mut Lines, swing: &Swing) {
+    text.header("[[swing]]");
+    text.key("id", quoted(&swing.id));
+    swing_data(text, &swing.data);
+    if !swing.amplitude_deg.is_empty() {
+        text.key("amplitude_deg", by_mode(&swing.amplitude_deg, number));
+    }
+    if !swing.excited.is_empty() {
+        let names = swing.excited.iter().map(|one| quoted(name_of(*one, EXCITATIONS)));
+        text.key("excited", format!("[{}]", names.collect::<Vec<_>>().join(", ")));
+    }
+    added_masses(text, &swing.added_masses);
+    suspension(text, &swing.suspension);
+}
+
+fn swing_data(text: &mut Lines, data: &SwingData) {
+    match data {
+        SwingData::Recording(file) => text.key("recording", quoted(file)),
+        SwingData::Displacement { file, at_m } => {
+            text.key("displacement", quoted(file));
+            text.key_if("at", *at_m, vector);
+        }
+        SwingData::Periods(file) => text.key("periods", quoted(file)),
+        SwingData::PeriodsS(periods) => text.key("periods_s", by_mode(periods, quantity)),
+    }
+}
+
+fn added_masses(text: &mut Lines, masses: &[AddedMass]) {
+    if masses.is_empty() {
+        return;
+    }
+    text.subheader("added_mass = [");
+    for one in masses {
+        let line =
+            format!("  {{ mass = {}, position = {} }},", quantity(one.mass_kg), vector(one.position_m));
+        text.subheader(&line);
+    }
+    text.subheader("]");
+}
+
+fn suspension(text: &mut Lines, suspension: &Suspension) {
+    text.subheader("[swing.suspension]");
+    text.key("kind", quoted(name_of(suspension.kind, KINDS)));
+    text.key("orientation", quoted(name_of(suspension.orientation, ORIENTATIONS)));
+    text.key_if("line_length", suspension.line_length_m, quantity);
+    text.key_if("spacing", suspension.spacing_m, quantity);
+    text.key_if("top_spacing", suspension.top_spacing_m, quantity);
+    text.key_if("hull_pitch_deg", suspension.hull_pitch_deg, quantity);
+    text.key_if("axis_height", suspension.axis_height_m, quantity);
+}
+
+fn incline(text: &mut Lines, incline: &Incline) {
+    text.header("[[incline]]");
+    let end = match incline.end {
+        End::Bow => "bow",
+        End::Stern => "stern",
+    };
+    text.key("end", quoted(end));
+    text.key("mass", quantity(incline.mass_kg));
+    text.key("arm", quantity(incline.arm_m));
+    text.key("depth", quantity(incline.depth_m));
+    match &incline.angle {
+        InclineAngle::Stated(angle) => text.key("angle_deg", quantity(*angle)),
+        InclineAngle::Recording(file) => text.key("recording", quoted(file)),
+    }
+}
+
+/// The shortest digits that read back to the same number; Rust's spelling of a finite f64 is valid TOML.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+fn quantity(quantity: Quantity) -> String {
+    if quantity.u == 0.0 {
+        return number(quantity.value);
+    }
+    format!("{{ value = {}, u = {} }}", number(quantity.value), number(quantity.u))
+}
+
+fn vector(vector: [f64; 3]) -> String {
+    let [x, y, z] = vector.map(number);
+    format!("[{x}, {y}, {z}]")
+}
+
+fn quoted(text: &str) -> String {
+    toml_edit::Value::from(text).to_string()
+}
+
+fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(T) -> String) -> String {
+    let each = values.iter().map(|(mode, value)| format!("{} = {}", name_of(*mode, MODES), write(*value)));
+    format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
+}
+
+/// Every variant stands in its list of names, which the round-trip test holds.
+fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
+    names.iter().find(|(_, named)| *named == value).map_or("", |(name, _)| name)
+}

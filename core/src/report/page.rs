@@ -1,0 +1,57 @@
+//! The page around the report's parts, and all its pictures by themselves.
+
+use super::markup::Markup;
+use super::pictures::{self, Figure};
+use super::sections;
+use super::source::ReportSource;
+
+const STYLE: &str = include_str!("style.css");
+
+/// The report as one self-contained HTML file.
+pub fn html(source: &ReportSource) -> String {
+    let mut out = Markup::default();
+    out.raw("<!DOCTYPE html>\n");
+    out.within("html", &[("lang", "en")], |out| {
+        out.within("head", &[], |out| head(source, out));
+        out.within("body", &[], |out| {
+            out.within("main", &[], |out| sections::body(source, out));
+            numbers(source, out);
+        });
+    });
+    out.raw("\n");
+    out.into_string()
+}
+
+fn head(source: &ReportSource, out: &mut Markup) {
+    out.empty("meta", &[("charset", "utf-8")]);
+    out.empty("meta", &[("name", "viewport"), ("content", "width=device-width, initial-scale=1")]);
+    if !source.generated_by.is_empty() {
+        out.empty("meta", &[("name", "generator"), ("content", &source.generated_by)]);
+    }
+    out.element("title", &[], sections::title(source));
+    out.within("style", &[], |out| out.raw(STYLE));
+}
+
+/// The measurement as `measure --json` writes it.
+fn numbers(source: &ReportSource, out: &mut Markup) {
+    // A measurement serialises whatever it holds; numbers that are none become null.
+    let json = serde_json::to_string(&source.measurement).unwrap_or_default();
+    let attributes = [("type", "application/json"), ("id", "gyradius-measurement")];
+    out.within("script", &attributes, |out| out.json(&json));
+}
+
+/// Every picture of the report, in its order.
+pub fn figures(source: &ReportSource) -> Vec<Figure> {
+    let measurement = &source.measurement;
+    let mut all: Vec<Figure> = pictures::court(&measurement.consistency).into_iter().collect();
+    all.extend(pictures::budgets(measurement));
+    for swing in &measurement.swings {
+        if let Some(recording) = source.recordings.iter().find(|recording| recording.id == swing.id) {
+            all.extend(pictures::fits(recording));
+            all.extend(pictures::spectrum(recording));
+        }
+        all.extend(pictures::against_amplitude(swing));
+    }
+    all.extend(pictures::ellipsoids(measurement));
+    all
+}

@@ -1,0 +1,33 @@
+//! The report's pictures.
+
+mod amplitude;
+mod budget;
+mod court;
+mod ellipsoid;
+mod recording;
+
+pub(super) use amplitude::against_amplitude;
+pub(super) use budget::budgets;
+pub(super) use court::{MOST_ROWS, court};
+pub(super) use ellipsoid::{ellipsoids, no_ellipsoid_reason};
+pub(super) use recording::{fits, spectrum};
+
+/// A picture with what is said below it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Unique in the report; letters, digits and hyphens.
+    pub id: String,
+    /// What is shown.
+    pub title: String,
+    /// How to read it.
+    pub caption: String,
+    /// The picture, a whole SVG.
+    pub svg: String,
+}
+
+impl Figure {
+    fn new(id: &str, title: String, caption: String, svg: String) -> Self {
+        let id = id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        Self { id, title, caption, svg }
+    }
+}

@@ -1,0 +1,200 @@
+//! The result: quantities, verdicts, warnings.
+
+use serde_json::Value;
+
+use crate::inertia::{QuantityResult, Verdict};
+use crate::report::digits::{NOTHING, interval, joined, significant, with_u};
+use crate::report::markup::Markup;
+use crate::report::source::ReportSource;
+use crate::report::table::{list, matrix};
+use crate::report::words;
+
+pub(super) fn write(source: &ReportSource, out: &mut Markup) {
+    out.within("section", &[("id", "result")], |out| {
+        out.element("h2", &[], "Result");
+        quantities(source, out);
+        verdicts(source, out);
+        warnings(source, out);
+        tensor(source, out);
+    });
+}
+
+fn quantities(source: &ReportSource, out: &mut Markup) {
+    let all = &source.measurement.quantities;
+    let mut keys: Vec<&String> = all.keys().filter(|key| is_listed(&all[*key])).collect();
+    if keys.is_empty() {
+        let text = "The swings do not determine any inertia: below are the modes that were found.";
+        out.element("p", &[], text);
+        return;
+    }
+    keys.sort_by_key(|key| (words::rank(key), key.to_string()));
+    out.within("div", &[("class", "scroll")], |out| {
+        out.within("table", &[("class", "result")], |out| {
+            out.raw("<thead><tr><th>Quantity</th><th>Value ± u</th><th>95 % interval</th></tr></thead>");
+            out.within("tbody", &[], |out| keys.iter().for_each(|key| quantity(out, key, &all[*key])));
+        });
+    });
+    let note = "u is one standard uncertainty: every input and what inputs share is counted. The interval holds the true \
+                value with a probability of 95 %, provided that what is stated below is true.";
+    out.element("p", &[("class", "note")], note);
+}
+
+/// Numbers and triples; a tensor has a table of its own.
+fn is_listed(quantity: &QuantityResult) -> bool {
+    quantity.value.is_number()
+        || quantity.value.as_array().is_some_and(|list| list.iter().all(Value::is_number))
+}
+
+fn quantity(out: &mut Markup, key: &str, quantity: &QuantityResult) {
+    if quantity.value.is_array() {
+        return triple(out, key, quantity);
+    }
+    out.within("tr", &[], |out| {
+        out.within("th", &[], |out| {
+            out.write(&words::quantity_name(key));
+            if let Some(words) = words::quantity(key) {
+                out.write(" ");
+                symbol(out, words.symbol);
+            }
+        });
+        out.element("td", &[("class", "value")], &value_text(key, quantity));
+        let u = quantity.u.as_f64().unwrap_or(0.0);
+        let bounds = quantity.interval_95.map_or(String::new(), |bounds| interval(bounds, u));
+        out.element("td", &[("class", "interval")], &bounds);
+    });
+}
+
+/// One row for each axis.
+fn triple(out: &mut Markup, key: &str, quantity: &QuantityResult) {
+    let name = if key == "principal_gyradii_m" {
+        "Gyradius about principal".into()
+    } else {
+        words::quantity_name(key)
+    };
+    for ((value, u), axis) in pairs(quantity).into_iter().zip(["x", "y", "z"]) {
+        out.within("tr", &[], |out| {
+            out.element("th", &[], &format!("{name} {axis}"));
+            out.element("td", &[("class", "value")], &joined(&with_u(value, u), words::unit_of(key)));
+            out.element("td", &[("class", "interval")], "");
+        });
+    }
+}
+
+/// A symbol with its index set low.
+fn symbol(out: &mut Markup, symbol: &str) {
+    let (letter, index) = symbol.split_once('_').unwrap_or((symbol, ""));
+    out.within("var", &[], |out| {
+        out.write(letter);
+        if !index.is_empty() {
+            out.element("sub", &[], index);
+        }
+    });
+}
+
+fn value_text(key: &str, quantity: &QuantityResult) -> String {
+    let pairs: Vec<String> = pairs(quantity).into_iter().map(|(value, u)| with_u(value, u)).collect();
+    joined(&pairs.join(", "), words::unit_of(key))
+}
+
+/// Values with their uncertainties, whatever the shape.
+fn pairs(quantity: &QuantityResult) -> Vec<(f64, f64)> {
+    flat(&quantity.value)
+        .into_iter()
+        .zip(flat(&quantity.u).into_iter().chain(std::iter::repeat(0.0)))
+        .collect()
+}
+
+/// Numbers of a value, whatever its shape.
+fn flat(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Array(list) => list.iter().flat_map(flat).collect(),
+        number => vec![number.as_f64().unwrap_or(f64::NAN)],
+    }
+}
+
+fn verdicts(source: &ReportSource, out: &mut Markup) {
+    for verdict in &source.measurement.verdicts {
+        let word = match &*verdict.verdict {
+            "pass" => "Pass",
+            "fail" => "Fail",
+            _ => "Undecided",
+        };
+        let class = format!("verdict {}", word.to_lowercase());
+        out.within("p", &[("class", &class)], |out| {
+            out.element("strong", &[], word);
+            out.write(&format!(": {}", verdict_text(source, verdict)));
+        });
+    }
+}
+
+fn verdict_text(source: &ReportSource, verdict: &Verdict) -> String {
+    let unit = words::unit_of(&verdict.quantity);
+    let measured = source.measurement.quantities.get(&verdict.quantity);
+    let value = measured.and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?)));
+    let relation = match &*verdict.relation {
+        ">=" => "at least",
+        "<=" => "at most",
+        other => other,
+    };
+    let asked = format!(
+        "{} asked to be {relation} {} {unit}",
+        words::quantity_name(&verdict.quantity).to_lowercase(),
+        significant(verdict.limit, 6)
+    );
+    let found = value.map_or(String::new(), |(v, u)| format!(", measured {} {unit}", with_u(v, u)));
+    let explained = match &*verdict.verdict {
+        "pass" | "fail" => "",
+        _ => " The limit lies within the guard band: neither can be stated with confidence.",
+    };
+    format!(
+        "{asked}{found}; guard band {} {unit}, probability that the hull conforms {} %.{explained}",
+        significant(verdict.guard_band, 2),
+        percent(verdict.conformance_probability)
+    )
+}
+
+/// A probability in percent that does not round to certainty.
+fn percent(probability: f64) -> String {
+    match 100.0 * probability {
+        p if !p.is_finite() => NOTHING.into(),
+        p if p > 99.9 => "over 99.9".into(),
+        p if p < 0.1 => "under 0.1".into(),
+        p => format!("{p:.1}"),
+    }
+}
+
+/// The tensor about the centre of mass, and the correlations of the scalars.
+fn tensor(source: &ReportSource, out: &mut Markup) {
+    let Some(inertia) = source.measurement.quantities.get("inertia_kg_m2") else { return };
+    let (values, us) = (flat(&inertia.value), flat(&inertia.u));
+    if values.len() != 9 {
+        return;
+    }
+    let u = |i: usize| us.get(i).copied().unwrap_or(0.0);
+    let rows: Vec<Vec<String>> = ["x", "y", "z"]
+        .iter()
+        .enumerate()
+        .map(|(i, axis)| {
+            let cells = (0..3).map(|j| with_u(values[3 * i + j], u(3 * i + j)));
+            std::iter::once(axis.to_string()).chain(cells).collect()
+        })
+        .collect();
+    out.element("h3", &[], "Inertia about the centre of mass, hull axes, kg m²");
+    matrix(out, &["", "x", "y", "z"], &rows);
+    if inertia.method.contains("taken as principal") {
+        let text = "The products of inertia were not measured: the hull's axes are taken as principal.";
+        out.element("p", &[("class", "note")], text);
+    }
+}
+
+fn warnings(source: &ReportSource, out: &mut Markup) {
+    let warnings = &source.measurement.warnings;
+    if warnings.is_empty() {
+        return;
+    }
+    out.within("div", &[("class", "warnings")], |out| {
+        out.element("h3", &[], "To be read with the result");
+        let sentences: Vec<String> = warnings.iter().map(|text| words::sentence_case(text)).collect();
+        list(out, "", &sentences);
+    });
+}

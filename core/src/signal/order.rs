@@ -1,0 +1,326 @@
+//! How many modes there are, decided from the data.
+//!
+//! The strongest line of the residual's spectrum, each channel measured against its own coloured floor, is
+//! tried as what it may be: a combination tone of known modes, an amplitude law of the mode it stands beside,
+//! the other half of a close pair, or a mode of its own. A trial stays if what it takes off the sum of squares,
+//! measured against the floor *after* the trial, is beyond what the largest of all noise bins would take off.
+
+use super::basis::Model;
+use super::compress::Cells;
+use super::fit::{Fit, polish, project, project_with_curvature, refine};
+use super::floor::Floor;
+use super::proposals::{Kind, Peak, nearest, proposals};
+use super::record::{FINAL_CELLS, Record, SEARCH_CELLS};
+use super::spectrum::{Periodogram, cell_residuals, periodogram};
+use super::types::DecomposeOptions;
+
+/// Chance of one false line per record; the floor's own scatter is covered by [`FLOOR_MARGIN`].
+const FALSE_ALARM: f64 = 1e-5;
+/// Factor on the bound because the floor is itself estimated, to about a tenth.
+const FLOOR_MARGIN: f64 = 1.2;
+/// χ² (2 degrees of freedom) that an amplitude law must gain: false alarm 4e-6 for white noise.
+const LAW_GAIN: f64 = 25.0;
+/// Peaks tried in vain before the search ends.
+const MOST_REJECTIONS: usize = 6;
+/// Most iterations of the last fit.
+const LAST_ITERATIONS: usize = 12;
+/// Standard errors of a negative decay that count as noise.
+const BEYOND_NOISE: f64 = 3.0;
+/// Most baseline polynomials.
+const MOST_BASELINE: usize = 12;
+
+/// A fit in the making.
+pub(super) struct Search<'a> {
+    pub record: &'a Record<'a>,
+    pub options: &'a DecomposeOptions,
+    /// Cells of the whole band, for spectra.
+    band_cells: Vec<Cells>,
+    band_width: f64,
+    /// Cells of the fit.
+    pub cells: Vec<Cells>,
+    width: f64,
+    pub fit: Fit,
+    /// Bound on the whitened power of a line.
+    pub bound: f64,
+    /// Modes whose decay is held at zero because they would grow.
+    pub held_growing: usize,
+}
+
+/// Whitened residual spectrum with its floors.
+pub(super) struct Whitened {
+    pub spectrum: Periodogram,
+    pub floors: Vec<Floor>,
+    /// Sum over channels of power over floor.
+    pub sum: Vec<f64>,
+}
+
+impl<'a> Search<'a> {
+    pub fn new(record: &'a Record<'a>, options: &'a DecomposeOptions) -> Option<Self> {
+        let band_width = record.band_width();
+        let band_cells = record.gather(band_width);
+        let model = Model { baseline: 2, ..Model::default() };
+        let fit = project(&model, &band_cells)?;
+        let cells = band_cells.clone();
+        let bound = bound(record.channels(), 2.0 * (record.band.1 - record.band.0)) * FLOOR_MARGIN;
+        let width = band_width;
+        Some(Self { record, options, band_cells, band_width, cells, width, fit, bound, held_growing: 0 })
+    }
+
+    /// Adds lines until the residual has none.
+    pub fn run(&mut self) {
+        let (mut masked, mut tried): (Vec<f64>, Vec<usize>) = (vec![], vec![]);
+        let mut whitened = self.whiten(&self.fit);
+        while !self.is_complete() && masked.len() <= MOST_REJECTIONS {
+            if tried.is_empty() && self.raise_baseline(&whitened) {
+                whitened = self.whiten(&self.fit);
+            }
+            let Some(peak) = whitened.peak(self.record.band, &masked, &self.fit) else { break };
+            if self.options.mode_count.is_none() && peak.power < 0.6 * self.bound {
+                break;
+            }
+            match self.improve(&peak, &tried) {
+                Some((fit, after)) => {
+                    self.fit = fit;
+                    tried.clear();
+                    let Some(after) = after else { break };
+                    whitened = after;
+                }
+                None => {
+                    masked.push(peak.k);
+                    tried.extend(nearest(&self.fit.model, peak.k));
+                }
+            }
+        }
+        self.simplify();
+        self.finish();
+    }
+
+    /// The last steps, on cells so fine that next to nothing is lost.
+    fn finish(&mut self) {
+        if self.fit.model.modes.is_empty() {
+            return;
+        }
+        let width = self.record.fit_width(self.fit.model.highest_omega(), FINAL_CELLS);
+        if width < 0.8 * self.width {
+            self.width = width;
+            self.cells = self.record.gather(width);
+        }
+        if let Some(fit) = polish(&self.fit.model, &self.cells, LAST_ITERATIONS, &[]) {
+            self.fit = fit;
+        }
+        if self.fit.model.modes.iter().any(|mode| mode.alpha < 0.0) {
+            self.hold_growing();
+        }
+    }
+
+    /// A free swing does not grow: where the fit says so beyond its noise, the decay is held at zero.
+    fn hold_growing(&mut self) {
+        let Some((_, curvature)) = project_with_curvature(&self.fit.model, &self.cells) else { return };
+        let Some(covariance) = curvature.hessian.cholesky().map(|c| c.inverse()) else { return };
+        let (mut model, mut held) = (self.fit.model.clone(), vec![]);
+        for m in 0..model.modes.len() {
+            let at = model.parameter_offset(m) + 1;
+            if model.modes[m].alpha < -BEYOND_NOISE * covariance[(at, at)].sqrt() {
+                model.modes[m].alpha = 0.0;
+                held.push(at);
+            }
+        }
+        if held.is_empty() {
+            return;
+        }
+        if let Some(fit) = polish(&model, &self.cells, LAST_ITERATIONS, &held) {
+            self.fit = fit;
+            self.held_growing = held.len();
+        }
+    }
+
+    fn is_complete(&self) -> bool {
+        let modes = self.fit.model.modes.len();
+        match self.options.mode_count {
+            Some(count) => modes >= count,
+            None => modes >= self.options.max_modes || self.fit.model.tones.len() >= 8,
+        }
+    }
+
+    /// The best admissible trial for a peak, if one stands.
+    ///
+    /// No spectrum comes with the last of a given number of modes.
+    fn improve(&mut self, peak: &Peak, tried: &[usize]) -> Option<(Fit, Option<Whitened>)> {
+        let before = self.make_cells_for(peak.k * std::f64::consts::TAU);
+        let found = match self.options.mode_count {
+            Some(count) => {
+                let (_, fit) = proposals(self, peak, true, tried).into_iter().next()?;
+                let after = (fit.model.modes.len() < count).then(|| self.whiten(&fit));
+                Some((fit, after))
+            }
+            None => self.best_trial(peak, tried).map(|(fit, after)| (fit, Some(after))),
+        };
+        if let (None, Some(before)) = (&found, before) {
+            (self.cells, self.width, self.fit) = before;
+        }
+        found
+    }
+
+    fn best_trial(&self, peak: &Peak, tried: &[usize]) -> Option<(Fit, Whitened)> {
+        let mut best: Option<(f64, Kind, Fit, Whitened)> = None;
+        for (kind, fit) in proposals(self, peak, false, tried) {
+            let after = self.whiten(&fit);
+            let gain = self.gain(&fit, &after, peak.k);
+            let needed = if kind == Kind::Law { LAW_GAIN } else { 2.0 * self.bound };
+            if gain < needed {
+                continue;
+            }
+            let better = match &best {
+                None => true,
+                Some(held) => prefer(kind, gain, &fit, held.1, held.0, &held.2, self.bound),
+            };
+            if better {
+                best = Some((gain, kind, fit, after));
+            }
+        }
+        best.map(|(_, _, fit, after)| (fit, after))
+    }
+
+    /// χ² that a fit gains over the present one, by the floor at a frequency.
+    fn gain(&self, fit: &Fit, after: &Whitened, k: f64) -> f64 {
+        let lost = self.fit.rss.iter().zip(&fit.rss).map(|(before, after)| before - after);
+        lost.zip(&after.floors).map(|(lost, floor)| (lost / floor.at(k)).clamp(-1e12, 1e12)).sum()
+    }
+
+    /// Finer cells where a faster line is tried than the present cells resolve; what was before is returned.
+    fn make_cells_for(&mut self, omega: f64) -> Option<(Vec<Cells>, f64, Fit)> {
+        let fastest = self.fit.model.highest_omega().max(omega);
+        let width = self.record.fit_width(fastest, SEARCH_CELLS);
+        let first = self.fit.model.modes.is_empty();
+        if !first && width > 0.8 * self.width {
+            return None;
+        }
+        let cells = std::mem::replace(&mut self.cells, self.record.gather(width));
+        let fit = refine(&self.fit.model, &self.cells, 3).unwrap_or_else(|| self.fit.clone());
+        Some((cells, std::mem::replace(&mut self.width, width), std::mem::replace(&mut self.fit, fit)))
+    }
+
+    /// The finer of the two sets of cells.
+    pub fn finest_cells(&self) -> &[Cells] {
+        if self.width < self.band_width { &self.cells } else { &self.band_cells }
+    }
+
+    /// Residual spectrum of a fit over its floor.
+    pub fn whiten(&self, fit: &Fit) -> Whitened {
+        let cells = self.finest_cells();
+        let spectrum = periodogram(cells, &cell_residuals(fit, cells), self.width.min(self.band_width));
+        Whitened::of(spectrum, self.record.band)
+    }
+
+    /// Two more baseline polynomials where the spectrum stands high below the band.
+    fn raise_baseline(&mut self, whitened: &Whitened) -> bool {
+        let slowest = self.fit.model.modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
+        let room = (0.8 * slowest / std::f64::consts::PI).min(MOST_BASELINE as f64) as usize;
+        let baseline = self.fit.model.baseline + 2;
+        let low = whitened.highest(0.3, self.record.band.0.min(1.5));
+        if slowest.is_infinite() || baseline > room || low < 0.5 * self.bound {
+            return false;
+        }
+        let model = Model { baseline, ..self.fit.model.clone() };
+        let Some(fit) = refine(&model, &self.cells, 6) else { return false };
+        let after = self.whiten(&fit);
+        let raised = self.gain(&fit, &after, 0.5 * baseline as f64) > 2.0 * self.bound;
+        if raised {
+            self.fit = fit;
+        }
+        raised
+    }
+
+    /// Takes back laws that a later mode made needless.
+    fn simplify(&mut self) {
+        for m in 0..self.fit.model.modes.len() {
+            if self.fit.model.modes[m].law.is_none() || self.fit.model.modes.len() == 1 {
+                continue;
+            }
+            let mut model = self.fit.model.clone();
+            model.modes[m].law = None;
+            let Some(plain) = refine(&model, &self.cells, 12) else { continue };
+            let after = self.whiten(&self.fit);
+            let k = self.fit.model.modes[m].omega / std::f64::consts::TAU;
+            let lost = plain.rss.iter().zip(&self.fit.rss).map(|(a, b)| a - b);
+            let gain: f64 = lost.zip(&after.floors).map(|(lost, floor)| lost / floor.at(k)).sum();
+            if gain < LAW_GAIN {
+                self.fit = plain;
+            }
+        }
+    }
+}
+
+/// Whether a trial beats the one held.
+fn prefer(kind: Kind, gain: f64, fit: &Fit, held_kind: Kind, held: f64, held_fit: &Fit, bound: f64) -> bool {
+    match (held_kind, kind) {
+        // A line that a combination explains by half is that combination, its parents' law being imperfect.
+        (Kind::Tone, Kind::Mode) => held < 0.5 * gain,
+        // A law needs two numbers, a mode two for each channel besides; a tie is the law's.
+        (Kind::Law, Kind::Mode) => held_fit.merit - fit.merit > 2.0 * bound && held < 0.97 * gain,
+        _ => gain > held,
+    }
+}
+
+impl Whitened {
+    pub fn of(spectrum: Periodogram, band: (f64, f64)) -> Self {
+        let floors = Floor::of(&spectrum, 1.0, band.1);
+        let length = spectrum.len().min((band.1 / spectrum.step) as usize + 2);
+        let mut sum = vec![0.0; length];
+        // The floor is smooth: one value for each eighth of a bin's neighbourhood would do; four bins share one.
+        for (power, floor) in spectrum.power.iter().zip(&floors) {
+            let blocks = sum.chunks_mut(4).zip(power.chunks(4)).enumerate();
+            for (block, (sums, powers)) in blocks {
+                let scale = 1.0 / floor.at(((4 * block) as f64 + 1.5) * spectrum.step);
+                sums.iter_mut().zip(powers).for_each(|(s, p)| *s += p * scale);
+            }
+        }
+        Self { spectrum, floors, sum }
+    }
+
+    fn index(&self, k: f64) -> usize {
+        ((k / self.spectrum.step).round() as usize).min(self.sum.len().saturating_sub(1))
+    }
+
+    /// Largest whitened power between two frequencies.
+    pub fn highest(&self, from: f64, to: f64) -> f64 {
+        let (from, to) = (self.index(from), self.index(to));
+        self.sum[from.min(to)..=to].iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The strongest peak of the band away from masked frequencies, with its half-power width.
+    fn peak(&self, band: (f64, f64), masked: &[f64], fit: &Fit) -> Option<Peak> {
+        let step = self.spectrum.step;
+        let free = |j: &usize| masked.iter().all(|k| (*j as f64 * step - k).abs() > 1.5);
+        let range = self.index(band.0)..=self.index(band.1);
+        let top = range.filter(free).max_by(|&a, &b| self.sum[a].total_cmp(&self.sum[b]))?;
+        let power = self.sum[top];
+        let above = self.sum[top..].iter().take_while(|&&s| s > 0.5 * power).count();
+        let below = self.sum[..top].iter().rev().take_while(|&&s| s > 0.5 * power).count();
+        let centre = (above as f64 - 1.0 - below as f64) * 0.5;
+        let shift = if above + below > 6 { 0.0 } else { centre };
+        let k = (top as f64 + shift) * step;
+        let over = self.floors.iter().enumerate().map(|(c, floor)| fit.variance(c) / floor.at(k));
+        let over_floor = over.filter(|ratio| ratio.is_finite()).fold(1.0, f64::max);
+        Some(Peak { k, power, width: (above + below) as f64 * step, over_floor })
+    }
+}
+
+/// Whitened power that the largest of `bins` noise bins of `channels` channels exceeds with [`FALSE_ALARM`].
+fn bound(channels: usize, bins: f64) -> f64 {
+    let tail = |x: f64| {
+        let (mut term, mut sum) = (1.0, 1.0);
+        for j in 1..channels {
+            term *= x / j as f64;
+            sum += term;
+        }
+        -x + f64::ln(sum)
+    };
+    let wanted = (FALSE_ALARM / bins.max(1.0)).ln();
+    let (mut low, mut high) = (0.0, 1000.0 + 4.0 * channels as f64);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if tail(middle) > wanted { low = middle } else { high = middle }
+    }
+    high
+}

@@ -1,0 +1,122 @@
+//! Standard errors that stay true when the noise is coloured or the model incomplete.
+//!
+//! The covariance is the sandwich `H⁻¹ (Σ_c s_c J_cᵀJ_c/σ_c²) H⁻¹`: H the curvature of the fit, `s_c` the power of
+//! the residual about a mode's frequency over the variance the fit assumed. Colour and misfit near the line
+//! both stand in that power. For white noise `s_c` scatters about 1 by a fifth; it counts only as far as it is
+//! significantly above 1, so that intervals of white records keep their level.
+
+use nalgebra::DMatrix;
+
+use super::basis::Model;
+use super::fit::{Curvature, Fit};
+use super::motion::{Law, Motion};
+use super::spectrum::Periodogram;
+
+/// Half-width, in cycles per span, of the neighbourhood in which the residual's power is taken.
+const NEIGHBOURHOOD: f64 = 12.0;
+/// z at which an excess counts by half.
+const HALF_SIGNIFICANCE: f64 = 3.0;
+
+/// Covariances of a fit.
+pub(super) struct Errors {
+    /// Of the nonlinear parameters, per span.
+    pub covariance: DMatrix<f64>,
+    /// Standard error of real and imaginary parts by channel and mode.
+    pub shape_se: Vec<Vec<f64>>,
+}
+
+impl Errors {
+    pub fn of(fit: &Fit, curvature: &Curvature, residual: &Periodogram) -> Option<Self> {
+        let bread = curvature.hessian.clone().cholesky()?.inverse();
+        let owner = owners(&fit.model);
+        let excess: Vec<Vec<f64>> = (0..fit.channels()).map(|c| excess(fit, residual, c)).collect();
+        let mut filling = DMatrix::zeros(owner.len(), owner.len());
+        for (c, square) in curvature.by_channel.iter().enumerate() {
+            let weight = 1.0 / fit.variance(c);
+            filling += square
+                .map_with_location(|i, j, v| v * weight * (excess[c][owner[i]] * excess[c][owner[j]]).sqrt());
+        }
+        let covariance = &bread * filling * &bread;
+        let shape_se = shape_errors(fit, curvature, &covariance, &excess);
+        Some(Self { covariance, shape_se })
+    }
+
+    /// Variance of a function of a mode's parameters, by its numerical gradient.
+    pub fn se_of(&self, model: &Model, mode: usize, function: impl Fn(&Motion) -> f64) -> f64 {
+        let motion = model.modes[mode];
+        let (p, offset) = (motion.parameters(), model.parameter_offset(mode));
+        let gradient: Vec<f64> = (0..p.len())
+            .map(|i| {
+                let h = 1e-5 * (1.0 + p[i].abs());
+                let (mut up, mut down) = (p.clone(), p.clone());
+                up[i] += h;
+                down[i] -= h;
+                (function(&motion.with_parameters(&up)) - function(&motion.with_parameters(&down)))
+                    / (2.0 * h)
+            })
+            .collect();
+        let mut variance = 0.0;
+        for (i, a) in gradient.iter().enumerate() {
+            for (j, b) in gradient.iter().enumerate() {
+                variance += a * b * self.covariance[(offset + i, offset + j)];
+            }
+        }
+        variance.max(0.0).sqrt()
+    }
+}
+
+/// The mode that each parameter belongs to.
+fn owners(model: &Model) -> Vec<usize> {
+    let modes = model.modes.iter().enumerate();
+    modes.flat_map(|(m, mode)| std::iter::repeat_n(m, mode.parameter_count())).collect()
+}
+
+/// Residual power about each mode over the assumed variance, as far as it is significant; at least 1.
+fn excess(fit: &Fit, residual: &Periodogram, channel: usize) -> Vec<f64> {
+    let centre = |mode: &Motion| mode.omega / std::f64::consts::TAU;
+    let of_mode = |mode: &Motion| {
+        let (from, to) = ((centre(mode) - NEIGHBOURHOOD).max(0.5), centre(mode) + NEIGHBOURHOOD);
+        let range = (from / residual.step) as usize..((to / residual.step) as usize).min(residual.len());
+        let near = fit.model.modes.iter().filter(|m| (from..to).contains(&centre(m))).count() as f64;
+        // Each fitted mode takes two real numbers of the channel, and a share of the poles, out of the bins.
+        let bins = range.len() as f64 * residual.step - near * (1.0 + 1.0 / fit.channels() as f64);
+        let sum: f64 = residual.power[channel][range].iter().sum::<f64>() * residual.step;
+        let above = (sum / bins.max(1.0) / fit.variance(channel) - 1.0).max(0.0);
+        let z4 = (above * bins.max(1.0).sqrt() / HALF_SIGNIFICANCE).powi(4);
+        if z4.is_finite() { 1.0 + above * z4 / (1.0 + z4) } else { 1.0 }
+    };
+    fit.model.modes.iter().map(of_mode).collect()
+}
+
+fn shape_errors(
+    fit: &Fit,
+    curvature: &Curvature,
+    covariance: &DMatrix<f64>,
+    excess: &[Vec<f64>],
+) -> Vec<Vec<f64>> {
+    (0..fit.channels())
+        .map(|c| {
+            let linear = &curvature.linear_covariance[curvature.group_of[c]];
+            let slopes = &curvature.coefficient_slopes[c];
+            let carried = slopes * covariance * slopes.transpose();
+            let part = |i: usize, s: f64| linear[(i, i)] * fit.variance(c) * s + carried[(i, i)];
+            let mode = |m: usize| 0.5 * (part(2 * m, excess[c][m]) + part(2 * m + 1, excess[c][m]));
+            (0..fit.model.modes.len()).map(|m| mode(m).max(0.0).sqrt()).collect()
+        })
+        .collect()
+}
+
+/// Energy-weighted means over the span of frequency and decay.
+pub(super) fn mean_rates(motion: &Motion) -> (f64, f64) {
+    let Some(Law { shift, beta, power }) = motion.law else { return (motion.omega, motion.alpha) };
+    let steps = 400;
+    let (mut weight, mut frequency, mut decay) = (0.0, 0.0, 0.0);
+    for i in 0..steps {
+        let envelope = motion.envelope((f64::from(i) + 0.5) / f64::from(steps));
+        let energy = envelope * envelope;
+        weight += energy;
+        frequency += energy * (motion.omega + shift * envelope.powi(i32::from(power)));
+        decay += energy * (motion.alpha + beta * envelope);
+    }
+    (frequency / weight, decay / weight)
+}

@@ -1,0 +1,53 @@
+"""Inertia of a hull hung on two lines, from the recordings of a phone that swings with it.
+
+>>> import gyradius
+>>> session = gyradius.load(gyradius.shipped_session("keelboat"))
+>>> measurement = session.measure(limits=["k_pitch_m>=1.100"])
+>>> measurement.quantities["k_yaw_m"].value  # doctest: +SKIP
+
+The science is in the Rust core; this package converts, prints and draws.
+"""
+
+from ._core import GyradiusError, InputError, NoResultError, __version__
+from .arrays import Decomposition, Mode, decompose, evaluate_route, routes
+from .imports import import_files
+from .measurement import (
+    AmplitudePoint,
+    BudgetLine,
+    Claim,
+    Measurement,
+    ModeResult,
+    Quantity,
+    Repair,
+    Route,
+    SwingResult,
+    Verdict,
+)
+from .session import Session, load, shipped_session, shipped_sessions
+
+__all__ = [
+    "AmplitudePoint",
+    "BudgetLine",
+    "Claim",
+    "Decomposition",
+    "GyradiusError",
+    "InputError",
+    "Measurement",
+    "Mode",
+    "ModeResult",
+    "NoResultError",
+    "Quantity",
+    "Repair",
+    "Route",
+    "Session",
+    "SwingResult",
+    "Verdict",
+    "__version__",
+    "decompose",
+    "evaluate_route",
+    "import_files",
+    "load",
+    "routes",
+    "shipped_session",
+    "shipped_sessions",
+]

@@ -1,0 +1,5 @@
+"""``python -m gyradius``."""
+
+from .cli import main
+
+main()

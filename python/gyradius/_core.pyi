@@ -1,0 +1,73 @@
+"""The native module: thin conversions around the Rust core."""
+
+from typing import final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .imports import ImportPlan
+
+__all__ = [
+    "Decomposition",
+    "GyradiusError",
+    "InputError",
+    "Measurement",
+    "NoResultError",
+    "Session",
+    "__version__",
+    "decompose",
+    "evaluate_route",
+    "import_files",
+    "load",
+    "routes",
+]
+
+__version__: str
+
+class GyradiusError(ValueError):
+    """What went wrong, with its `file` and `line`."""
+
+    file: str | None
+    line: int | None
+
+class InputError(GyradiusError):
+    """The input cannot be read or used."""
+
+class NoResultError(GyradiusError):
+    """The data do not allow a result."""
+
+@final
+class Session:
+    """A session with its recordings."""
+
+    @property
+    def title(self) -> str: ...
+    @property
+    def swing_ids(self) -> list[str]: ...
+    def measure(self, limits: list[str]) -> Measurement: ...
+
+@final
+class Measurement:
+    """The result of a session, as the core made it."""
+
+    def to_json(self) -> str: ...
+    def to_html(self) -> str: ...
+    @property
+    def recorded_swings(self) -> list[str]: ...
+    def fits(
+        self, swing_id: str
+    ) -> list[tuple[list[str], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]]: ...
+    def spectrum(self, swing_id: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+@final
+class Decomposition:
+    """The damped oscillations of a record."""
+
+    def to_json(self) -> str: ...
+    def evaluate(self, t_s: NDArray[np.float64]) -> NDArray[np.float64]: ...
+
+def load(path: str, mapping: list[str]) -> Session: ...
+def decompose(t_s: NDArray[np.float64], channels: list[NDArray[np.float64]]) -> Decomposition: ...
+def routes() -> str: ...
+def evaluate_route(name: str, inputs: dict[str, float]) -> dict[str, float]: ...
+def import_files(files: list[str], folder: str, plan: ImportPlan) -> list[str]: ...

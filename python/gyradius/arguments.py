@@ -1,0 +1,45 @@
+"""What a user types: quantities and choices."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import Any
+
+import typer
+
+
+class Suspension(str, Enum):
+    """How it hung."""
+
+    bifilar = "bifilar"
+    compound = "compound"
+
+
+class Orientation(str, Enum):
+    """The direction that joins the suspension points."""
+
+    athwartships = "athwartships"
+    fore_and_aft = "fore_and_aft"
+
+
+class Platform(str, Enum):
+    """The phone's system."""
+
+    android = "android"
+    ios = "ios"
+
+
+def quantity(text: str | None) -> tuple[float, float] | None:
+    """``3.477:0.006`` or ``3.477``."""
+    if text is None:
+        return None
+    value, _, u = text.partition(":")
+    try:
+        return float(value), float(u) if u else 0.0
+    except ValueError:
+        raise typer.BadParameter(f"expected VALUE or VALUE:U, found `{text}`") from None
+
+
+def stated(unit: str) -> Any:
+    """An option that holds a quantity."""
+    return typer.Option(metavar="VALUE[:U]", help=f"{unit}; standard uncertainty after a colon.")

@@ -1,0 +1,220 @@
+"""The command ``gyradius``."""
+
+from __future__ import annotations
+
+import sys
+from json import dumps
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from . import _core
+from .arguments import Orientation, Platform, Suspension, quantity, stated
+from .arrays import routes as catalogue
+from .imports import import_files
+from .measurement import Measurement
+from .outcome import BAD_INPUT, reported, write_json
+from .progress import working
+from .session import load, shipped_sessions
+from .tables import show
+
+app = typer.Typer(
+    help="Inertia of a hull hung on two lines, from the recordings of a phone that swings with it.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+SessionPath = Annotated[str, typer.Argument(metavar="SESSION", help="Session folder, session zip, or a recording.")]
+Json = Annotated[
+    str | None,
+    typer.Option("--json", metavar="FILE", help="Write the same numbers as JSON (- for standard output)."),
+]
+Limits = Annotated[
+    list[str] | None,
+    typer.Option("--limit", metavar="LIMIT", help="Class limit such as k_pitch_m>=1.100; may be repeated."),
+]
+Map = Annotated[
+    list[str] | None,
+    typer.Option("--map", metavar="FIELD=COLUMN:UNIT", help="A column of a CSV that is not recognised; repeat."),
+]
+
+
+@app.command()
+def demo(
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where reports and JSON go.")] = Path(
+        "gyradius-demo"
+    ),
+    json: Json = None,
+) -> None:
+    """Run the main job on the sessions that come with the package."""
+    with reported(_errors(), json):
+        sessions = shipped_sessions()
+        if not sessions:
+            raise _core.InputError("no sessions came with this package")
+        output.mkdir(parents=True, exist_ok=True)
+        console = _console(json)
+        measured = {name: _demo_one(console, name, path, output) for name, path in sessions.items()}
+        if json is not None:
+            write_json(_joined(measured), json)
+        console.print("Reports:")
+        for name in sessions:
+            console.print(f"  {output / name}.html", soft_wrap=True, highlight=False, markup=False)
+
+
+@app.command()
+def measure(session: SessionPath, json: Json = None, limit: Limits = None, map_: Map = None) -> None:
+    """Periods, gyradii, centre of mass and principal axes, each with its uncertainty and budget."""
+    with reported(_errors(), json):
+        measurement = _measured(session, limit, map_)
+        if json is not None:
+            write_json(measurement.to_json(), json)
+        show(_console(json), measurement)
+
+
+@app.command()
+def report(
+    session: SessionPath,
+    output: Annotated[
+        Path,
+        typer.Option("-o", "--output", metavar="FILE", help="The report: .html, or PDF where it ends in .pdf."),
+    ],
+    json: Json = None,
+    limit: Limits = None,
+) -> None:
+    """Write one self-contained HTML file with pictures, or a PDF."""
+    with reported(_errors(), json):
+        measurement = _measured(session, limit)
+        write_report(measurement, output)
+        if json is not None:
+            write_json(measurement.to_json(), json)
+        _console(json).print(f"Report: {output}", soft_wrap=True, highlight=False, markup=False)
+
+
+@app.command("import")
+def import_(
+    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Exports of phones and loggers.")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The session folder to write.")],
+    map_: Map = None,
+    platform: Annotated[Platform | None, typer.Option(help="The phone's system, where a file does not say.")] = None,
+    flag_width: Annotated[float | None, typer.Option(metavar="M", help="Flag in a light gate, m.")] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
+    title: Annotated[str, typer.Option(help="The session's title.")] = "",
+    suspension: Annotated[Suspension, typer.Option(help="How it hung.")] = Suspension.bifilar,
+    orientation: Annotated[Orientation, typer.Option(help="What joins the points.")] = Orientation.athwartships,
+    mass: Annotated[str | None, stated("kg, everything that swings")] = None,
+    gravity: Annotated[str | None, stated("m/s²")] = None,
+    line_length: Annotated[str | None, stated("m")] = None,
+    spacing: Annotated[str | None, stated("m, between the points on the hull")] = None,
+    top_spacing: Annotated[str | None, stated("m, between the points above")] = None,
+    hull_pitch: Annotated[str | None, stated("degrees, bow up")] = None,
+    axis_height: Annotated[str | None, stated("m, of the swing axis (compound)")] = None,
+    json: Json = None,
+) -> None:
+    """Write a session from phone exports."""
+    with reported(_errors(), json):
+        notes = import_files(
+            files,
+            output,
+            mapping=map_ or [],
+            platform=None if platform is None else platform.value,
+            flag_width=flag_width,
+            replace=replace,
+            title=title,
+            suspension=suspension.value,
+            orientation=orientation.value,
+            mass=quantity(mass),
+            gravity=quantity(gravity),
+            line_length=quantity(line_length),
+            spacing=quantity(spacing),
+            top_spacing=quantity(top_spacing),
+            hull_pitch=quantity(hull_pitch),
+            axis_height=quantity(axis_height),
+        )
+        if json is not None:
+            write_json(dumps({"session": str(output), "notes": notes}, ensure_ascii=False, indent=2), json)
+        for note in notes:
+            _console(json).print(f"  note: {note}", soft_wrap=True, highlight=False, markup=False)
+        _console(json).print(f"Session: {output}", soft_wrap=True, highlight=False, markup=False)
+
+
+@app.command()
+def routes(json: Json = None) -> None:
+    """List the paper's equations and what each needs."""
+    with reported(_errors(), json):
+        found = catalogue()
+        if json is not None:
+            write_json(_core.routes(), json)
+        table = Table("route", "equation", "needs", "gives")
+        for route in found:
+            needs, gives = (_slots(route[key]) for key in ("inputs", "outputs"))
+            table.add_row(route["name"], route["equation"], needs, gives)
+        _console(json).print(table)
+
+
+def _slots(slots: list[dict[str, Any]]) -> str:
+    return ", ".join(slot["name"] if slot.get("required", True) else f"({slot['name']})" for slot in slots)
+
+
+def _later(name: str) -> None:
+    def command() -> None:
+        typer.echo(f"gyradius: `{name}` comes with a later version", err=True)
+        raise typer.Exit(BAD_INPUT)
+
+    settings = {"allow_extra_args": True, "ignore_unknown_options": True}
+    app.command(name, hidden=True, context_settings=settings, add_help_option=False)(command)
+
+
+for _name in ("critique", "simulate", "plan"):
+    _later(_name)
+
+
+def write_report(measurement: Measurement, output: Path) -> None:
+    """Write a report as HTML, or as PDF where the name ends so."""
+    html = measurement.to_html()
+    if output.suffix.lower() == ".pdf":
+        from .pdf import write_pdf
+
+        write_pdf(html, output)
+    else:
+        output.write_text(html, encoding="utf-8")
+
+
+def _measured(path: str, limits: list[str] | None = None, mapping: list[str] | None = None) -> Measurement:
+    with working(_errors(), f"measuring {path}"):
+        return load(path, mapping=mapping or []).measure(limits or [])
+
+
+def _demo_one(console: Console, name: str, path: Path, output: Path) -> Measurement:
+    measurement = _measured(str(path))
+    show(console, measurement)
+    write_report(measurement, output / f"{name}.html")
+    write_json(measurement.to_json(), str(output / f"{name}.json"))
+    return measurement
+
+
+def _joined(measured: dict[str, Measurement]) -> str:
+    # The core's own texts, put side by side without reading a number.
+    members = ",\n".join(f'"{name}": {measurement.to_json()}' for name, measurement in measured.items())
+    return "{\n" + members + "\n}"
+
+
+def _console(json: str | None) -> Console:
+    # `--json -` leaves standard output to the JSON alone.
+    return Console(stderr=json == "-", quiet=json == "-")
+
+
+def _errors() -> Console:
+    return Console(stderr=True)
+
+
+def main() -> None:
+    """Run the command."""
+    try:
+        app(prog_name="gyradius")
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,85 @@
+"""Phone exports into a session folder."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from . import _core
+
+# A number, or a number with one standard uncertainty.
+Stated = float | tuple[float, float]
+Pair = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class ImportPlan:
+    """What is known of the session beside its recordings; lengths in m, each with its standard uncertainty."""
+
+    mapping: list[str]
+    platform: str | None
+    flag_width: float | None
+    replace: bool
+    title: str
+    suspension: str
+    orientation: str
+    mass: Pair | None
+    gravity: Pair | None
+    line_length: Pair | None
+    spacing: Pair | None
+    top_spacing: Pair | None
+    hull_pitch: Pair | None
+    axis_height: Pair | None
+
+
+def import_files(
+    files: Iterable[str | os.PathLike[str]],
+    output: str | os.PathLike[str],
+    *,
+    mapping: Sequence[str] = (),
+    platform: Literal["android", "ios"] | None = None,
+    flag_width: float | None = None,
+    replace: bool = False,
+    title: str = "",
+    suspension: Literal["bifilar", "compound"] = "bifilar",
+    orientation: Literal["athwartships", "fore_and_aft"] = "athwartships",
+    mass: Stated | None = None,
+    gravity: Stated | None = None,
+    line_length: Stated | None = None,
+    spacing: Stated | None = None,
+    top_spacing: Stated | None = None,
+    hull_pitch: Stated | None = None,
+    axis_height: Stated | None = None,
+) -> list[str]:
+    """Write a session folder from phone exports, one swing for each file; returns what a reader must know.
+
+    ``mapping`` says of a CSV that is not recognised which column is which, and its unit: ``"gx=xGyro:deg/s"``.
+    ``platform`` is the phone's system where a file's signs depend on it and the file does not say;
+    ``flag_width`` is that of the flag in a light gate's beam.
+    """
+    plan = ImportPlan(
+        mapping=[*mapping],
+        platform=platform,
+        flag_width=flag_width,
+        replace=replace,
+        title=title or Path(output).name,
+        suspension=suspension,
+        orientation=orientation,
+        mass=_pair(mass),
+        gravity=_pair(gravity),
+        line_length=_pair(line_length),
+        spacing=_pair(spacing),
+        top_spacing=_pair(top_spacing),
+        hull_pitch=_pair(hull_pitch),
+        axis_height=_pair(axis_height),
+    )
+    return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
+
+
+def _pair(stated: Stated | None) -> Pair | None:
+    if stated is None:
+        return None
+    return (float(stated[0]), float(stated[1])) if isinstance(stated, tuple) else (float(stated), 0.0)

@@ -1,0 +1,224 @@
+"""The result of a session as plain data: views over the JSON that the core writes.
+
+Keys are spelled as in ``gyradius-measurement/1``; a key that this version does not know is ignored here and kept in
+``Measurement.to_json()``, which gives the core's own bytes.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FORMAT = "gyradius-measurement/1"
+Record = TypeVar("Record")
+
+
+@dataclass(frozen=True, slots=True)
+class AmplitudePoint:
+    """Period and decay at one amplitude."""
+
+    t_s: float
+    amplitude: float
+    period_s: float
+    period_se_s: float
+    decrement: float
+    decrement_se: float
+
+
+@dataclass(frozen=True, slots=True)
+class ModeResult:
+    """One mode of one swing."""
+
+    mode: str
+    period_s: float
+    period_se_s: float
+    period_observed_s: float
+    decay_time_s: float | None
+    decay_time_se_s: float | None
+    amplitude: float | None
+    amplitude_unit: str
+    relative_db: float
+    parasitic: bool
+    against_amplitude: tuple[AmplitudePoint, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """One kind of damage of one sensor: how often, where first and last, what was done."""
+
+    kind: str
+    sensor: str
+    count: int
+    first_s: float
+    last_s: float
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class SwingResult:
+    """One swing's modes, strongest first."""
+
+    id: str
+    modes: tuple[ModeResult, ...]
+    repairs: tuple[Repair, ...]
+    warnings: tuple[str, ...]
+    span_s: tuple[float, float] | None
+    rms_over_noise: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A quantity with one standard uncertainty; vectors and matrices are nested tuples."""
+
+    value: Any
+    u: Any
+    method: str
+    interval_95: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """A single route to a quantity."""
+
+    method: str
+    value: float
+    u: float
+    equation: str
+    # `from` in the JSON, which is a word of the language here.
+    sources: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class BudgetLine:
+    """What one input contributes to the uncertainty of a quantity."""
+
+    input: str
+    u_contribution: float
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """One stated dimension or route against what the rest of the session implies."""
+
+    claim: str
+    stated: float
+    stated_u: float
+    implied: float
+    implied_u: float
+    sigma: float
+    # `from` in the JSON, which is a word of the language here.
+    source: str
+    flagged: bool
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """A guard-banded verdict against a class limit."""
+
+    quantity: str
+    relation: str
+    limit: float
+    guard_band: float
+    conformance_probability: float
+    verdict: str
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Everything a session gives."""
+
+    format: str
+    title: str
+    swings: tuple[SwingResult, ...]
+    quantities: Mapping[str, Quantity]
+    alternatives: Mapping[str, tuple[Route, ...]]
+    budget: Mapping[str, tuple[BudgetLine, ...]]
+    correlations: tuple[tuple[str, str, float], ...]
+    consistency: tuple[Claim, ...]
+    verdicts: tuple[Verdict, ...]
+    warnings: tuple[str, ...]
+    _core: _core.Measurement
+
+    def to_json(self) -> str:
+        """The JSON text, byte for byte as the core writes it."""
+        return self._core.to_json()
+
+    def to_html(self) -> str:
+        """The report: one self-contained HTML file."""
+        return self._core.to_html()
+
+    @property
+    def recorded_swings(self) -> list[str]:
+        """Ids of the swings that have a recording with a fit."""
+        return self._core.recorded_swings
+
+    def fits(
+        self, swing_id: str
+    ) -> list[tuple[list[str], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]]:
+        """By sensor: names of the channels, time stamps (n), samples (channels, n) and the fit (channels, n)."""
+        return self._core.fits(swing_id)
+
+    def spectrum(self, swing_id: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Frequencies, Hz (n), and amplitudes (channels, n), thinned for plots."""
+        return self._core.spectrum(swing_id)
+
+    def plot(self, swing_id: str | None = None) -> Figure:
+        """Each recording with its fit, the residual and the spectrum (one swing, or all)."""
+        from .plots import figure
+
+        return figure(self, [swing_id] if swing_id else [])
+
+
+def view(core: _core.Measurement) -> Measurement:
+    """The views over a measurement of the core."""
+    data = json.loads(core.to_json())
+    return Measurement(
+        format=data["format"],
+        title=data["title"],
+        swings=tuple(_swing(item) for item in data["swings"]),
+        quantities={name: _record(Quantity, item) for name, item in data["quantities"].items()},
+        alternatives={name: tuple(map(_route, items)) for name, items in data["alternatives"].items()},
+        budget={name: _records(BudgetLine, items) for name, items in data["budget"].items()},
+        correlations=_frozen(data["correlations"]),
+        consistency=tuple(_record(Claim, {**item, "source": item["from"]}) for item in data["consistency"]),
+        verdicts=_records(Verdict, data["verdicts"]),
+        warnings=tuple(data["warnings"]),
+        _core=core,
+    )
+
+
+def _swing(item: dict[str, Any]) -> SwingResult:
+    modes = tuple(_mode(mode) for mode in item["modes"])
+    return _record(SwingResult, {**item, "modes": modes, "repairs": _records(Repair, item["repairs"])})
+
+
+def _mode(item: dict[str, Any]) -> ModeResult:
+    return _record(ModeResult, {**item, "against_amplitude": _records(AmplitudePoint, item["against_amplitude"])})
+
+
+def _route(item: dict[str, Any]) -> Route:
+    return _record(Route, {**item, "sources": item["from"]})
+
+
+def _records(kind: type[Record], items: list[dict[str, Any]]) -> tuple[Record, ...]:
+    return tuple(_record(kind, item) for item in items)
+
+
+def _record(kind: type[Record], item: dict[str, Any]) -> Record:
+    known = [field.name for field in fields(kind)]  # type: ignore[arg-type]
+    return kind(**{name: _frozen(item[name]) for name in known if name in item})
+
+
+def _frozen(value: Any) -> Any:
+    return tuple(_frozen(item) for item in value) if isinstance(value, list | tuple) else value

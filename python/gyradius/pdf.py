@@ -1,0 +1,254 @@
+"""The report on paper: the HTML report's text, tables and drawings, laid out as PDF.
+
+Only what the report uses is understood: headings, paragraphs, lists, tables, figures and inline SVG. What is hidden
+behind a click on a screen (``details``) is open on paper; scripts and styles are left out.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from xml.sax.saxutils import escape
+
+from lxml import etree
+from lxml import html as lxml_html
+from reportlab.lib import colors
+from reportlab.lib.pagesizes import A4
+from reportlab.lib.styles import ParagraphStyle, getSampleStyleSheet
+from reportlab.lib.units import mm
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.platypus import Flowable, KeepTogether, Paragraph, SimpleDocTemplate, Spacer, Table, TableStyle
+from svglib.svglib import svg2rlg
+
+MARGIN = 18 * mm
+WIDTH, HEIGHT = A4[0] - 2 * MARGIN, A4[1] - 2 * MARGIN
+# The standard fonts of PDF have no Greek letters, no ± in all encodings, no arrows: matplotlib brings one that has.
+FONT = "DejaVuSans"
+BOLD = "DejaVuSans-Bold"
+SKIPPED = {"script", "style", "head", "nav", "template", "button"}
+INLINE = {
+    "b",
+    "i",
+    "u",
+    "em",
+    "strong",
+    "sub",
+    "sup",
+    "span",
+    "a",
+    "code",
+    "small",
+    "abbr",
+    "br",
+    "time",
+    "q",
+    "var",
+}
+KEPT_MARKUP = {
+    "b": "b",
+    "strong": "b",
+    "i": "i",
+    "em": "i",
+    "var": "i",
+    "u": "u",
+    "sub": "sub",
+    "sup": "super",
+}
+GRID = TableStyle(
+    [
+        ("FONT", (0, 0), (-1, -1), FONT, 7.5),
+        ("LINEBELOW", (0, 0), (-1, -1), 0.25, colors.lightgrey),
+        ("VALIGN", (0, 0), (-1, -1), "TOP"),
+        ("LEFTPADDING", (0, 0), (-1, -1), 2),
+        ("RIGHTPADDING", (0, 0), (-1, -1), 4),
+        ("TOPPADDING", (0, 0), (-1, -1), 1.5),
+        ("BOTTOMPADDING", (0, 0), (-1, -1), 1.5),
+    ]
+)
+
+
+def write_pdf(html: str, output: Path) -> None:
+    """Lay the report out as PDF."""
+    _register_fonts()
+    page = lxml_html.document_fromstring(html)
+    title = page.findtext(".//title") or "gyradius"
+    story = list(_flowables(page.body, _variables(html)))
+    buffer = io.BytesIO()
+    margins = {f"{side}Margin": MARGIN for side in ("left", "right", "top", "bottom")}
+    SimpleDocTemplate(buffer, pagesize=A4, title=title, **margins).build(story, onLaterPages=_number)
+    output.write_bytes(buffer.getvalue())
+
+
+def _register_fonts() -> None:
+    import matplotlib
+
+    folder = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
+    for name in (FONT, BOLD):
+        if name not in pdfmetrics.getRegisteredFontNames():
+            pdfmetrics.registerFont(TTFont(name, str(folder / f"{name}.ttf")))
+    pdfmetrics.registerFontFamily(FONT, normal=FONT, bold=BOLD, italic=FONT, boldItalic=BOLD)
+
+
+def _number(canvas: Any, document: Any) -> None:
+    canvas.setFont(FONT, 7)
+    canvas.drawRightString(A4[0] - MARGIN, MARGIN / 2, str(document.page))
+
+
+def _styles() -> dict[str, ParagraphStyle]:
+    sheet = getSampleStyleSheet()
+    body = ParagraphStyle("body", sheet["BodyText"], fontName=FONT, fontSize=8.5, leading=11.5)
+    heads = {f"h{level}": (18 - 3 * level, 4 + 2 * (3 - level)) for level in (1, 2, 3)}
+    styles = {
+        name: ParagraphStyle(
+            name, body, fontName=BOLD, fontSize=size, leading=1.3 * size, spaceBefore=before, keepWithNext=1
+        )
+        for name, (size, before) in heads.items()
+    }
+    styles["h4"] = styles["summary"] = styles["caption"] = styles["h3"]
+    styles["figcaption"] = ParagraphStyle("small", body, fontSize=7.5, leading=10, textColor=colors.dimgrey)
+    styles["cell"] = ParagraphStyle("cell", body, fontSize=7.5, leading=9.5, spaceBefore=0, spaceAfter=0)
+    styles["p"] = body
+    return styles
+
+
+def _flowables(node: Any, variables: dict[str, str]) -> Iterator[Flowable]:
+    styles = _styles()
+    yield from _walk(node, styles, variables)
+
+
+def _walk(node: Any, styles: dict[str, ParagraphStyle], variables: dict[str, str]) -> Iterator[Flowable]:
+    """Flowables of a block: runs of text and inline elements become paragraphs, blocks are entered."""
+    run = [escape(node.text or "")]
+    for child in node:
+        if _is_inline(child):
+            run.append(_markup(child))
+        else:
+            yield from _paragraph("".join(run), _style_of(node, styles))
+            run = []
+            yield from _block(child, styles, variables)
+        run.append(escape(child.tail or ""))
+    yield from _paragraph("".join(run), _style_of(node, styles))
+
+
+def _block(node: Any, styles: dict[str, ParagraphStyle], variables: dict[str, str]) -> Iterator[Flowable]:
+    if not isinstance(node.tag, str) or node.tag in SKIPPED:
+        return
+    if node.tag == "svg":
+        yield from _drawing(node, variables)
+    elif node.tag == "table":
+        yield from _table(node, styles)
+    elif node.tag == "figure":
+        yield KeepTogether(list(_walk(node, styles, variables)))
+    elif node.tag == "li":
+        yield from _paragraph("• " + _inner(node), styles["p"])
+    elif node.tag == "hr":
+        yield Spacer(1, 3 * mm)
+    else:
+        yield from _walk(node, styles, variables)
+
+
+def _style_of(node: Any, styles: dict[str, ParagraphStyle]) -> ParagraphStyle:
+    return styles.get(node.tag, styles["p"])
+
+
+def _paragraph(text: str, style: ParagraphStyle) -> Iterator[Flowable]:
+    text = re.sub(r"\s+", " ", text).strip()
+    if text:
+        yield Paragraph(text, style)
+
+
+def _is_inline(node: Any) -> bool:
+    return isinstance(node.tag, str) and node.tag in INLINE
+
+
+def _markup(node: Any) -> str:
+    """The markup that a paragraph of reportlab understands."""
+    if node.tag == "br":
+        return "<br/>"
+    kept = KEPT_MARKUP.get(node.tag)
+    return f"<{kept}>{_inner(node)}</{kept}>" if kept else _inner(node)
+
+
+def _inner(node: Any) -> str:
+    parts = [escape(node.text or "")]
+    for child in node:
+        if isinstance(child.tag, str) and child.tag not in SKIPPED:
+            parts.append(_markup(child))
+        parts.append(escape(child.tail or ""))
+    return "".join(parts)
+
+
+def _table(node: Any, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
+    caption = node.find("caption")
+    if caption is not None:
+        yield from _paragraph(_inner(caption), styles["caption"])
+    rows = [[_cell(cell, styles) for cell in row if cell.tag in ("td", "th")] for row in node.iter("tr")]
+    width = max((len(row) for row in rows), default=0)
+    if not width:
+        return
+    padded = [row + [""] * (width - len(row)) for row in rows]
+    yield Table(
+        padded,
+        colWidths=_widths(node, width),
+        style=GRID,
+        repeatRows=1 if node.find(".//th") is not None else 0,
+    )
+    yield Spacer(1, 3 * mm)
+
+
+def _cell(cell: Any, styles: dict[str, ParagraphStyle]) -> Flowable:
+    text = re.sub(r"\s+", " ", _inner(cell)).strip()
+    return Paragraph(f"<b>{text}</b>" if cell.tag == "th" else text, styles["cell"])
+
+
+def _widths(node: Any, columns: int) -> list[float]:
+    """Columns as wide as their longest text asks, within the page."""
+    longest = [1.0] * columns
+    for row in node.iter("tr"):
+        for i, cell in enumerate(cell for cell in row if cell.tag in ("td", "th")):
+            # Beyond 40 characters a cell wraps; under 6 it would break words.
+            longest[i] = max(longest[i], min(40.0, max(6.0, len(" ".join(cell.itertext()).strip()))))
+    return [WIDTH * length / sum(longest) for length in longest]
+
+
+def _drawing(node: Any, variables: dict[str, str]) -> Iterator[Flowable]:
+    node.tail = None
+    source = _resolved(etree.tostring(_as_svg(node), encoding="unicode"), variables)
+    drawing = svg2rlg(io.BytesIO(source.encode()))
+    if drawing is None or not drawing.width:
+        return
+    # Half a page at most, so that a picture and its caption stay together.
+    scale = min(WIDTH / drawing.width, HEIGHT / 2 / drawing.height)
+    drawing.scale(scale, scale)
+    drawing.width, drawing.height = drawing.width * scale, drawing.height * scale
+    yield drawing
+
+
+def _as_svg(node: Any) -> Any:
+    """Inline SVG as XML: the namespace and the case of names that HTML's parser loses."""
+    svg = etree.fromstring(etree.tostring(node))
+    if "viewbox" in svg.attrib:
+        svg.attrib["viewBox"] = svg.attrib.pop("viewbox")
+    if "viewBox" in svg.attrib and not str(svg.get("width", "%")).replace(".", "").isdigit():
+        _, _, width, height = re.split(r"[\s,]+", svg.attrib["viewBox"].strip())
+        svg.attrib["width"], svg.attrib["height"] = width, height
+    if svg.nsmap.get(None) is None:
+        svg.attrib["xmlns"] = "http://www.w3.org/2000/svg"
+    return svg
+
+
+def _variables(html: str) -> dict[str, str]:
+    """The style sheet's variables, first definition (the light theme) first."""
+    found: dict[str, str] = {}
+    for name, value in re.findall(r"(--[\w-]+)\s*:\s*([^;}]+)", html):
+        found.setdefault(name, value.strip())
+    return found
+
+
+def _resolved(text: str, variables: dict[str, str]) -> str:
+    """Style variables replaced by their values, which drawings on paper cannot look up."""
+    return re.sub(r"var\((--[\w-]+)[^)]*\)", lambda found: variables.get(found[1], "black"), text)

@@ -1,0 +1,96 @@
+"""Pictures of a measurement: each recording with its fit, what the fit leaves, and the spectrum.
+
+All arrays come from the core; here they are only drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from .measurement import Measurement
+
+# Inches.
+WIDTH, ROW_HEIGHT = 12.0, 5.0
+# The spectrum shows so many times the highest mode's frequency; above it there is noise.
+FREQUENCY_MARGIN = 4.0
+
+
+def figure(measurement: Measurement, swing_ids: Sequence[str] = ()) -> Figure:
+    """One column for each sensor of each swing that has a recording, and one for its spectrum."""
+    from matplotlib.figure import Figure
+
+    drawn = [id_ for id_ in measurement.recorded_swings if not swing_ids or id_ in swing_ids]
+    if not drawn:
+        raise _core.NoResultError("no recording to draw: the periods of these swings were typed in")
+    page = Figure(figsize=(WIDTH, ROW_HEIGHT * len(drawn)), layout="constrained")
+    for part, id_ in zip(page.subfigures(len(drawn), 1, squeeze=False).flat, drawn, strict=True):
+        _swing(part, measurement, id_)
+    return page
+
+
+def _swing(part: Any, measurement: Measurement, swing_id: str) -> None:
+    sensors = measurement.fits(swing_id)
+    part.suptitle(f"Swing {swing_id}")
+    axes = part.subplots(2, len(sensors) + 1, squeeze=False, height_ratios=(2, 1), sharex="col")
+    for column, (labels, t_s, samples, fit) in enumerate(sensors):
+        _record(axes[0][column], labels, t_s, samples, fit)
+        _residual(axes[1][column], t_s, samples - fit)
+    axes[1][-1].remove()
+    axes[0][-1].tick_params(labelbottom=True)
+    _spectrum(axes[0][-1], measurement, swing_id)
+
+
+def _record(
+    axes: Axes,
+    labels: Sequence[str],
+    t_s: NDArray[np.float64],
+    samples: NDArray[np.float64],
+    fit: NDArray[np.float64],
+) -> None:
+    for channel, label in enumerate(labels):
+        colour = f"C{channel}"
+        # Levels differ by gravity: each channel is drawn about its own.
+        level = float(np.mean(fit[channel]))
+        axes.plot(t_s, samples[channel] - level, ".", color=colour, markersize=1.0, alpha=0.4)
+        axes.plot(t_s, fit[channel] - level, color=colour, linewidth=0.8, label=label)
+    axes.set_title("samples and fit, less their level", fontsize="small")
+    axes.legend(fontsize="x-small", loc="upper right", ncols=len(labels))
+
+
+def _residual(axes: Axes, t_s: NDArray[np.float64], residual: NDArray[np.float64]) -> None:
+    for channel in residual:
+        axes.plot(t_s, channel, linewidth=0.4)
+    axes.set_ylabel("residual", fontsize="small")
+    axes.set_xlabel("t, s")
+
+
+def _spectrum(axes: Axes, measurement: Measurement, swing_id: str) -> None:
+    frequency, amplitude = measurement.spectrum(swing_id)
+    for channel in amplitude:
+        axes.semilogy(frequency, channel, linewidth=0.6)
+    swing = next(swing for swing in measurement.swings if swing.id == swing_id)
+    for mode in swing.modes:
+        axes.axvline(1.0 / mode.period_observed_s, color="grey", linewidth=0.5, linestyle="--")
+        axes.annotate(
+            mode.mode,
+            (1.0 / mode.period_observed_s, 0.98),
+            xycoords=("data", "axes fraction"),
+            rotation=90,
+            fontsize="x-small",
+            va="top",
+            ha="right",
+        )
+    highest = max((1.0 / mode.period_observed_s for mode in swing.modes), default=float(frequency[-1]))
+    axes.set_xlim(0.0, min(FREQUENCY_MARGIN * highest, float(frequency[-1])))
+    axes.set_title("amplitude spectrum", fontsize="small")
+    axes.set_xlabel("frequency, Hz")

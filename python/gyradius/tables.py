@@ -1,0 +1,167 @@
+"""A measurement as tables on a terminal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rich import box
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from .measurement import Claim, Measurement, ModeResult, Quantity, SwingResult
+from .numbers import interval, short, with_u
+
+UNITS = {
+    "k_yaw_m": "m",
+    "k_pitch_m": "m",
+    "k_roll_m": "m",
+    "cm_depth_m": "m",
+    "psi_deg": "°",
+    "principal_gyradii_m": "m",
+    "inertia_kg_m2": "kg m²",
+}
+# Lines of a budget that are worth a row; the rest is in the JSON and the report.
+BUDGET_ROWS = 5
+# Contradictions that are spelled out; one wrong dimension contradicts many routes at once.
+FLAGGED_SENTENCES = 5
+
+
+def show(console: Console, measurement: Measurement) -> None:
+    """Print everything."""
+    console.rule(Text(measurement.title or "measurement", style="bold"))
+    for part in _parts(measurement):
+        console.print(part)
+        console.print()
+    # A flagged claim has its sentence under the table of claims already.
+    said = {claim.text for claim in measurement.consistency if claim.flagged}
+    for warning in measurement.warnings:
+        if warning not in said:
+            console.print(_warning(warning))
+
+
+def _parts(measurement: Measurement) -> list[RenderableType]:
+    parts: list[RenderableType] = [_swings(measurement.swings)]
+    if measurement.quantities:
+        parts.append(_quantities(measurement))
+    if measurement.alternatives:
+        parts.append(_alternatives(measurement))
+    if measurement.budget:
+        parts.append(_budget(measurement))
+    if measurement.consistency:
+        parts.append(_consistency(measurement))
+    if measurement.verdicts:
+        parts.append(_verdicts(measurement))
+    return parts
+
+
+def _table(title: str, *columns: str, left: int = 1) -> Table:
+    table = Table(
+        title=title, title_justify="left", title_style="bold", header_style="dim", box=box.SIMPLE_HEAD, pad_edge=False
+    )
+    for position, column in enumerate(columns):
+        # Names may break; a number and its uncertainty stay on one line.
+        is_name = position < left
+        table.add_column(column, justify="left" if is_name else "right", no_wrap=not is_name, overflow="fold")
+    return table
+
+
+def _swings(swings: tuple[SwingResult, ...]) -> RenderableType:
+    table = _table("Swings", "swing", "mode", "period, s", "decay time, s", "amplitude", "dB", left=2)
+    for swing in swings:
+        for place, mode in enumerate(swing.modes):
+            table.add_row("" if place else swing.id, *_mode_cells(mode), style="dim" if mode.parasitic else "")
+        table.add_section()
+    notes = [Text(f"  {swing.id}: {repair.text}", style="dim") for swing in swings for repair in swing.repairs]
+    return Group(table, *notes, *(_warning(f"{swing.id}: {text}") for swing in swings for text in swing.warnings))
+
+
+def _mode_cells(mode: ModeResult) -> tuple[str, ...]:
+    amplitude = "–" if mode.amplitude is None else f"{short(mode.amplitude)} {mode.amplitude_unit}"
+    return (
+        f"{mode.mode} (parasitic)" if mode.parasitic else mode.mode,
+        with_u(mode.period_s, mode.period_se_s),
+        with_u(mode.decay_time_s, mode.decay_time_se_s),
+        amplitude,
+        # Adding zero turns -0 into 0.
+        f"{round(mode.relative_db) + 0}",
+    )
+
+
+def _quantities(measurement: Measurement) -> Table:
+    table = _table("Result", "quantity", "value ± u", "95 %", "method", left=1)
+    for name, quantity in measurement.quantities.items():
+        for cells in _quantity_rows(name, quantity):
+            table.add_row(*cells)
+    return table
+
+
+def _quantity_rows(name: str, quantity: Quantity) -> list[tuple[str, str, str, str]]:
+    unit = UNITS.get(name, "")
+    if not isinstance(quantity.value, tuple):
+        value = with_u(quantity.value, quantity.u, unit)
+        return [(name, value, interval(quantity.interval_95, quantity.u), quantity.method)]
+    rows = [(_vector(row, u), unit) for row, u in _matrix_rows(quantity)]
+    return [
+        (name if i == 0 else "", f"{text} {row_unit}", "", quantity.method if i == 0 else "")
+        for i, (text, row_unit) in enumerate(rows)
+    ]
+
+
+def _matrix_rows(quantity: Quantity) -> list[tuple[Any, Any]]:
+    is_matrix = bool(quantity.value) and isinstance(quantity.value[0], tuple)
+    if is_matrix:
+        return list(zip(quantity.value, quantity.u, strict=True))
+    return [(quantity.value, quantity.u)]
+
+
+def _vector(values: tuple[float | None, ...], us: tuple[float | None, ...]) -> str:
+    return "   ".join(with_u(value, u) for value, u in zip(values, us, strict=True))
+
+
+def _alternatives(measurement: Measurement) -> Table:
+    table = _table("Single routes", "quantity", "route", "equation", "from", "value", left=4)
+    for name, routes in measurement.alternatives.items():
+        for route in routes:
+            value = with_u(route.value, route.u, UNITS.get(name, ""))
+            table.add_row(name, route.method, route.equation, ", ".join(route.sources), value)
+    return table
+
+
+def _budget(measurement: Measurement) -> Table:
+    table = _table("Where the uncertainty comes from", "quantity", "input", "contribution", left=2)
+    for name, lines in measurement.budget.items():
+        for line in lines[:BUDGET_ROWS]:
+            table.add_row(name, line.input, f"{line.u_contribution:.2g} {UNITS.get(name, '')}")
+    return table
+
+
+def _consistency(measurement: Measurement) -> RenderableType:
+    table = _table("Consistency", "claim", "stated", "implied", "sigma", "from")
+    for claim in measurement.consistency:
+        table.add_row(*_claim_cells(claim), style="bold red" if claim.flagged else "")
+    flagged = [claim for claim in measurement.consistency if claim.flagged]
+    said = [Text(f"  ! {claim.text}", style="red") for claim in flagged[:FLAGGED_SENTENCES]]
+    rest = len(flagged) - len(said)
+    more = [Text(f"  ! {rest} more contradictions stand in red above", style="red")] if rest else []
+    return Group(table, *said, *more)
+
+
+def _claim_cells(claim: Claim) -> tuple[str, ...]:
+    stated = with_u(claim.stated, claim.stated_u)
+    return claim.claim, stated, with_u(claim.implied, claim.implied_u), f"{claim.sigma:.1f}", claim.source
+
+
+def _verdicts(measurement: Measurement) -> Table:
+    table = _table("Class limits", "quantity", "limit", "guard band", "probability", "verdict")
+    colours = {"pass": "green", "fail": "bold red"}
+    for verdict in measurement.verdicts:
+        limit = f"{verdict.relation} {verdict.limit:g}"
+        band, probability = f"{verdict.guard_band:.2g}", f"{verdict.conformance_probability:.4f}"
+        colour = colours.get(verdict.verdict, "yellow")
+        table.add_row(verdict.quantity, limit, band, probability, Text(verdict.verdict, style=colour))
+    return table
+
+
+def _warning(text: str) -> Text:
+    return Text(f"  warning: {text}", style="yellow")

@@ -1,0 +1,211 @@
+//! Phone exports into a session folder.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use gyradius_core::recording::import::{
+    ColumnMapping, ImportOptions, ImportedData, ImportedRecording, Platform, import_files as import,
+};
+use gyradius_core::recording::{
+    Body, Orientation, Overwrite, Quantity, SESSION_FILE, Session, Site, Suspension, SuspensionKind, Swing,
+    SwingData, save_session, write_recording, write_session,
+};
+use gyradius_core::signal::gate_periods;
+use gyradius_core::{Error, Result};
+use pyo3::prelude::*;
+
+use crate::errors::detached;
+
+/// What the caller knows of the session beside its recordings (`gyradius.imports.ImportPlan`).
+#[derive(FromPyObject)]
+pub struct Plan {
+    mapping: Vec<String>,
+    platform: Option<String>,
+    flag_width: Option<f64>,
+    replace: bool,
+    title: String,
+    suspension: String,
+    orientation: String,
+    mass: Stated,
+    gravity: Stated,
+    line_length: Stated,
+    spacing: Stated,
+    top_spacing: Stated,
+    hull_pitch: Stated,
+    axis_height: Stated,
+}
+
+/// A value and its standard uncertainty, where stated.
+type Stated = Option<(f64, f64)>;
+
+/// Write a session folder from phone exports; returns what a reader must know.
+#[pyfunction]
+pub fn import_files(
+    py: Python<'_>,
+    files: Vec<PathBuf>,
+    folder: PathBuf,
+    plan: Plan,
+) -> PyResult<Vec<String>> {
+    detached(py, || write(&files, &folder, &plan))
+}
+
+fn write(files: &[PathBuf], folder: &Path, plan: &Plan) -> Result<Vec<String>> {
+    let inputs = files.iter().map(|file| read_input(file)).collect::<Result<Vec<_>>>()?;
+    let imported = import(&inputs, &import_options(&plan.mapping, plan.platform.as_deref())?)?;
+    let mut session = plan.session();
+    let mut files = Vec::new();
+    let mut ids = BTreeSet::new();
+    for recording in &imported.recordings {
+        let id = free_id(&recording.name, &mut ids);
+        let name = format!("{id}.csv");
+        let (data, bytes) = contents(recording, &name, plan)?;
+        session.swings.push(plan.swing(id, data)?);
+        files.push((name, bytes));
+    }
+    let overwrite = if plan.replace { Overwrite::Replace } else { Overwrite::Refuse };
+    let notes = imported.recordings.into_iter().flat_map(|recording| recording.notes).collect();
+    let missing = plan.missing();
+    if missing.is_empty() {
+        save_session(folder, &session, &files, overwrite)?;
+        return Ok(notes);
+    }
+    save_draft(folder, &session, files, &missing, overwrite)?;
+    Ok([notes, vec![draft_note(&missing)]].concat())
+}
+
+/// A session that lacks dimensions cannot be read back, so the core does not save it: its recordings and a
+/// `session.toml` that says at its top what to fill in.
+fn save_draft(
+    folder: &Path,
+    session: &Session,
+    mut files: Vec<(String, Vec<u8>)>,
+    missing: &[&str],
+    overwrite: Overwrite,
+) -> Result<()> {
+    let text = format!("# To be filled in: {}.\n{}", missing.join(", "), write_session(session));
+    files.push((SESSION_FILE.into(), text.into_bytes()));
+    fs::create_dir_all(folder).map_err(|error| unwritable(folder, error))?;
+    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
+    if let (Overwrite::Refuse, Some(path)) = (overwrite, paths.iter().find(|path| path.exists())) {
+        return Err(unwritable(path, "it exists already and is not overwritten"));
+    }
+    let mut pairs = paths.iter().zip(&files);
+    pairs.try_for_each(|(path, (_, bytes))| fs::write(path, bytes).map_err(|error| unwritable(path, error)))
+}
+
+fn unwritable(path: &Path, reason: impl ToString) -> Error {
+    Error::Unwritable { file: path.display().to_string(), reason: reason.to_string() }
+}
+
+fn draft_note(missing: &[&str]) -> String {
+    let keys = missing.join(" and ");
+    format!(
+        "{SESSION_FILE} still lacks {keys} of each swing; until then each recording can be measured by itself"
+    )
+}
+
+/// A file by the name that the user knows.
+pub fn read_input(path: &Path) -> Result<(String, Vec<u8>)> {
+    let file = path.display().to_string();
+    match fs::read(path) {
+        Ok(bytes) => Ok((file, bytes)),
+        Err(error) => Err(Error::Unreadable { file, reason: error.to_string() }),
+    }
+}
+
+/// Options of the core's importer.
+pub fn import_options(mapping: &[String], platform: Option<&str>) -> Result<ImportOptions> {
+    let mapping = (!mapping.is_empty()).then(|| ColumnMapping::from_entries(mapping)).transpose()?;
+    let platform = match platform {
+        None => None,
+        Some("android") => Some(Platform::Android),
+        Some("ios") => Some(Platform::Ios),
+        Some(other) => return Err(Error::argument("platform", "android or ios", other)),
+    };
+    Ok(ImportOptions { mapping, platform })
+}
+
+fn free_id(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let plain: String = name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '-' }).collect();
+    let mut candidates =
+        std::iter::once(plain.clone()).chain((2..).map(|number| format!("{plain}-{number}")));
+    candidates.find(|id| taken.insert(id.clone())).unwrap_or(plain)
+}
+
+fn contents(recording: &ImportedRecording, file: &str, plan: &Plan) -> Result<(SwingData, Vec<u8>)> {
+    match &recording.data {
+        ImportedData::Recording(data) => Ok((SwingData::Recording(file.into()), write_recording(data))),
+        ImportedData::Track(track) => {
+            let data = SwingData::Displacement { file: file.into(), at_m: None };
+            Ok((data, columns("t,y", &track.t_s, &track.y_m)))
+        }
+        ImportedData::GateEvents(events) => {
+            let wanted = || Error::argument("flag_width", "the width of the flag in the beam, m", "none");
+            let list = gate_periods(events, plan.flag_width.ok_or_else(wanted)?)?.list(file);
+            Ok((SwingData::Periods(file.into()), columns("t,period", &list.t_s, &list.period_s)))
+        }
+    }
+}
+
+fn columns(header: &str, left: &[f64], right: &[f64]) -> Vec<u8> {
+    let rows = left.iter().zip(right).map(|(left, right)| format!("{left},{right}\n"));
+    std::iter::once(format!("{header}\n")).chain(rows).collect::<String>().into_bytes()
+}
+
+impl Plan {
+    /// Keys of a suspension that a session must have and the caller did not give.
+    fn missing(&self) -> Vec<&'static str> {
+        let needed: &[(&str, Stated)] = match self.suspension.as_str() {
+            "compound" => &[("axis_height", self.axis_height)],
+            _ => &[("line_length", self.line_length), ("spacing", self.spacing)],
+        };
+        needed.iter().filter(|(_, stated)| stated.is_none()).map(|(key, _)| *key).collect()
+    }
+
+    fn session(&self) -> Session {
+        Session {
+            title: self.title.clone(),
+            body: Body { name: self.title.clone(), mass_kg: quantity(self.mass), ..Body::default() },
+            site: Site { gravity_m_s2: quantity(self.gravity), ..Site::default() },
+            ..Session::default()
+        }
+    }
+
+    fn swing(&self, id: String, data: SwingData) -> Result<Swing> {
+        Ok(Swing {
+            id,
+            data,
+            excited: Vec::new(),
+            added_masses: Vec::new(),
+            amplitude_deg: Default::default(),
+            suspension: self.hanging()?,
+        })
+    }
+
+    fn hanging(&self) -> Result<Suspension> {
+        let kind = match self.suspension.as_str() {
+            "bifilar" => SuspensionKind::Bifilar,
+            "compound" => SuspensionKind::Compound,
+            other => return Err(Error::argument("suspension", "bifilar or compound", other)),
+        };
+        let orientation = match self.orientation.as_str() {
+            "athwartships" => Orientation::Athwartships,
+            "fore_and_aft" => Orientation::ForeAndAft,
+            other => return Err(Error::argument("orientation", "athwartships or fore_and_aft", other)),
+        };
+        Ok(Suspension {
+            kind,
+            orientation,
+            line_length_m: quantity(self.line_length),
+            spacing_m: quantity(self.spacing),
+            top_spacing_m: quantity(self.top_spacing),
+            hull_pitch_deg: quantity(self.hull_pitch),
+            axis_height_m: quantity(self.axis_height),
+        })
+    }
+}
+
+fn quantity(stated: Stated) -> Option<Quantity> {
+    stated.map(|(value, u)| Quantity::new(value, u))
+}

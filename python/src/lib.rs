@@ -1,0 +1,39 @@
+//! The Python face of `gyradius-core`: conversions only, no science.
+//!
+//! Every function reads its arguments, calls the core without the interpreter lock, and turns the result or the
+//! error into Python's. Results that Python reads as a tree cross as the JSON text that the core writes; samples
+//! cross as numpy arrays.
+
+use pyo3::prelude::*;
+
+mod arrays;
+mod errors;
+mod import;
+mod measurement;
+mod routes;
+mod session;
+
+/// The native module; `gyradius` wraps it in views.
+#[pymodule]
+mod _core {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::arrays::{Decomposition, decompose};
+    #[pymodule_export]
+    use super::errors::{GyradiusError, InputError, NoResultError};
+    #[pymodule_export]
+    use super::import::import_files;
+    #[pymodule_export]
+    use super::measurement::Measurement;
+    #[pymodule_export]
+    use super::routes::{evaluate_route, routes};
+    #[pymodule_export]
+    use super::session::{Session, load};
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        super::errors::declare_places(module.py())
+    }
+}

@@ -1,0 +1,97 @@
+//! A measurement as Python holds it.
+
+use std::sync::Arc;
+
+use gyradius_core::Error;
+use gyradius_core::inertia::{Analysis, Evidence};
+use gyradius_core::recording::LoadedSession;
+use gyradius_core::report::{self, ReportSource};
+use gyradius_core::signal::{ChannelGroup, model, spectrum};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pyo3::prelude::*;
+
+use crate::arrays::rows;
+use crate::errors::{detached, raise};
+
+/// Names of the channels, time stamps, samples and fit of one sensor.
+type Fit<'py> =
+    (Vec<String>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// Frequencies and amplitudes by channel.
+type Spectrum<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// The result of a session, with the evidence that pictures are drawn from.
+#[pyclass(frozen, module = "gyradius._core")]
+pub struct Measurement {
+    inner: Analysis,
+    /// What was measured, for the report; a bare recording has no session.
+    session: Option<Arc<LoadedSession>>,
+}
+
+impl Measurement {
+    /// A measurement of the core.
+    pub fn new(inner: Analysis, session: Option<Arc<LoadedSession>>) -> Self {
+        Self { inner, session }
+    }
+
+    fn evidence(&self, py: Python<'_>, swing_id: &str) -> PyResult<&Evidence> {
+        let mut found = self.inner.evidence.iter().flatten();
+        found
+            .find(|evidence| evidence.id == swing_id)
+            .ok_or_else(|| raise(py, &Error::argument("swing_id", "a swing that has a recording", swing_id)))
+    }
+}
+
+#[pymethods]
+impl Measurement {
+    /// The `gyradius-measurement/1` text.
+    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
+        detached(py, || as_json(&self.inner.measurement))
+    }
+
+    /// The report: one self-contained HTML file.
+    fn to_html(&self, py: Python<'_>) -> PyResult<String> {
+        detached(py, || Ok(report::html(&ReportSource::from_analysis(&self.inner, self.session.as_deref()))))
+    }
+
+    /// Ids of the swings that have a recording with a fit.
+    #[getter]
+    fn recorded_swings(&self) -> Vec<&str> {
+        self.inner.evidence.iter().flatten().map(|evidence| evidence.id.as_str()).collect()
+    }
+
+    /// Names of the channels, time stamps, samples and fit, by sensor.
+    fn fits<'py>(&self, py: Python<'py>, swing_id: &str) -> PyResult<Vec<Fit<'py>>> {
+        let evidence = self.evidence(py, swing_id)?;
+        evidence.groups.iter().enumerate().map(|(place, group)| fit(py, evidence, place, group)).collect()
+    }
+
+    /// Frequencies, Hz, and amplitude spectra by channel, thinned for plots.
+    fn spectrum<'py>(&self, py: Python<'py>, swing_id: &str) -> PyResult<Spectrum<'py>> {
+        let evidence = self.evidence(py, swing_id)?;
+        let found = py.detach(|| spectrum(&evidence.groups));
+        Ok((found.freq_hz.into_pyarray(py), rows(py, &found.amplitude)?))
+    }
+}
+
+/// A value of the core as its JSON text.
+pub fn as_json<T: serde::Serialize>(value: &T) -> gyradius_core::Result<String> {
+    serde_json::to_string_pretty(value).map_err(|error| Error::no_result("JSON", error.to_string()))
+}
+
+fn fit<'py>(py: Python<'py>, evidence: &Evidence, place: usize, group: &ChannelGroup) -> PyResult<Fit<'py>> {
+    let first: usize = evidence.groups[..place].iter().map(|before| before.channels.len()).sum();
+    let fitted = py.detach(|| model(&group.t_s, &evidence.found));
+    let labels = (first..first + group.channels.len()).map(|channel| label(evidence, channel)).collect();
+    let fitted = &fitted[first..first + group.channels.len()];
+    Ok((labels, group.t_s.clone().into_pyarray(py), rows(py, &group.channels)?, rows(py, fitted)?))
+}
+
+/// `gx`, `ay`, `lz`: the names of the session format; a track's only channel is `y`.
+fn label(evidence: &Evidence, channel: usize) -> String {
+    let axis = |first: usize| ["x", "y", "z"].get(channel.wrapping_sub(first)).copied();
+    let sensor = if evidence.map.gravity_free { "l" } else { "a" };
+    let gyroscope = evidence.map.gyroscope.and_then(axis).map(|axis| format!("g{axis}"));
+    let accelerometer = evidence.map.accelerometer.and_then(axis).map(|axis| format!("{sensor}{axis}"));
+    gyroscope.or(accelerometer).unwrap_or_else(|| "y".into())
+}

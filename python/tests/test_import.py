@@ -1,0 +1,95 @@
+"""``gyradius import`` and ``gyradius.import_files``: a session from exports of phones."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from conftest import assert_refused, run, swing_csv
+
+import gyradius
+
+
+def foreign_csv(path: Path) -> Path:
+    """A logger nobody knows: milliseconds, degrees per second, g with the sign of iOS."""
+    rows = ["Clock;wx;wy;wz;fx;fy;fz"]
+    for line in swing_csv().splitlines()[1:]:
+        t, gx, gy, gz, ax, ay, az = (float(cell) for cell in line.split(","))
+        rate = [math.degrees(g) for g in (gx, gy, gz)]
+        force = [-a / 9.80665 for a in (ax, ay, az)]
+        rows.append(";".join(f"{cell:.7g}" for cell in (1000 * t, *rate, *force)))
+    path.write_text("\n".join(rows) + "\n")
+    return path
+
+
+MAPPING = ["t=Clock:ms"]
+MAPPING += [f"g{axis}=w{axis}:deg/s" for axis in "xyz"]
+MAPPING += [f"a{axis}=f{axis}:-g" for axis in "xyz"]
+
+
+def test_mapped_columns_become_a_session_that_can_be_measured(tmp_path: Path) -> None:
+    source = foreign_csv(tmp_path / "log.csv")
+    mapped = [word for entry in MAPPING for word in ("--map", entry)]
+    sizes = ["--line-length", "2.0:0.001", "--spacing", "1.0:0.001", "--mass", "100:0.1", "--title", "My boat"]
+    done = run("import", source, "-o", tmp_path / "s", *mapped, *sizes)
+    assert done.returncode == 0, done.stderr
+    session = gyradius.load(tmp_path / "s")
+    assert session.title == "My boat"
+    assert session.swing_ids == ["log"]
+    mode = session.measure().swings[0].modes[0]
+    assert mode.mode == "yaw"
+    # The file holds a swing of 2 s as it is seen; with the suspension known, the small-amplitude period is shorter.
+    assert mode.period_observed_s == pytest.approx(2.0, abs=1e-4)
+    assert mode.period_s < mode.period_observed_s
+
+
+def test_bare_foreign_recording_is_measured_by_its_mapping(tmp_path: Path) -> None:
+    session = gyradius.load(foreign_csv(tmp_path / "log.csv"), mapping=MAPPING)
+    assert round(session.measure().swings[0].modes[0].period_s, 3) == 2.0
+
+
+def test_without_dimensions_the_session_says_what_is_missing(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    done = run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s")
+    assert done.returncode == 0, done.stderr
+    assert "line_length and spacing" in done.stdout
+    assert_refused(run("measure", tmp_path / "s"), 2, "line_length")
+    assert run("measure", tmp_path / "s" / "yaw.csv").returncode == 0
+
+
+def test_nothing_is_overwritten_unless_asked(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    sizes = ["--line-length", "2", "--spacing", "1"]
+    arguments = ["import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *sizes]
+    assert run(*arguments).returncode == 0
+    assert_refused(run(*arguments), 2, "exists")
+    assert run(*arguments, "--replace").returncode == 0
+
+
+def test_two_files_of_one_name_become_two_swings(tmp_path: Path) -> None:
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "yaw.csv").write_text(swing_csv())
+    files = [tmp_path / folder / "yaw.csv" for folder in ("a", "b")]
+    gyradius.import_files(files, tmp_path / "s", line_length=2.0, spacing=(1.0, 0.001))
+    assert gyradius.load(tmp_path / "s").swing_ids == ["yaw", "yaw-2"]
+
+
+@pytest.mark.parametrize("entry", ["gx", "gx=", "gx=wx", "gx=wx:furlong", "wheel=wx:rad/s", "gx=wx:ms"])
+def test_bad_mappings_are_bad_usage(tmp_path: Path, entry: str) -> None:
+    assert_refused(run("import", foreign_csv(tmp_path / "log.csv"), "-o", tmp_path / "s", "--map", entry), 2)
+
+
+@pytest.mark.parametrize("value", ["long", "1:x", ""])
+def test_bad_quantities_are_bad_usage(tmp_path: Path, value: str) -> None:
+    source = foreign_csv(tmp_path / "log.csv")
+    assert_refused(run("import", source, "-o", tmp_path / "s", "--line-length", value), 2)
+
+
+def test_unknown_table_names_its_header(tmp_path: Path) -> None:
+    assert_refused(run("import", foreign_csv(tmp_path / "log.csv"), "-o", tmp_path / "s"), 2, "log.csv", "Clock")
+
+
+def test_missing_export(tmp_path: Path) -> None:
+    assert_refused(run("import", tmp_path / "nothing.zip", "-o", tmp_path / "s"), 2, "nothing.zip")
