@@ -280,6 +280,7 @@ def small_modes(rig: Rig, rest: np.ndarray, *, fore_and_aft: bool = False) -> li
     free = null_space(jacobian)
     values, vectors = eigh(free.T @ stiffness @ free, free.T @ mass @ free)
     shapes = (free @ vectors).T
+    shapes *= np.sign([shape[np.argmax(np.abs(shape))] for shape in shapes])[:, None]  # eigh leaves the sign open
     along = 0 if fore_and_aft else 1
     share = {YAW: [], SWAY: []}
     for shape in shapes:
