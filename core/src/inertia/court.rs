@@ -2,14 +2,13 @@
 //!
 //! Sittings are unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is flagged.
 
-use std::f64::consts::TAU;
-
 use crate::recording::{ModeName, Quantity};
 
 use super::alternatives::RouteCalculation;
 use super::estimate::{Observed, Solution, System};
 use super::measurement::Claim;
 use super::parameters::Role;
+use super::routes::ratio::line_length_m;
 
 /// A difference this large speaks up: chance does that once in 370 for a normal error.
 pub const FLAG_SIGMA: f64 = 3.0;
@@ -41,7 +40,7 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
                 return None;
             }
             let stated = system.layout.parameters[index.line_length?].prior;
-            let implied = gravity.value * (o.value.value / TAU).powi(2); // eq. (7)
+            let implied = line_length_m(o.value.value, gravity.value).ok()?;
             let relative = (2.0 * o.value.u / o.value.value).hypot(gravity.u / gravity.value);
             let implied = Quantity::new(implied, implied * relative);
             Some(claim(
@@ -121,8 +120,9 @@ fn route_against_route(routes: &[RouteCalculation]) -> Vec<Claim> {
 }
 
 fn pair(a: &RouteCalculation, b: &RouteCalculation) -> Option<Claim> {
-    let (first, second) = (a.result()?, b.result()?);
-    let u = a.u_of_difference(b)?;
+    let quantity = |r: &RouteCalculation| Quantity::new(r.figure.value, r.figure.u());
+    let (first, second) = (quantity(a), quantity(b));
+    let u = a.figure.u_of_difference(&b.figure);
     // Two routes through the very same figures are one route.
     if u <= 1e-9 * first.value.abs() {
         return None;
@@ -143,7 +143,7 @@ fn pair(a: &RouteCalculation, b: &RouteCalculation) -> Option<Claim> {
         if flagged { "they contradict each other" } else { "they agree" },
     );
     Some(Claim {
-        claim: a.quantity.clone(),
+        claim: a.quantity.into(),
         stated: first.value,
         stated_u: first.u,
         implied: second.value,

@@ -23,7 +23,6 @@ use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingRe
 use super::observe::{Evidence, mode_text, names_by_period, observe_recording, observe_track, parasites};
 use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
-use super::routes::corrections::normal_gravity_m_s2;
 use super::routes::guard::{Limit, verdict};
 use super::twin::{Correction, corrections};
 
@@ -38,6 +37,9 @@ const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 /// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger motion drives them
 /// off their own period.
 const WEAKEST_DB: f64 = -16.0;
+
+/// A roll gyradius of which weak priors decide less than this share is measured.
+const ROLL_WEAK_SHARE: f64 = 0.05;
 
 /// What a caller may ask beyond the measurement.
 #[derive(Debug, Clone, Default)]
@@ -71,8 +73,7 @@ pub fn measure(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Measu
 /// Measures a session and keeps the evidence.
 pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
     let session = &loaded.session;
-    let (gravity, gravity_warning) =
-        effective_gravity(session, |lat, alt| normal_gravity_m_s2(lat, alt).unwrap_or(f64::NAN));
+    let (gravity, gravity_warning) = effective_gravity(session)?;
     let mut works: Vec<SwingWork> = session
         .swings
         .iter()
@@ -120,12 +121,11 @@ fn estimate(
         return Err(Error::no_result(title(session), "no mode of any swing could be named"));
     }
     let first = system.solve(&system.layout.start())?;
-    let mut other = first.x.clone();
-    other[system.layout.log_gyradii[0]] += first.u(system.layout.log_gyradii[0]);
+    let other = roll_unmeasured(system, &first);
     let corrections: Vec<Vec<Correction>> = (0..works.len())
         .map(|i| {
             let (swing, index) = (&session.swings[i], &system.layout.swings[i]);
-            corrections(&system.layout, (&first.x, &other), swing, index, &works[i].result)
+            corrections(&system.layout, (&first.x, other.as_deref()), swing, index, &works[i].result)
         })
         .collect();
     for (work, corrections) in works.iter_mut().zip(&corrections) {
@@ -134,6 +134,15 @@ fn estimate(
     system.observations = observations(session, works, &corrections);
     system.observations.extend(incline_observations(session, inclines));
     system.solve(&first.x)
+}
+
+/// The solution with its roll gyradius one standard uncertainty off; none where the swings measure it.
+fn roll_unmeasured(system: &System, solution: &Solution) -> Option<Vec<f64>> {
+    let roll = system.layout.log_gyradii[0];
+    let known = solution.derive(&system.layout, |x| Some(x[roll]))?;
+    let mut other = solution.x.clone();
+    other[roll] += known.u;
+    (known.weak_share > ROLL_WEAK_SHARE).then_some(other)
 }
 
 /// Writes the small-amplitude period of each corrected mode.
@@ -148,8 +157,8 @@ fn conclude(system: &System, solution: &Solution, options: &MeasureOptions, resu
     write_quantities(system, solution, result);
     let calculations = routes(system, solution);
     for calculation in &calculations {
-        let known = result.alternatives.entry(calculation.quantity.clone()).or_default();
-        known.extend(calculation.route());
+        let known = result.alternatives.entry(calculation.quantity.into()).or_default();
+        known.push(calculation.route());
     }
     result.consistency = court::sit(system, solution, &calculations);
     result.warnings.extend(worst_of_each(&result.consistency));

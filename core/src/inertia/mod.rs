@@ -12,6 +12,7 @@ mod outputs;
 mod parameters;
 pub mod routes;
 mod theory;
+mod traced;
 mod twin;
 
 pub use measure::{Analysis, MeasureOptions, analyse, measure, measure_recording};
@@ -19,3 +20,4 @@ pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };
 pub use observe::Evidence;
+pub(crate) use observe::mode_text;

@@ -72,6 +72,24 @@ fn clipped(groups: &[ChannelGroup], span: &FreeSpan) -> Vec<ChannelGroup> {
         .collect()
 }
 
+/// What the free part of a record holds; no mode has its name yet.
+fn found_in(
+    id: &str,
+    all: &[ChannelGroup],
+    map: ChannelMap,
+    amplitude_unit: &'static str,
+    repairs: &[Repair],
+) -> Result<Evidence> {
+    let span = free_swing_span(all);
+    let groups = clipped(all, &span);
+    let found = decompose(&groups, &DecomposeOptions::default())?;
+    let mut warnings = found.warnings.clone();
+    let mut repairs = repairs.to_vec();
+    repairs.extend(trimmed(&span, &mut warnings));
+    let (id, named, up) = (id.into(), vec![], None);
+    Ok(Evidence { id, groups, map, span, found, named, up, amplitude_unit, repairs, warnings })
+}
+
 /// Analyses a phone's recording.
 pub fn observe_recording(
     id: &str,
@@ -81,32 +99,17 @@ pub fn observe_recording(
     swing: Option<&Swing>,
 ) -> Result<Evidence> {
     let (all, map) = channels(recording);
-    let span = free_swing_span(&all);
-    let groups = clipped(&all, &span);
-    let found = decompose(&groups, &DecomposeOptions::default())?;
-    let up = up_direction(&found, map).map(|(up, _)| up);
+    let mut evidence = found_in(id, &all, map, "rad", &recording.repairs)?;
+    let found = &evidence.found;
+    let up = up_direction(found, map).map(|(up, _)| up);
     let motions: Vec<PhoneMotion> =
         found.modes.iter().map(|m| PhoneMotion::of(m, map, gravity_m_s2, up)).collect();
     let mut named = name_modes(&motions, up, gravity_m_s2, hanging);
-    let mut warnings = found.warnings.clone();
     if up.is_none() {
-        warnings.push(name_by_hint(&mut named, swing));
+        evidence.warnings.push(name_by_hint(&mut named, swing));
     }
-    let mut repairs = recording.repairs.clone();
-    repairs.extend(trimmed(&span, &mut warnings));
-    warnings.extend(hints_contradicted(&named, swing));
-    Ok(Evidence {
-        id: id.into(),
-        groups,
-        map,
-        span,
-        found,
-        named,
-        up,
-        amplitude_unit: "rad",
-        repairs,
-        warnings,
-    })
+    evidence.warnings.extend(hints_contradicted(&named, swing));
+    Ok(Evidence { named, up, ..evidence })
 }
 
 /// Without gravity in the record a shape has no name: the strongest turn takes the operator's word.
@@ -218,27 +221,12 @@ pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<
 /// is the sway, the other the yaw (or what the operator meant).
 pub fn observe_track(id: &str, track: &Track, hanging: &Hanging, swing: &Swing) -> Result<Evidence> {
     let all = vec![ChannelGroup { t_s: track.t_s.clone(), channels: vec![track.y_m.clone()] }];
-    let span = free_swing_span(&all);
-    let groups = clipped(&all, &span);
-    let found = decompose(&groups, &DecomposeOptions::default())?;
-    let named = name_track_modes(&found, hanging, swing);
-    let mut warnings = found.warnings.clone();
-    warnings.push("a displacement alone does not show shapes: modes are named by their periods".into());
-    let mut repairs = track.repairs.clone();
-    repairs.extend(trimmed(&span, &mut warnings));
-    let map = ChannelMap::default();
-    Ok(Evidence {
-        id: id.into(),
-        groups,
-        map,
-        span,
-        found,
-        named,
-        up: None,
-        amplitude_unit: "m",
-        repairs,
-        warnings,
-    })
+    let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs)?;
+    evidence
+        .warnings
+        .push("a displacement alone does not show shapes: modes are named by their periods".into());
+    evidence.named = name_track_modes(&evidence.found, hanging, swing);
+    Ok(evidence)
 }
 
 fn name_track_modes(found: &Decomposition, hanging: &Hanging, swing: &Swing) -> Vec<NamedMode> {

@@ -38,7 +38,7 @@ struct Hull<'a> {
 impl Hull<'_> {
     fn at(&self, x: &[f64]) -> Option<RigidBody> {
         let depth = self.level_depth.or(self.system.layout.swings.first().map(|s| s.log_depth))?;
-        Some(hull_alone(self.session, &self.system.layout, x, depth))
+        hull_alone(self.session, &self.system.layout, x, depth).ok()
     }
 
     fn scalar(&self, name: &str, x: &[f64]) -> Option<f64> {

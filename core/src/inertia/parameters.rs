@@ -8,10 +8,12 @@
 //! own centre of mass, hull axes. Gyradii enter as logarithms (that about x relative to that about z), the product of inertia as I_xz / M in m² with
 //! I_xz = −∫ x z dm (the tensor's own off-diagonal element).
 
-use std::f64::consts::TAU;
-
 use crate::constants::{PHONE_CLOCK_U_RELATIVE, STANDARD_GRAVITY_M_S2};
+use crate::error::Result;
 use crate::recording::{ModeName, Quantity, Session, SwingData};
+
+use super::routes::corrections::{NORMAL_GRAVITY_U_M_S2, buoyant_gravity_m_s2, normal_gravity_m_s2};
+use super::routes::yaw::{Lines, yaw_gyradius_m};
 
 /// Uncertainty of the level of a hull whose pitch nobody stated, degrees: what a spirit level and an eye give.
 const UNSTATED_PITCH_U_DEG: f64 = 0.2;
@@ -199,7 +201,7 @@ fn length_scale_m(session: &Session, gravity_m_s2: f64) -> f64 {
     let by_yaw = session.swings.iter().find_map(|s| match &s.data {
         SwingData::PeriodsS(periods) => {
             let (d, l) = (0.5 * s.suspension.spacing_m?.value, s.suspension.line_length_m?.value);
-            Some(periods.get(&ModeName::Yaw)?.value * d / TAU * (gravity_m_s2 / l).sqrt()) // eq. (6)
+            yaw_gyradius_m(periods.get(&ModeName::Yaw)?.value, &Lines::parallel(l, d), gravity_m_s2).ok()
         }
         _ => None,
     });
@@ -208,18 +210,15 @@ fn length_scale_m(session: &Session, gravity_m_s2: f64) -> f64 {
     by_yaw.or(half_spacing).or(height).unwrap_or(1.0)
 }
 
-/// Gravity as stated, or computed by `from_latitude`, or standard with what that leaves open on Earth; times the
+/// Gravity as stated, or computed from the latitude, or standard with what that leaves open on Earth; times the
 /// buoyancy factor (1 − ρ_air/ρ) where a density is stated.
-pub fn effective_gravity(
-    session: &Session,
-    from_latitude: impl Fn(f64, f64) -> f64,
-) -> (Quantity, Option<String>) {
+pub fn effective_gravity(session: &Session) -> Result<(Quantity, Option<String>)> {
     let site = &session.site;
     let (free_fall, warning) = match (site.gravity_m_s2, site.latitude_deg) {
         (Some(g), _) => (g, None),
-        // Local anomalies of gravity reach some 50 mGal = 5e-4 m/s² (WGS 84 normal gravity leaves them out).
         (None, Some(latitude)) => {
-            (Quantity::new(from_latitude(latitude, site.altitude_m.unwrap_or(0.0)), 5e-4), None)
+            let normal = normal_gravity_m_s2(latitude, site.altitude_m.unwrap_or(0.0))?;
+            (Quantity::new(normal, NORMAL_GRAVITY_U_M_S2), None)
         }
         // Sea-level gravity runs from 9.780 at the equator to 9.832 at the poles: rectangular, u = 0.026/√3.
         (None, None) => (
@@ -229,11 +228,10 @@ pub fn effective_gravity(
             ),
         ),
     };
-    let factor = session
-        .body
-        .density_kg_m3
-        .map_or(1.0, |density| 1.0 - site.air_density_kg_m3.unwrap_or(DEFAULT_AIR_DENSITY_KG_M3) / density);
-    (Quantity::new(free_fall.value * factor, free_fall.u * factor), warning)
+    let Some(density) = session.body.density_kg_m3 else { return Ok((free_fall, warning)) };
+    let air = site.air_density_kg_m3.unwrap_or(DEFAULT_AIR_DENSITY_KG_M3);
+    let value = buoyant_gravity_m_s2(free_fall.value, air, density)?;
+    Ok((Quantity::new(value, free_fall.u * value / free_fall.value), warning))
 }
 
 /// Dry air at 15 °C and 1013.25 hPa (ISO 2533 standard atmosphere), kg/m³.

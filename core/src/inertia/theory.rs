@@ -8,6 +8,7 @@ use crate::frames::{Mat3, Vec3, world_from_hull_pitched};
 use crate::recording::{Incline, ModeName, Orientation, Session, Swing};
 
 use super::parameters::{Layout, SwingIndex};
+use super::routes::attachments::{joined, remainder};
 
 /// Everything that hangs, in hull axes: mass, centre of mass from the mid-point of the suspension points, inertia
 /// about the centre of mass.
@@ -21,35 +22,20 @@ pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
     RigidBody { mass_kg: mass, inertia_kg_m2: inertia, cm_m: Vec3::new(0.0, 0.0, -x[log_depth].exp()) }
 }
 
-/// Inertia of a point mass about the origin.
-fn point_inertia(mass: f64, r: &Vec3) -> Mat3 {
-    (Mat3::identity() * r.norm_squared() - r * r.transpose()) * mass
-}
-
-/// Two bodies made one (parallel-axis rule); a negative mass takes a body off.
-pub fn joined(a: &RigidBody, mass_kg: f64, position_m: Vec3, own_inertia: Mat3) -> RigidBody {
-    let total = a.mass_kg + mass_kg;
-    let cm = (a.cm_m * a.mass_kg + position_m * mass_kg) / total;
-    let inertia = a.inertia_kg_m2
-        + point_inertia(a.mass_kg, &(a.cm_m - cm))
-        + own_inertia
-        + point_inertia(mass_kg, &(position_m - cm));
-    RigidBody { mass_kg: total, inertia_kg_m2: inertia, cm_m: cm }
-}
-
 /// The body of one swing as it hangs: added masses on, pitched as stated, centre of mass below the suspension.
 ///
 /// Added masses that shift the centre of mass fore and aft tilt a hull that is free to pitch until the centre
 /// hangs below the suspension again.
-pub fn swing_body(layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex) -> RigidBody {
+pub fn swing_body(layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<RigidBody> {
     let pitch = world_from_hull_pitched(x[index.pitch_deg].to_radians());
     // The depth parameter is the vertical one of this hanging: the centre lies straight below.
     let mut body = hanging_body(layout, x, index.log_depth);
     body = RigidBody { cm_m: body.cm_m, ..body.rotated(pitch) };
     for added in &swing.added_masses {
-        body = joined(&body, added.mass_kg.value, pitch * Vec3::from(added.position_m), Mat3::zeros());
+        let cm_m = pitch * Vec3::from(added.position_m);
+        body = joined(&body, &RigidBody::from_gyradii(added.mass_kg.value, [0.0; 3], cm_m))?;
     }
-    settle(&body, swing.suspension.orientation)
+    Ok(settle(&body, swing.suspension.orientation))
 }
 
 fn settle(body: &RigidBody, orientation: Orientation) -> RigidBody {
@@ -102,7 +88,7 @@ pub fn swing_periods(
     swing: &Swing,
     index: &SwingIndex,
 ) -> Result<Vec<(ModeName, f64)>> {
-    let body = swing_body(layout, x, swing, index);
+    let body = swing_body(layout, x, swing, index)?;
     if let Some(height) = index.axis_height {
         return Ok(vec![(ModeName::Compound, compound_period_s(&body, swing, x[height], x[layout.gravity]))]);
     }
@@ -130,10 +116,10 @@ pub fn incline_angle_deg(layout: &Layout, x: &[f64], incline: &Incline, log_dept
 }
 
 /// The hull alone: attachments taken off the hanging body.
-pub fn hull_alone(session: &Session, layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
+pub fn hull_alone(session: &Session, layout: &Layout, x: &[f64], log_depth: usize) -> Result<RigidBody> {
     let body = hanging_body(layout, x, log_depth);
-    session.attachments.iter().zip(&layout.attachment_masses).fold(body, |body, (attachment, mass)| {
-        let k2 = Vec3::from(attachment.gyradii_m).map(|k| k * k);
-        joined(&body, -x[*mass], Vec3::from(attachment.position_m), -Mat3::from_diagonal(&k2) * x[*mass])
+    session.attachments.iter().zip(&layout.attachment_masses).try_fold(body, |body, (attachment, mass)| {
+        let cm_m = Vec3::from(attachment.position_m);
+        remainder(&body, &RigidBody::from_gyradii(x[*mass], attachment.gyradii_m, cm_m))
     })
 }

@@ -16,6 +16,7 @@ use crate::recording::{ModeName, Swing};
 
 use super::measurement::{ModeResult, SwingResult};
 use super::parameters::{Layout, SwingIndex};
+use super::routes::finite_amplitude::pendulum_period_ratio;
 use super::theory::{axis, kind_name, swing_body, swing_rig};
 
 /// Share of a correction that counts as its standard uncertainty: amplitudes are known to a percent or two, and
@@ -71,15 +72,17 @@ struct Part {
 /// Corrections of every mode of a swing; 1 where nothing is known of its amplitude.
 ///
 /// A pitching hull yaws about an axis tilted in it, so its roll inertia shares in the yaw: `other_x` is the same body
-/// with its roll gyradius one standard uncertainty off, and what that changes widens the corrections.
+/// with its roll gyradius one standard uncertainty off, where no swing measures it, and what that changes widens the
+/// corrections.
 pub fn corrections(
     layout: &Layout,
-    (x, other_x): (&[f64], &[f64]),
+    (x, other_x): (&[f64], Option<&[f64]>),
     swing: &Swing,
     index: &SwingIndex,
     result: &SwingResult,
 ) -> Vec<Correction> {
     let here = corrections_of(layout, x, swing, index, result);
+    let Some(other_x) = other_x else { return here };
     let there = corrections_of(layout, other_x, swing, index, result);
     here.into_iter().zip(&there).map(|(here, there)| here.or(there)).collect()
 }
@@ -92,7 +95,7 @@ fn corrections_of(
     result: &SwingResult,
 ) -> Vec<Correction> {
     let none = vec![Correction::default(); result.modes.len()];
-    let body = swing_body(layout, x, swing, index);
+    let Ok(body) = swing_body(layout, x, swing, index) else { return none };
     if let Some(height) = index.axis_height {
         return result
             .modes
@@ -314,7 +317,7 @@ fn solve(basis: &DMatrix<f64>, y: &DVector<f64>) -> Option<DVector<f64>> {
     (basis.transpose() * basis).cholesky().map(|c| c.solve(&(basis.transpose() * y)))
 }
 
-/// A compound pendulum is a pendulum: its period follows the exact law T(A) / T(0) = 1 / agm(1, cos A/2).
+/// A compound pendulum is a pendulum: its period follows the exact law.
 fn compound(
     body: &RigidBody,
     swing: &Swing,
@@ -339,17 +342,11 @@ fn compound(
             // Errata, damping row: T0 = T / sqrt(1 + (T / 2πτ)²).
             let damped =
                 mode.decay_time_s.map_or(1.0, |tau| (period_s / (std::f64::consts::TAU * tau)).hypot(1.0));
-            Correction::of(agm(1.0, (0.5 * start * mean_square.sqrt()).cos()) / damped)
+            let at_amplitude = pendulum_period_ratio(start * mean_square.sqrt()).unwrap_or(1.0);
+            Correction::of(1.0 / (at_amplitude * damped))
         }
         None => Correction::default(),
     }
-}
-
-fn agm(mut a: f64, mut b: f64) -> f64 {
-    while (a - b).abs() > 1e-15 * a {
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-    }
-    a
 }
 
 #[cfg(test)]

@@ -6,8 +6,7 @@ use super::source::{
     BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
 };
 use super::thin::thinned;
-use super::words;
-use crate::inertia::{Analysis, Evidence};
+use crate::inertia::{Analysis, Evidence, mode_text};
 use crate::recording::{InclineAngle, LoadedSession, Quantity, Session};
 use crate::signal::{ChannelGroup, residuals, spectrum};
 
@@ -179,7 +178,7 @@ impl<'a> Channel<'a> {
         let found = &self.evidence.found.modes;
         let peaks = found.iter().zip(&self.evidence.named).map(|(mode, named)| Peak {
             freq_hz: mode.omega_rad_s / TAU,
-            name: words::mode(named.name).into(),
+            name: mode_text(named.name).into(),
         });
         SpectrumFigureData {
             label: self.label.clone(),

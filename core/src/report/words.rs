@@ -1,6 +1,6 @@
 //! Words for the names that the result's format uses.
 
-use crate::recording::{ModeName, RepairKind};
+use crate::recording::RepairKind;
 
 /// How a quantity is called and printed.
 pub(super) struct QuantityWords {
@@ -61,20 +61,6 @@ pub(super) fn claim_unit(claim: &str) -> &'static str {
         "gravity" => "m/s²",
         "hull_pitch" => "°",
         other => unit_of(other),
-    }
-}
-
-/// A mode of motion.
-pub(super) fn mode(mode: ModeName) -> &'static str {
-    match mode {
-        ModeName::Yaw => "yaw",
-        ModeName::Sway => "sway",
-        ModeName::PitchInPhase => "pitch in phase",
-        ModeName::PitchOutOfPhase => "pitch out of phase",
-        ModeName::RollInPhase => "roll in phase",
-        ModeName::RollOutOfPhase => "roll out of phase",
-        ModeName::Compound => "compound pendulum",
-        ModeName::Other => "unnamed",
     }
 }
 

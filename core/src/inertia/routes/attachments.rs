@@ -6,92 +6,55 @@
 //! in the tensor (I_xz = −Σ m x z).
 
 use super::domain::{finite, not_negative, positive, result, root};
+use crate::dynamics::RigidBody;
 use crate::frames::{Mat3, Vec3};
 use crate::{Error, Result};
 
-/// Mass, centre and inertia of a rigid body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RigidBody {
-    /// Mass, kg.
-    pub mass_kg: f64,
-    /// Centre of mass, hull axes, from any mark common to all bodies, m.
-    pub cm_m: Vec3,
-    /// Inertia about the centre of mass, kg m².
-    pub inertia_kg_m2: Mat3,
+/// Two bodies as one, centres counted from one mark.
+pub fn joined(one: &RigidBody, other: &RigidBody) -> Result<RigidBody> {
+    let (a, b) = (positive("mass_kg", one.mass_kg)?, not_negative("mass_kg", other.mass_kg)?);
+    let mass_kg = a + b;
+    let offset = other.cm_m - one.cm_m;
+    Ok(RigidBody {
+        mass_kg,
+        cm_m: one.cm_m + offset * (b / mass_kg),
+        inertia_kg_m2: one.inertia_kg_m2 + other.inertia_kg_m2 + of_point_mass(a * b / mass_kg, &offset),
+    })
 }
 
-impl RigidBody {
-    /// A body with principal axes along the hull's: mass, centre and three gyradii about its own centre.
-    pub fn from_gyradii(mass_kg: f64, cm_m: Vec3, gyradii_m: [f64; 3]) -> Result<Self> {
-        let mass = positive("mass_kg", mass_kg)?;
-        let mut squares = Vec3::zeros();
-        for (square, gyradius) in squares.iter_mut().zip(gyradii_m) {
-            *square = mass * not_negative("gyradii_m", gyradius)?.powi(2); // (1)
-        }
-        Ok(Self {
-            mass_kg: mass,
-            cm_m: finite_vector("cm_m", cm_m)?,
-            inertia_kg_m2: Mat3::from_diagonal(&squares),
-        })
-    }
-
-    /// Gyradii about the hull's directions through the centre of mass: roll, pitch, yaw, m.
-    pub fn gyradii_m(&self) -> Result<[f64; 3]> {
-        let mass = positive("mass_kg", self.mass_kg)?;
-        let gyradius = |i: usize| {
-            let moment = self.inertia_kg_m2[(i, i)];
-            if moment == 0.0 { Ok(0.0) } else { root("gyradius", moment / mass) } // (1)
-        };
-        Ok([gyradius(0)?, gyradius(1)?, gyradius(2)?])
-    }
-
-    /// This body and another as one.
-    pub fn joined(&self, other: &Self) -> Result<Self> {
-        let (a, b) = (positive("mass_kg", self.mass_kg)?, positive("mass_kg", other.mass_kg)?);
-        let mass_kg = a + b;
-        let offset = other.cm_m - self.cm_m;
-        Ok(Self {
-            mass_kg,
-            cm_m: self.cm_m + offset * (b / mass_kg),
-            inertia_kg_m2: self.inertia_kg_m2 + other.inertia_kg_m2 + of_point_mass(a * b / mass_kg, &offset),
-        })
-    }
-
-    /// What is left of this body when a part of it is taken off.
-    pub fn without(&self, part: &Self) -> Result<Self> {
-        let (total, off) = (positive("mass_kg", self.mass_kg)?, positive("mass_kg", part.mass_kg)?);
-        let mass_kg = total - off;
-        if mass_kg <= 0.0 {
-            return Err(Error::no_result(
-                "body without its part",
-                format!("a part of {off} kg exceeds the {total} kg of the whole"),
-            ));
-        }
-        let cm_m = (self.cm_m * total - part.cm_m * off) / mass_kg;
-        let between = of_point_mass(mass_kg * off / total, &(part.cm_m - cm_m));
-        let rest = Self { mass_kg, cm_m, inertia_kg_m2: self.inertia_kg_m2 - part.inertia_kg_m2 - between };
-        rest.must_be_possible()?;
-        Ok(rest)
-    }
-
-    /// No body has a negative principal moment, nor one greater than the sum of the other two.
-    pub fn must_be_possible(&self) -> Result<()> {
-        let moments = self.inertia_kg_m2.symmetric_eigenvalues();
-        let slack = 1e-9 * moments.amax();
-        let sum = moments.sum();
-        if moments.iter().all(|&m| m.is_finite() && m >= -slack && 2.0 * m <= sum + slack) {
-            return Ok(());
-        }
-        let reason = format!("principal moments {:?} kg m² belong to no body", moments.as_slice());
-        Err(Error::no_result("inertia", reason))
-    }
+/// What is left of a body when a part of it is taken off; it must be the inertia of a body.
+pub fn without(whole: &RigidBody, part: &RigidBody) -> Result<RigidBody> {
+    let rest = remainder(whole, part)?;
+    must_be_possible(&rest)?;
+    Ok(rest)
 }
 
-fn finite_vector(name: &str, v: Vec3) -> Result<Vec3> {
-    for x in v.iter() {
-        finite(name, *x)?;
+/// [`without`] where the whole is an estimate, some of whose moments nobody measured: they may come out impossible
+/// and are not judged.
+pub fn remainder(whole: &RigidBody, part: &RigidBody) -> Result<RigidBody> {
+    let (total, off) = (positive("mass_kg", whole.mass_kg)?, not_negative("mass_kg", part.mass_kg)?);
+    let mass_kg = total - off;
+    if mass_kg <= 0.0 {
+        return Err(Error::no_result(
+            "body without its part",
+            format!("a part of {off} kg exceeds the {total} kg of the whole"),
+        ));
     }
-    Ok(v)
+    let cm_m = (whole.cm_m * total - part.cm_m * off) / mass_kg;
+    let between = of_point_mass(mass_kg * off / total, &(part.cm_m - cm_m));
+    Ok(RigidBody { mass_kg, cm_m, inertia_kg_m2: whole.inertia_kg_m2 - part.inertia_kg_m2 - between })
+}
+
+/// No body has a negative principal moment, nor one greater than the sum of the other two.
+pub fn must_be_possible(body: &RigidBody) -> Result<()> {
+    let moments = body.inertia_kg_m2.symmetric_eigenvalues();
+    let slack = 1e-9 * moments.amax();
+    let sum = moments.sum();
+    if moments.iter().all(|&m| m.is_finite() && m >= -slack && 2.0 * m <= sum + slack) {
+        return Ok(());
+    }
+    let reason = format!("principal moments {:?} kg m² belong to no body", moments.as_slice());
+    Err(Error::no_result("inertia", reason))
 }
 
 /// Inertia of a point mass at r, m (r² 1 − r rᵀ): the parallel-axis rule.
@@ -108,7 +71,7 @@ pub fn square_frame_gyradii_m(half_spacing_m: f64, cm_depth_m: f64) -> Result<[f
 }
 
 /// Yaw gyradius with a mass added at each end, m, as the paper draws it in Fig. 7: the shift of the centre of mass is
-/// left out. [`RigidBody::joined`] keeps it.
+/// left out. [`joined`] keeps it.
 pub fn gyradius_with_end_masses_m(
     mass_kg: f64,
     gyradius_m: f64,

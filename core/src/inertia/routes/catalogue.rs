@@ -58,15 +58,6 @@ impl Inputs<'_> {
         self.optional(name).unwrap_or(default)
     }
 
-    /// True for 1, false for 0.
-    pub(super) fn flag(&self, name: &str) -> Result<bool> {
-        match self.get(name)? {
-            1.0 => Ok(true),
-            0.0 => Ok(false),
-            other => Err(Error::argument(name, "0 (no) or 1 (yes)", other)),
-        }
-    }
-
     /// No input of a numbered slot may stand beyond a gap, where it would be read by nobody.
     pub(super) fn numbered_up_to(&self, pattern: &str, last: usize) -> Result<()> {
         let beyond = |key: &&String| {
