@@ -3,81 +3,98 @@
 //! Coefficients: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
 //! (Springer 1993), section II.5 and its code DOP853; section II.6 for the output between steps. Fixed step:
 //! the embedded error estimate is absent because the step follows from the fastest mode.
+//! The equations are autonomous (time is a part of the state).
 
-use nalgebra::SVector;
+use super::real::Real;
 
 /// Stages of a step; the next one is the derivative at its end.
 const STAGES: usize = 12;
 /// Stages with those that only the output between steps needs.
 const EXTENDED: usize = 16;
+/// Coefficients of the output between the ends of a step, its start among them.
+pub(super) const COEFFICIENTS: usize = 8;
 
-/// One step and what the output between its ends needs.
-pub(super) struct Step<const N: usize> {
-    start: SVector<f64, N>,
-    coefficients: [SVector<f64, N>; 7],
+/// Memory of an integration of states of one length.
+pub(super) struct Stepper<S> {
+    slopes: Vec<Vec<S>>,
+    inside: Vec<S>,
 }
 
-/// State after a step of `h` from `start`, and the stages so far.
-///
-/// `slope` is the derivative at `start`. The equations are autonomous: no time is passed.
-pub(super) fn advance<const N: usize>(
-    f: &impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
-    start: &SVector<f64, N>,
-    slope: &SVector<f64, N>,
-    h: f64,
-) -> (SVector<f64, N>, [SVector<f64, N>; EXTENDED]) {
-    let mut k = [SVector::zeros(); EXTENDED];
-    k[0] = *slope;
-    for stage in 1..STAGES {
-        k[stage] = f(&(start + combine(A[stage], &k) * h));
+impl<S: Real> Stepper<S> {
+    pub fn new(size: usize) -> Self {
+        Self { slopes: vec![vec![S::zero(); size]; EXTENDED], inside: vec![S::zero(); size] }
     }
-    (start + combine(A[STAGES], &k) * h, k)
-}
 
-/// Completes a step for output between its ends; `end` and `end_slope` may already be projected.
-pub(super) fn dense<const N: usize>(
-    f: &impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
-    start: &SVector<f64, N>,
-    end: &SVector<f64, N>,
-    end_slope: &SVector<f64, N>,
-    mut k: [SVector<f64, N>; EXTENDED],
-    h: f64,
-) -> Step<N> {
-    k[STAGES] = *end_slope;
-    for stage in STAGES + 1..EXTENDED {
-        k[stage] = f(&(start + combine(A[stage], &k) * h));
+    /// Where the derivative at the start of the next step goes.
+    pub fn first_slope(&mut self) -> &mut [S] {
+        &mut self.slopes[0]
     }
-    let change = end - start;
-    let tail = D.map(|row| combine(row, &k) * h);
-    let coefficients = [
-        change,
-        k[0] * h - change,
-        change * 2.0 - (k[0] + end_slope) * h,
-        tail[0],
-        tail[1],
-        tail[2],
-        tail[3],
-    ];
-    Step { start: *start, coefficients }
-}
 
-impl<const N: usize> Step<N> {
-    /// State at the fraction `x` of the step, 0 … 1.
-    pub fn at(&self, x: f64) -> SVector<f64, N> {
-        let mut y = SVector::<f64, N>::zeros();
-        for (i, coefficient) in self.coefficients.iter().enumerate().rev() {
-            y = (y + coefficient) * if i % 2 == 0 { x } else { 1.0 - x };
+    /// Writes the state after a step of `h` from `start` to `end`; the derivative at `start` is in `first_slope`.
+    pub fn advance(&mut self, f: &mut impl FnMut(&[S], &mut [S]), start: &[S], h: f64, end: &mut [S]) {
+        for stage in 1..STAGES {
+            self.stage(f, stage, start, h);
         }
-        self.start + y
+        combine(A[STAGES], &self.slopes, start, h, end);
+    }
+
+    fn stage(&mut self, f: &mut impl FnMut(&[S], &mut [S]), stage: usize, start: &[S], h: f64) {
+        combine(A[stage], &self.slopes, start, h, &mut self.inside);
+        f(&self.inside, &mut self.slopes[stage]);
+    }
+
+    /// Coefficients of the output between the ends for the first `kept` parts of the state, one part after the other.
+    ///
+    /// `end` and `end_slope` may already be projected. `end_slope` becomes the next step's `first_slope`.
+    pub fn between(
+        &mut self,
+        f: &mut impl FnMut(&[S], &mut [S]),
+        (start, end): (&[S], &[S]),
+        end_slope: &[S],
+        h: f64,
+        kept: usize,
+        out: &mut Vec<[S; COEFFICIENTS]>,
+    ) {
+        self.slopes[STAGES].copy_from_slice(end_slope);
+        for stage in STAGES + 1..EXTENDED {
+            self.stage(f, stage, start, h);
+        }
+        for i in 0..kept {
+            let change = end[i] - start[i];
+            let tail = D.map(|row| {
+                let mut sum = S::zero();
+                row.iter().for_each(|&(stage, weight)| sum.add_scaled(weight * h, self.slopes[stage][i]));
+                sum
+            });
+            let first = self.slopes[0][i];
+            let bend = change.scale(2.0) - (first + end_slope[i]).scale(h);
+            out.push([start[i], change, first.scale(h) - change, bend, tail[0], tail[1], tail[2], tail[3]]);
+        }
+        self.slopes[0].copy_from_slice(end_slope);
     }
 }
 
-fn combine<const N: usize>(row: &[(usize, f64)], k: &[SVector<f64, N>; EXTENDED]) -> SVector<f64, N> {
-    let mut sum = SVector::<f64, N>::zeros();
-    for &(stage, weight) in row {
-        sum.axpy(weight, &k[stage], 1.0);
+/// Value and derivative by `x` at the fraction `x` of a step, 0 … 1.
+pub(super) fn between<S: Real>(coefficients: &[S; COEFFICIENTS], x: f64) -> (S, S) {
+    let (mut y, mut slope) = (S::zero(), S::zero());
+    for (i, coefficient) in coefficients[1..].iter().enumerate().rev() {
+        y += *coefficient;
+        let (factor, by_x) = if i % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
+        slope = slope.scale(factor);
+        slope.add_scaled(by_x, y);
+        y = y.scale(factor);
     }
-    sum
+    (coefficients[0] + y, slope)
+}
+
+fn combine<S: Real>(row: &[(usize, f64)], slopes: &[Vec<S>], start: &[S], h: f64, out: &mut [S]) {
+    out.copy_from_slice(start);
+    for &(stage, weight) in row {
+        let weight = weight * h;
+        for (out, slope) in out.iter_mut().zip(&slopes[stage]) {
+            out.add_scaled(weight, *slope);
+        }
+    }
 }
 
 /// Rows of the tableau without their zeros: `(stage, weight)`. Row 12 gives the end of the step.

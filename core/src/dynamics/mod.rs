@@ -11,17 +11,28 @@
 
 mod constraint;
 mod dop853;
+pub mod effects;
 mod equilibrium;
-mod motion;
+mod numbers;
+mod path;
+mod phone;
+mod real;
 mod rig;
+mod scene;
 mod sensor;
 mod small;
+mod start;
+mod suspended;
 mod trajectory;
 
 pub use equilibrium::{Equilibrium, Pose, equilibrium};
+pub use numbers::{Number, Numbers};
+pub use path::{Moment, Path, Slack};
+pub use phone::{Mounted, Phone, Reading, rotated};
+pub use real::{Dual, M3, Real, V3};
 pub use rig::{Line, Rig, RigidBody, SuspensionAxis};
+pub use scene::{Body, Dimensions, Hanging, LANES, Scene, Start};
 pub use sensor::{IdealPhone, ideal_phone};
 pub use small::{ModeKind, SmallModes, compound_pendulum_period_s, mode_kind, small_modes};
-pub use trajectory::{
-    Damping, ModalPart, Sampling, Slack, State, Trajectory, initial_state, placed, simulate,
-};
+pub use suspended::{Cord, MOST_LINES, Spring, Suspended};
+pub use trajectory::{Damping, ModalPart, Sampling, State, Trajectory, initial_state, placed, simulate};

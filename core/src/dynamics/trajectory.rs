@@ -3,18 +3,19 @@
 use nalgebra::{Vector2, Vector6};
 
 use super::constraint::{excesses, jacobian, mass_matrix, reaches};
-use super::dop853::{advance, dense};
+use super::effects::{Effect, LinearDamping};
 use super::equilibrium::Pose;
-use super::motion::{Forces, Motion, StateVector, derivative};
+use super::path::{Moment, Path, Slack};
 use super::rig::{Rig, RigidBody};
 use super::small::{SmallModes, small_modes};
+use super::suspended::{ATTITUDE, Cord, Equations, PLACE, RATE, Suspended, VELOCITY};
 use crate::error::{Error, Result};
 use crate::frames::{Rotation, Vec3};
 
 /// Linear damping about the centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Damping {
-    /// Force per velocity, world axes, N s/m.
+    /// Force per velocity, body (hanging) axes, N s/m.
     pub force_n_s_m: Vec3,
     /// Torque per angular rate, body (hanging) axes, N m s.
     pub torque_n_m_s: Vec3,
@@ -56,15 +57,6 @@ pub struct Sampling {
     pub step_s: Option<f64>,
 }
 
-/// A line that went slack: from there on the motion is not that of a body on lines.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slack {
-    /// When its tension first vanished, s.
-    pub t_s: f64,
-    /// Which line.
-    pub line: usize,
-}
-
 /// A sampled motion; all series are as long as `t_s`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trajectory {
@@ -82,8 +74,6 @@ pub struct Trajectory {
     pub acceleration_m_s2: Vec<Vec3>,
     /// Angular acceleration, body axes, rad/s².
     pub angular_acceleration_rad_s2: Vec<Vec3>,
-    /// Tension of each line, N.
-    pub tension_n: Vec<[f64; 2]>,
     /// First slack line, if any; the lines then go on as rods, and what follows is not to be used.
     pub slack: Option<Slack>,
     /// Centre of mass in the body, as in [`RigidBody::cm_m`].
@@ -133,9 +123,10 @@ fn raised(rig: &Rig, body: &RigidBody, rest: &Pose, displacement: Vector6<f64>) 
 
 /// The nearest state that keeps the lines' lengths.
 pub fn placed(rig: &Rig, body: &RigidBody, state: &State) -> Result<State> {
-    let motion = Motion::new(rig, body, &Damping::default())?;
-    let y = motion.projected(&state.to_vector(), PLACING_ITERATIONS);
-    let found = State::from(&y);
+    let equations = equations(rig, body, &Damping::default())?;
+    let mut y = vector(&equations, state);
+    equations.project(&mut y, PLACING_ITERATIONS);
+    let found = State::from(&y[..]);
     // Asked so that a value that is not a number does not fit either.
     let fits = rig.lines.iter().all(|line| {
         let lower = found.pose.world_from_body * (line.hull_point_m - body.cm_m) + found.pose.position_m;
@@ -153,6 +144,55 @@ const PLACING_ITERATIONS: usize = 30;
 /// Steps per period of the fastest small mode.
 const STEPS_PER_PERIOD: f64 = 30.0;
 
+fn equations(rig: &Rig, body: &RigidBody, damping: &Damping) -> Result<Equations<f64>> {
+    body.check()?;
+    let cord = |line: &super::rig::Line| Cord {
+        top_m: line.top_m,
+        point_m: line.hull_point_m,
+        length_m: line.length_m,
+    };
+    let system = Suspended {
+        mass_kg: body.mass_kg,
+        inertia_kg_m2: body.inertia_kg_m2,
+        cm_m: body.cm_m,
+        cords: rig.lines.iter().map(cord).collect(),
+        gravity_m_s2: rig.gravity_m_s2,
+        spring: None,
+    };
+    let (force, torque) = (damping.force_n_s_m, damping.torque_n_m_s);
+    let drag = LinearDamping {
+        surge_n_s_m: force.x,
+        sway_n_s_m: force.y,
+        heave_n_s_m: force.z,
+        roll_n_m_s: torque.x,
+        pitch_n_m_s: torque.y,
+        yaw_n_m_s: torque.z,
+    };
+    Ok(Equations::new(system, vec![Box::new(drag) as Box<dyn Effect<f64>>]))
+}
+
+fn vector(equations: &Equations<f64>, state: &State) -> Vec<f64> {
+    let q = state.pose.world_from_body.quaternion();
+    let mut y = vec![0.0; equations.size()];
+    y[PLACE..ATTITUDE].copy_from_slice(state.pose.position_m.as_slice());
+    y[ATTITUDE..VELOCITY].copy_from_slice(&[q.w, q.i, q.j, q.k]);
+    y[VELOCITY..RATE].copy_from_slice(state.velocity_m_s.as_slice());
+    y[RATE..RATE + 3].copy_from_slice(state.angular_rate_rad_s.as_slice());
+    y
+}
+
+fn turned(q: &[f64]) -> Rotation {
+    Rotation::new_normalize(nalgebra::Quaternion::new(q[0], q[1], q[2], q[3]))
+}
+
+impl From<&[f64]> for State {
+    fn from(y: &[f64]) -> Self {
+        let part = |i: usize| Vec3::new(y[i], y[i + 1], y[i + 2]);
+        let pose = Pose { position_m: part(PLACE), world_from_body: turned(&y[ATTITUDE..VELOCITY]) };
+        Self { pose, velocity_m_s: part(VELOCITY), angular_rate_rad_s: part(RATE) }
+    }
+}
+
 /// Integrates the motion from `start`, which is first moved onto the constraints.
 pub fn simulate(
     rig: &Rig,
@@ -161,79 +201,38 @@ pub fn simulate(
     start: &State,
     sampling: &Sampling,
 ) -> Result<Trajectory> {
-    let step_s = step_length(rig, body, sampling)?;
-    let motion = Motion::new(rig, body, damping)?;
-    let samples = (sampling.duration_s / sampling.interval_s * (1.0 + 1e-12)).floor() as usize + 1;
-    let mut out = Trajectory { cm_m: body.cm_m, gravity_m_s2: rig.gravity_m_s2, ..Trajectory::default() };
-    let slope = |y: &StateVector| derivative(y, &motion.forces(y));
-    let mut y = placed(rig, body, start)?.to_vector();
-    let mut forces = motion.forces(&y);
-    out.note_slack(0.0, 0.0, &forces, &forces);
-    let mut n = 0usize;
-    while out.t_s.len() < samples {
-        let from_s = n as f64 * step_s;
-        let (raw, stages) = advance(&slope, &y, &derivative(&y, &forces), step_s);
-        // A step leaves the constraints by rounding or a little more: one Newton step brings it back.
-        let end = motion.projected(&raw, 1);
-        let end_forces = motion.forces(&end);
-        if !end.iter().all(|x| x.is_finite()) {
-            return Err(Error::no_result("motion", format!("it cannot be continued after {from_s} s")));
-        }
-        let between = dense(&slope, &y, &end, &derivative(&end, &end_forces), stages, step_s);
-        while out.t_s.len() < samples {
-            let t_s = out.t_s.len() as f64 * sampling.interval_s;
-            let x = (t_s - from_s) / step_s;
-            if x > 1.0 {
-                break;
-            }
-            let inside = between.at(x);
-            out.push(t_s, &inside, &motion.forces(&inside));
-        }
-        out.note_slack(from_s, step_s, &forces, &end_forces);
-        (y, forces) = (end, end_forces);
-        n += 1;
-    }
-    Ok(out)
-}
-
-fn step_length(rig: &Rig, body: &RigidBody, sampling: &Sampling) -> Result<f64> {
     let step_s = match sampling.step_s {
         Some(step_s) => step_s,
         None => small_modes(rig, body)?.period_s(3) / STEPS_PER_PERIOD,
     };
-    let positive = |name: &str, x: f64| {
-        if x.is_finite() && x > 0.0 { Ok(()) } else { Err(Error::argument(name, "a positive number", x)) }
+    if !(sampling.interval_s.is_finite() && sampling.interval_s > 0.0) {
+        return Err(Error::argument("interval_s", "a positive number", sampling.interval_s));
+    }
+    let equations = equations(rig, body, damping)?;
+    let y = vector(&equations, &placed(rig, body, start)?);
+    let path = Path::integrate(&equations, y, sampling.duration_s, step_s)?;
+    let samples = (sampling.duration_s / sampling.interval_s * (1.0 + 1e-12)).floor() as usize + 1;
+    let mut out = Trajectory {
+        cm_m: body.cm_m,
+        gravity_m_s2: rig.gravity_m_s2,
+        slack: path.slack,
+        ..Trajectory::default()
     };
-    positive("step_s", step_s)?;
-    positive("interval_s", sampling.interval_s)?;
-    positive("duration_s", sampling.duration_s)?;
-    Ok(step_s)
+    for n in 0..samples {
+        let t_s = n as f64 * sampling.interval_s;
+        out.push(t_s, &path.at(t_s));
+    }
+    Ok(out)
 }
 
 impl Trajectory {
-    fn push(&mut self, t_s: f64, y: &StateVector, forces: &Forces) {
-        let state = State::from(y);
+    fn push(&mut self, t_s: f64, moment: &Moment<f64>) {
         self.t_s.push(t_s);
-        self.position_m.push(state.pose.position_m);
-        self.world_from_hull.push(state.pose.world_from_body);
-        self.velocity_m_s.push(state.velocity_m_s);
-        self.angular_rate_rad_s.push(state.angular_rate_rad_s);
-        self.acceleration_m_s2.push(forces.acceleration);
-        self.angular_acceleration_rad_s2.push(forces.angular_acceleration);
-        self.tension_n.push(forces.tension_n);
-    }
-
-    /// Keeps the first zero of a tension, by a straight line between the ends of the step.
-    fn note_slack(&mut self, from_s: f64, step_s: f64, start: &Forces, end: &Forces) {
-        if self.slack.is_some() {
-            return;
-        }
-        let zero = |line: usize| {
-            let (before, after) = (start.tension_n[line], end.tension_n[line]);
-            let part = if before > after { (before / (before - after)).clamp(0.0, 1.0) } else { 0.0 };
-            (after <= 0.0).then_some(Slack { t_s: from_s + part * step_s, line })
-        };
-        let found = [zero(0), zero(1)].into_iter().flatten();
-        self.slack = found.min_by(|a, b| a.t_s.total_cmp(&b.t_s));
+        self.position_m.push(moment.position);
+        self.world_from_hull.push(turned(&moment.attitude));
+        self.velocity_m_s.push(moment.velocity);
+        self.angular_rate_rad_s.push(moment.rate);
+        self.acceleration_m_s2.push(moment.acceleration);
+        self.angular_acceleration_rad_s2.push(moment.angular_acceleration);
     }
 }

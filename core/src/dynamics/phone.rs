@@ -1,0 +1,111 @@
+//! What a phone fixed to the hull feels.
+
+use super::effects::matrix;
+use super::numbers::numbers;
+use super::path::Moment;
+use super::real::{M3, Real, V3, constant};
+use crate::frames::Rotation;
+
+numbers! {
+    /// Where the phone sits and what its sensors add to everything.
+    ///
+    /// # Conventions
+    /// The position is in hull axes from the mid-point of the suspension points. The turn is a rotation vector that
+    /// comes on top of a nominal `hull_from_phone`, phone axes: `hull_from_phone = nominal · exp(turn)`.
+    pub struct Phone {
+        /// Forward.
+        position_x_m: "m",
+        /// To port.
+        position_y_m: "m",
+        /// Up.
+        position_z_m: "m",
+        /// Turn.
+        turn_x_rad: "rad",
+        /// Turn.
+        turn_y_rad: "rad",
+        /// Turn.
+        turn_z_rad: "rad",
+        /// Bias of the gyroscope, phone axes.
+        gyro_bias_x_rad_s: "rad/s",
+        /// Bias of the gyroscope, phone axes.
+        gyro_bias_y_rad_s: "rad/s",
+        /// Bias of the gyroscope, phone axes.
+        gyro_bias_z_rad_s: "rad/s",
+        /// Bias of the accelerometer, phone axes.
+        acc_bias_x_m_s2: "m/s^2",
+        /// Bias of the accelerometer, phone axes.
+        acc_bias_y_m_s2: "m/s^2",
+        /// Bias of the accelerometer, phone axes.
+        acc_bias_z_m_s2: "m/s^2",
+    }
+}
+
+/// Readings at one instant, phone axes.
+#[derive(Debug, Clone, Copy)]
+pub struct Reading<S: Real> {
+    /// Angular rate, rad/s.
+    pub gyro: V3<S>,
+    /// Specific force (acceleration less gravity: +g upwards at rest), m/s².
+    pub force: V3<S>,
+}
+
+/// A phone ready to be read.
+pub struct Mounted<S: Real> {
+    arm: V3<S>,
+    phone_from_hull: M3<S>,
+    gyro_bias: V3<S>,
+    acc_bias: V3<S>,
+    gravity: S,
+}
+
+impl<S: Real> Phone<S> {
+    /// The phone on a body whose centre of mass is at `cm_m`, both from the mid-point of the suspension points.
+    pub fn mounted(&self, nominal: &Rotation, cm_m: &V3<S>, gravity_m_s2: S) -> Mounted<S> {
+        let turn = rotation(&V3::new(self.turn_x_rad, self.turn_y_rad, self.turn_z_rad));
+        let nominal: M3<S> = nominal.to_rotation_matrix().matrix().map(S::constant);
+        Mounted {
+            arm: V3::new(self.position_x_m, self.position_y_m, self.position_z_m) - cm_m,
+            phone_from_hull: (nominal * turn).transpose(),
+            gyro_bias: V3::new(self.gyro_bias_x_rad_s, self.gyro_bias_y_rad_s, self.gyro_bias_z_rad_s),
+            acc_bias: V3::new(self.acc_bias_x_m_s2, self.acc_bias_y_m_s2, self.acc_bias_z_m_s2),
+            gravity: gravity_m_s2,
+        }
+    }
+}
+
+impl<S: Real> Mounted<S> {
+    /// Readings while the body moves so.
+    pub fn read(&self, moment: &Moment<S>) -> Reading<S> {
+        let (rate, angular) = (&moment.rate, &moment.angular_acceleration);
+        let up = V3::new(S::zero(), S::zero(), self.gravity);
+        let centre = moment.turn().tr_mul(&(moment.acceleration + up));
+        let force = centre + angular.cross(&self.arm) + rate.cross(&rate.cross(&self.arm));
+        Reading {
+            gyro: self.phone_from_hull * rate + self.gyro_bias,
+            force: self.phone_from_hull * force + self.acc_bias,
+        }
+    }
+}
+
+/// Rotation matrix of a rotation vector.
+pub(crate) fn rotation<S: Real>(vector: &V3<S>) -> M3<S> {
+    let square = vector.dot(vector);
+    // Below, cos(θ/2) and sin(θ/2)/θ by their series in θ²: the next terms are under 1e-16.
+    let (cos, sinc) = if square.value() < 1e-4 {
+        let series = |c: [f64; 4]| c.iter().rev().fold(S::zero(), |sum, c| sum * square + S::constant(*c));
+        let cos = series([1.0, -1.0 / 8.0, 1.0 / 384.0, -1.0 / 46080.0]);
+        (cos, series([0.5, -1.0 / 48.0, 1.0 / 3840.0, -1.0 / 645_120.0]))
+    } else {
+        let angle = square.sqrt();
+        let half = angle.scale(0.5);
+        (half.cos(), half.sin() / angle)
+    };
+    let v = vector * sinc;
+    matrix(&[cos, v.x, v.y, v.z])
+}
+
+/// The same for plain numbers, as a [`Rotation`].
+pub fn rotated(nominal: &Rotation, phone: &Phone) -> Rotation {
+    let turn = nalgebra::Vector3::new(phone.turn_x_rad, phone.turn_y_rad, phone.turn_z_rad);
+    nominal * Rotation::from_scaled_axis(constant::<f64>(&turn))
+}
