@@ -14,6 +14,7 @@ pub mod error;
 pub mod frames;
 pub mod inertia;
 pub mod modes;
+pub mod practice;
 pub mod recording;
 pub mod report;
 pub mod signal;

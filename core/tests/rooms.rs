@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 9] = [
+const MAY_KNOW: [(&str, &[&str]); 10] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
@@ -15,6 +15,7 @@ const MAY_KNOW: [(&str, &[&str]); 9] = [
     ("signal", &["recording"]),
     ("modes", &["recording", "signal"]),
     ("dynamics", &[]),
+    ("practice", &["recording", "dynamics"]),
     ("inertia", &["recording", "signal", "modes", "dynamics"]),
     ("report", &["recording", "signal", "modes", "dynamics", "inertia"]),
 ];

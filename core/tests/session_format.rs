@@ -88,7 +88,7 @@ fn the_swings_and_inclines_of_the_example_are_read_in_full() {
 fn an_empty_file_a_missing_and_a_wrong_version_are_refused() {
     assert_eq!(
         refused(" \n"),
-        "session.toml: expected a session that starts with `format = \"gyradius-session/1\"`, found an empty file"
+        "session.toml: expected a text that starts with `format = \"gyradius-session/1\"`, found an empty file"
     );
     let without = SMALL.split_once('\n').unwrap().1;
     assert!(refused(without).contains("`format` (the format's name and version"), "{}", refused(without));

@@ -24,6 +24,7 @@ from .measurement import (
     Verdict,
 )
 from .session import Session, load, shipped_session, shipped_sessions
+from .simulation import Rig, Simulation, read_rig, simulate
 
 __all__ = [
     "AmplitudePoint",
@@ -38,8 +39,10 @@ __all__ = [
     "NoResultError",
     "Quantity",
     "Repair",
+    "Rig",
     "Route",
     "Session",
+    "Simulation",
     "SwingResult",
     "Verdict",
     "__version__",
@@ -47,7 +50,9 @@ __all__ = [
     "evaluate_route",
     "import_files",
     "load",
+    "read_rig",
     "routes",
     "shipped_session",
     "shipped_sessions",
+    "simulate",
 ]

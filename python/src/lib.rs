@@ -12,6 +12,7 @@ mod import;
 mod measurement;
 mod routes;
 mod session;
+mod simulation;
 
 /// The native module; `gyradius` wraps it in views.
 #[pymodule]
@@ -30,6 +31,8 @@ mod _core {
     use super::routes::{evaluate_route, routes};
     #[pymodule_export]
     use super::session::{Session, load};
+    #[pymodule_export]
+    use super::simulation::{Rig, Simulation, read_rig};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

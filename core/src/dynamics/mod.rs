@@ -13,6 +13,7 @@ mod constraint;
 mod dop853;
 pub mod effects;
 mod equilibrium;
+mod experiment;
 mod numbers;
 mod path;
 mod phone;
@@ -26,6 +27,7 @@ mod suspended;
 mod trajectory;
 
 pub use equilibrium::{Equilibrium, Pose, equilibrium};
+pub use experiment::{Experiment, Record};
 pub use numbers::{Number, Numbers};
 pub use path::{Moment, Path, Slack};
 pub use phone::{Mounted, Phone, Reading, rotated};

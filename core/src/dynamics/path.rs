@@ -52,10 +52,20 @@ impl<S: Real> Moment<S> {
     pub fn turn(&self) -> M3<S> {
         matrix(&self.attitude)
     }
+
+    /// The same place, held still.
+    pub fn stopped(&self) -> Self {
+        let still = V3::zeros();
+        let (velocity, rate, acceleration, angular_acceleration) = (still, still, still, still);
+        Self { velocity, rate, acceleration, angular_acceleration, ..*self }
+    }
 }
 
 /// Newton steps onto the constraints after each step of the integration: it leaves them by rounding or a little more.
 const PROJECTIONS: usize = 1;
+
+/// A path of more steps would take a gigabyte.
+const MOST_STEPS: f64 = 1e6;
 
 impl<S: Real> Path<S> {
     /// Integrates from `start`, which keeps the constraints already, over `duration_s` in steps of `step_s`.
@@ -70,7 +80,14 @@ impl<S: Real> Path<S> {
                 return Err(Error::argument(name, "a positive number", value));
             }
         }
-        let steps = (duration_s / step_s).ceil() as usize;
+        let steps = (duration_s / step_s).ceil();
+        if steps > MOST_STEPS {
+            return Err(Error::no_result(
+                "motion",
+                format!("{duration_s} s in steps of {step_s} s is too long"),
+            ));
+        }
+        let steps = steps as usize;
         let size = equations.size();
         let mut path = Self {
             step_s,

@@ -49,6 +49,14 @@ pub struct Reading<S: Real> {
     pub force: V3<S>,
 }
 
+impl<S: Real> Reading<S> {
+    /// Angular rate x, y, z, then specific force x, y, z.
+    pub fn six(&self) -> [S; 6] {
+        let (w, f) = (&self.gyro, &self.force);
+        [w.x, w.y, w.z, f.x, f.y, f.z]
+    }
+}
+
 /// A phone ready to be read.
 pub struct Mounted<S: Real> {
     arm: V3<S>,

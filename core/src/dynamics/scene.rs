@@ -152,9 +152,9 @@ pub struct Scene {
 /// Derivatives are computed in groups of so many parameters.
 pub const LANES: usize = 8;
 /// Steps per period of the fastest mode: leaves the periods to better than 1e-9 (`tests/simulation.rs`).
-const STEPS_PER_PERIOD: f64 = 24.0;
+pub(super) const STEPS_PER_PERIOD: f64 = 24.0;
 /// The same where derivatives are wanted: leaves them to 1e-7.
-const STEPS_PER_PERIOD_OF_DERIVATIVES: f64 = 14.0;
+pub(super) const STEPS_PER_PERIOD_OF_DERIVATIVES: f64 = 14.0;
 
 impl Scene {
     /// Names and units of all its numbers; those of effects read `effect.number`, a second of the same kind
@@ -225,21 +225,11 @@ impl Scene {
         duration_s: f64,
     ) -> Result<Vec<Path<Dual<LANES>>>> {
         let step_s = self.step_s(STEPS_PER_PERIOD_OF_DERIVATIVES)?;
-        wanted.chunks(LANES).map(|lanes| self.run(self.seeded(lanes)?, duration_s, step_s)).collect()
-    }
-
-    /// The numbers, those at `lanes` as parameters in this order.
-    fn seeded(&self, lanes: &[usize]) -> Result<Vec<Dual<LANES>>> {
         let values = self.values();
-        let mut seeded: Vec<Dual<LANES>> = values.iter().map(|v| Dual::constant(*v)).collect();
-        for (lane, &i) in lanes.iter().enumerate() {
-            let value = values.get(i).ok_or_else(|| Error::argument("wanted", "places of numbers", i))?;
-            seeded[i] = Dual::parameter(*value, lane);
-        }
-        Ok(seeded)
+        wanted.chunks(LANES).map(|lanes| self.run(seeded(&values, lanes)?, duration_s, step_s)).collect()
     }
 
-    fn run<S: Real>(&self, values: Vec<S>, duration_s: f64, step_s: f64) -> Result<Path<S>> {
+    pub(super) fn run<S: Real>(&self, values: Vec<S>, duration_s: f64, step_s: f64) -> Result<Path<S>> {
         let (equations, start) = self.equations(values)?;
         let y = started(&equations, self.hanging, &start)?;
         Path::integrate(&equations, y, duration_s, step_s)
@@ -263,11 +253,31 @@ impl Scene {
         Ok((Equations::new(system, effects.ok_or_else(few)?), start))
     }
 
+    /// Turn about the axis at which the body hangs still on lines that are alike, rad: its centre of mass then lies below
+    /// the axis. Effects that shift the centre count; whatever else moves the rest does not.
+    pub fn rest_turn_rad(&self) -> Result<f64> {
+        let (equations, _) = self.equations(self.values())?;
+        let (cm, axis) = (equations.system.cm_m, self.hanging.axis().unit());
+        let across = axis.cross(&Vec3::z());
+        // A turn by θ about the axis takes the centre's share across to c cos θ + z sin θ.
+        Ok(cm.dot(&across).atan2(-cm.z))
+    }
+
     /// Step of the integration for so many steps per period of the fastest mode.
     pub fn step_s(&self, per_period: f64) -> Result<f64> {
         let (equations, _) = self.equations(self.values())?;
         Ok(std::f64::consts::TAU / fastest_rad_s(self.hanging, &equations)? / per_period)
     }
+}
+
+/// The numbers, those at `lanes` as parameters in this order.
+pub(super) fn seeded(values: &[f64], lanes: &[usize]) -> Result<Vec<Dual<LANES>>> {
+    let mut seeded: Vec<Dual<LANES>> = values.iter().map(|v| Dual::constant(*v)).collect();
+    for (lane, &i) in lanes.iter().enumerate() {
+        let value = values.get(i).ok_or_else(|| Error::argument("wanted", "places of numbers", i))?;
+        seeded[i] = Dual::parameter(*value, lane);
+    }
+    Ok(seeded)
 }
 
 /// The lines of a suspension.

@@ -13,15 +13,15 @@ pub(crate) struct Domain {
 }
 
 impl Domain {
-    const fn above(what: &'static str, low: f64) -> Self {
+    pub(crate) const fn above(what: &'static str, low: f64) -> Self {
         Self { what, low, high: f64::MAX, closed: false }
     }
 
-    const fn at_least(what: &'static str, low: f64) -> Self {
+    pub(crate) const fn at_least(what: &'static str, low: f64) -> Self {
         Self { what, low, high: f64::MAX, closed: true }
     }
 
-    const fn between(what: &'static str, low: f64, high: f64) -> Self {
+    pub(crate) const fn between(what: &'static str, low: f64, high: f64) -> Self {
         Self { what, low, high, closed: true }
     }
 

@@ -41,7 +41,7 @@ pub(crate) struct Keys<'a> {
     source: Source<'a>,
     table: &'a dyn TableLike,
     line: Option<usize>,
-    known: &'static [&'static str],
+    known: &'a [&'static str],
 }
 
 /// A table with its path; made by [`Field::table`] and friends.
@@ -57,7 +57,7 @@ impl<'a> Table<'a> {
         path: String,
         line: Option<usize>,
         table: &'a dyn TableLike,
-        known: &'static [&'static str],
+        known: &'a [&'static str],
     ) -> Result<Self> {
         let opened = Self { keys: Keys { source, table, line, known }, path };
         opened.refuse_unknown()?;
@@ -65,12 +65,17 @@ impl<'a> Table<'a> {
     }
 
     /// The table of a whole text, its keys not yet looked at.
-    pub(crate) fn root(source: Source<'a>, table: &'a dyn TableLike, known: &'static [&'static str]) -> Self {
+    pub(crate) fn root(source: Source<'a>, table: &'a dyn TableLike, known: &'a [&'static str]) -> Self {
         Self { keys: Keys { source, table, line: None, known }, path: String::new() }
     }
 
     pub(crate) fn refuse_unknown(&self) -> Result<()> {
-        let Keys { source, table, known, .. } = self.keys;
+        self.refuse_beside(self.keys.known)
+    }
+
+    /// Refuses keys that are not among `known`.
+    pub(crate) fn refuse_beside(&self, known: &[&str]) -> Result<()> {
+        let Keys { source, table, .. } = self.keys;
         match table.iter().find(|(key, item)| !known.contains(key) && !item.is_none()) {
             None => Ok(()),
             Some((key, _)) => Err(Error::UnknownKey {
@@ -143,8 +148,13 @@ impl<'a> Table<'a> {
     }
 
     /// The tables of a list, none where the key is absent.
-    pub(crate) fn tables(&self, key: &str, known: &'static [&'static str]) -> Result<Vec<Table<'a>>> {
+    pub(crate) fn tables(&self, key: &str, known: &'a [&'static str]) -> Result<Vec<Table<'a>>> {
         self.get(key).map_or(Ok(Vec::new()), |field| field.tables(known))
+    }
+
+    /// The same, their keys not yet looked at.
+    pub(crate) fn open_tables(&self, key: &str) -> Result<Vec<Table<'a>>> {
+        self.get(key).map_or(Ok(Vec::new()), |field| field.open_tables())
     }
 
     /// All values of the table, in file order.
@@ -245,7 +255,7 @@ impl<'a> Field<'a> {
         })
     }
 
-    pub(crate) fn table(&self, known: &'static [&'static str]) -> Result<Table<'a>> {
+    pub(crate) fn table(&self, known: &'a [&'static str]) -> Result<Table<'a>> {
         let table = self.item.as_table_like().ok_or_else(|| self.expected("a table"))?;
         Table::new(self.source, self.path.clone(), self.line, table, known)
     }
@@ -268,14 +278,19 @@ impl<'a> Field<'a> {
     }
 
     /// The tables of a list: `[[key]]`, or `key = [ { … }, … ]`.
-    pub(crate) fn tables(&self, known: &'static [&'static str]) -> Result<Vec<Table<'a>>> {
-        let mut tables = Vec::new();
-        for (index, (span, table)) in self.listed_tables()?.into_iter().enumerate() {
+    pub(crate) fn tables(&self, known: &'a [&'static str]) -> Result<Vec<Table<'a>>> {
+        let tables = self.open_tables()?.into_iter();
+        let opened = tables.map(|table| Table { keys: Keys { known, ..table.keys }, path: table.path });
+        opened.map(|table| table.refuse_unknown().map(|()| table)).collect()
+    }
+
+    fn open_tables(&self) -> Result<Vec<Table<'a>>> {
+        let open = |(index, (span, table)): (usize, (Option<usize>, &'a dyn TableLike))| {
             let line = span.map(|offset| self.source.line(offset)).or(self.line);
             let path = format!("{}[{}]", self.path, index + 1);
-            tables.push(Table::new(self.source, path, line, table, known)?);
-        }
-        Ok(tables)
+            Table { keys: Keys { source: self.source, table, line, known: &[] }, path }
+        };
+        Ok(self.listed_tables()?.into_iter().enumerate().map(open).collect())
     }
 
     fn listed_tables(&self) -> Result<Vec<(Option<usize>, &'a dyn TableLike)>> {

@@ -70,7 +70,7 @@ pub fn load_store(store: &Store) -> Result<LoadedSession> {
     Ok(LoadedSession { session, source: store.name().into(), data, inclines })
 }
 
-fn utf8<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str> {
+pub(crate) fn utf8<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str> {
     std::str::from_utf8(bytes).map_err(|error| {
         let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
         let (expected, found) = ("text in UTF-8".into(), "other bytes".into());

@@ -33,3 +33,9 @@ pub use session::{
 pub use store::Store;
 pub use toml_read::read_session;
 pub use toml_write::write_session;
+
+pub(crate) use domain::Domain;
+pub(crate) use keys::Table;
+pub(crate) use load::utf8;
+pub(crate) use toml_read::{ROOT, session, with_root};
+pub(crate) use toml_swing::SWING;

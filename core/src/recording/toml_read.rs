@@ -13,7 +13,7 @@ use crate::error::Result;
 /// Name and major version of the format, without the minor version that a text may add.
 pub(crate) const FORMAT: &str = "gyradius-session/1";
 
-const ROOT: &[&str] = &["format", "title", "body", "site", "attachment", "swing", "incline"];
+pub(crate) const ROOT: &[&str] = &["format", "title", "body", "site", "attachment", "swing", "incline"];
 const BODY: &[&str] = &["name", "mass", "length_overall", "density"];
 const SITE: &[&str] = &["gravity", "latitude_deg", "altitude", "air_density"];
 const ATTACHMENT: &[&str] = &["name", "mass", "position", "gyradii"];
@@ -52,18 +52,32 @@ pub fn read_session(text: &str, file_name: &str) -> Result<Session> {
 }
 
 pub(crate) fn parse_session(text: &str, file_name: &str) -> Result<ParsedSession> {
+    with_root(text, file_name, ROOT, FORMAT, |root| session(root, SWING))
+}
+
+/// Reads the tables of a text that begins with `format = "…"`, this version or a minor one of it.
+pub(crate) fn with_root<T>(
+    text: &str,
+    file_name: &str,
+    known: &[&'static str],
+    format: &str,
+    read: impl FnOnce(&Table<'_>) -> Result<T>,
+) -> Result<T> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let source = Source { file: file_name, text };
-    refuse_size(source)?;
+    refuse_size(source, format)?;
     let document = Document::parse(text).map_err(|error| {
         let line = error.span().map(|span| source.line(span.start));
         source.malformed(line, "TOML", error.message().replace('\n', ", "))
     })?;
-    session(source, &Table::root(source, document.as_table(), ROOT))
+    let root = Table::root(source, document.as_table(), known);
+    check_format(&root, format)?;
+    root.refuse_unknown()?;
+    read(&root)
 }
 
-fn refuse_size(source: Source<'_>) -> Result<()> {
-    let needs = || format!("a session that starts with `format = \"{FORMAT}\"`");
+fn refuse_size(source: Source<'_>, format: &str) -> Result<()> {
+    let needs = || format!("a text that starts with `format = \"{format}\"`");
     if source.text.trim().is_empty() {
         return Err(source.malformed(None, needs(), "an empty file"));
     }
@@ -73,9 +87,8 @@ fn refuse_size(source: Source<'_>) -> Result<()> {
     Ok(())
 }
 
-fn session(source: Source<'_>, root: &Table<'_>) -> Result<ParsedSession> {
-    check_format(root)?;
-    root.refuse_unknown()?;
+/// A session from its tables; the keys that a swing may have are given.
+pub(crate) fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Result<ParsedSession> {
     let mut files = Vec::new();
     let body = body(&root.require("body", "the body that swings, as [body]")?.table(BODY)?)?;
     let site = root.get("site").map_or(Ok(Site::default()), |field| site(&field.table(SITE)?))?;
@@ -85,7 +98,7 @@ fn session(source: Source<'_>, root: &Table<'_>) -> Result<ParsedSession> {
     refuse_heavier_than_body(root, &body, &attachments)?;
     let mut session =
         Session { title: root.text_or_empty("title")?, body, site, attachments, ..Session::default() };
-    for table in root.tables("swing", SWING)? {
+    for table in root.tables("swing", of_swing)? {
         let next = swing(&table, &session.swings, &mut files)?;
         session.swings.push(next);
     }
@@ -93,16 +106,16 @@ fn session(source: Source<'_>, root: &Table<'_>) -> Result<ParsedSession> {
         session.inclines.push(incline(&table, &mut files)?);
     }
     if session.swings.is_empty() && session.inclines.is_empty() {
-        return Err(source.malformed(None, "at least one [[swing]] or [[incline]]", "none"));
+        return Err(root.error("at least one [[swing]] or [[incline]]", "none"));
     }
     Ok(ParsedSession { session, files })
 }
 
 /// A minor version, as in `gyradius-session/1.2`, adds keys but changes none.
-fn check_format(root: &Table<'_>) -> Result<()> {
-    let field = root.require("format", &format!("the format's name and version, \"{FORMAT}\""))?;
+fn check_format(root: &Table<'_>, format: &str) -> Result<()> {
+    let field = root.require("format", &format!("the format's name and version, \"{format}\""))?;
     let text = field.text()?;
-    let rest = text.strip_prefix(FORMAT);
+    let rest = text.strip_prefix(format);
     let minor = |rest: &str| {
         rest.strip_prefix('.').is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
     };
@@ -110,7 +123,7 @@ fn check_format(root: &Table<'_>) -> Result<()> {
         return Ok(());
     }
     Err(field.error(
-        format!("`format` to be \"{FORMAT}\", the version that this program reads"),
+        format!("`format` to be \"{format}\", the version that this program reads"),
         format!("{text:?}"),
     ))
 }

@@ -1,0 +1,10 @@
+//! Practice: a rig file, which says what is stated and what is true, becomes a session that was never swung.
+//!
+//! The rig format is described in this folder's `README.md`. Knows `recording` (the form of a session) and `dynamics`
+//! (the motion); nothing of what is made of a session.
+
+mod hull;
+mod rig;
+mod truth;
+
+pub use rig::{RIG_FORMAT, RigFile, RiggedSwing, Sampling, read_rig, read_rig_bytes};

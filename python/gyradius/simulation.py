@@ -1,0 +1,147 @@
+"""Simulated swings: a rig, as a file or as a mapping, becomes arrays."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+
+FORMAT = "gyradius-rig/1"
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """A simulated swing: what the phone says, and what is true. N stamps, P numbers differentiated by.
+
+    World axes: z up, origin mid-way between the upper ends of the lines. Hull axes here are those of the hull as it
+    hangs; positions in it count from the mid-point of the suspension points.
+    """
+
+    swing: str
+    #: Time stamps, s (N).
+    t_s: NDArray[np.float64]
+    #: Angular rate, phone axes, rad/s (N, 3).
+    gyro_rad_s: NDArray[np.float64]
+    #: Specific force, phone axes, m/s² (N, 3).
+    acc_m_s2: NDArray[np.float64]
+    #: Centre of mass, world axes, m (N, 3).
+    position_m: NDArray[np.float64]
+    #: Quaternion w, x, y, z, world from hull (N, 4).
+    attitude: NDArray[np.float64]
+    #: Velocity of the centre of mass, world axes, m/s (N, 3).
+    velocity_m_s: NDArray[np.float64]
+    #: Angular rate, hull axes, rad/s (N, 3).
+    rate_rad_s: NDArray[np.float64]
+    #: Acceleration of the centre of mass, world axes, m/s² (N, 3).
+    acceleration_m_s2: NDArray[np.float64]
+    #: Angular acceleration, hull axes, rad/s² (N, 3).
+    angular_acceleration_rad_s2: NDArray[np.float64]
+    #: Value of every number that is simulated.
+    numbers: Mapping[str, float]
+    #: Unit of every number.
+    units: Mapping[str, str]
+    #: The numbers that ``derivatives`` belong to, in their order (P).
+    parameters: tuple[str, ...]
+    #: Derivatives of the six readings, angular rate first (N, 6, P).
+    derivatives: NDArray[np.float64]
+    #: When a line first went slack, s, and which one; what follows on lines of given length is not to be used.
+    slack: tuple[float, int] | None
+
+
+class Rig:
+    """What a rig file says: a session as it is stated, and what is true of it."""
+
+    def __init__(self, core: _core.Rig) -> None:
+        """Rigs come from :func:`read_rig`."""
+        self._core = core
+
+    @property
+    def swing_ids(self) -> list[str]:
+        """Ids of the swings in the order of the file."""
+        return self._core.swing_ids
+
+    def numbers(self, swing: str | None = None) -> dict[str, float]:
+        """Every number of a swing by its name; effects read ``effect.number``, the phone ``phone.position_x_m``."""
+        return {name: value for name, value, _ in self._core.numbers(self._one(swing))}
+
+    def simulate(
+        self,
+        swing: str | None = None,
+        *,
+        values: Mapping[str, float] | None = None,
+        derivatives: Sequence[str] = (),
+        t_s: ArrayLike | None = None,
+    ) -> Simulation:
+        """Simulate one swing, as the phone samples it or at the times given.
+
+        ``values`` replace numbers by name; ``derivatives`` names the numbers to differentiate the readings by.
+        """
+        swing = self._one(swing)
+        replaced = {name: float(value) for name, value in (values or {}).items()}
+        times = None if t_s is None else np.ascontiguousarray(t_s, dtype=np.float64)
+        core = self._core.simulate(swing, list(replaced.items()), list(derivatives), times)
+        numbers = self._core.numbers(swing)
+        return Simulation(
+            swing=swing,
+            t_s=core.t_s,
+            gyro_rad_s=core.readings[:, :3],
+            acc_m_s2=core.readings[:, 3:],
+            position_m=core.position_m,
+            attitude=core.attitude,
+            velocity_m_s=core.velocity_m_s,
+            rate_rad_s=core.rate_rad_s,
+            acceleration_m_s2=core.acceleration_m_s2,
+            angular_acceleration_rad_s2=core.angular_acceleration_rad_s2,
+            numbers={name: replaced.get(name, value) for name, value, _ in numbers},
+            units={name: unit for name, _, unit in numbers},
+            parameters=tuple(derivatives),
+            derivatives=core.derivatives,
+            slack=core.slack,
+        )
+
+    def _one(self, swing: str | None) -> str:
+        if swing is not None:
+            return swing
+        if len(self.swing_ids) > 1:
+            raise _core.InputError(f"swing: one of {', '.join(self.swing_ids)} was expected, found none")
+        return self.swing_ids[0]
+
+
+def read_rig(rig: str | os.PathLike[str] | Mapping[str, Any]) -> Rig:
+    """Read a rig file; a mapping with the same keys will do, and may leave ``format`` out."""
+    if isinstance(rig, Mapping):
+        return Rig(_core.read_rig("rig", _toml({"format": FORMAT, **rig})))
+    return Rig(_core.read_rig(os.fspath(rig)))
+
+
+def simulate(
+    rig: str | os.PathLike[str] | Mapping[str, Any],
+    swing: str | None = None,
+    *,
+    values: Mapping[str, float] | None = None,
+    derivatives: Sequence[str] = (),
+    t_s: ArrayLike | None = None,
+) -> Simulation:
+    """Simulate a swing of a rig file, or of a mapping with its keys; arguments as of :meth:`Rig.simulate`."""
+    return read_rig(rig).simulate(swing, values=values, derivatives=derivatives, t_s=t_s)
+
+
+def _toml(rig: Mapping[str, Any]) -> str:
+    return "".join(f"{json.dumps(key)} = {_value(value)}\n" for key, value in rig.items())
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{json.dumps(key)} = {_value(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, str | bool):
+        return json.dumps(value).replace("\x7f", "\\u007f")
+    if isinstance(value, Sequence | np.ndarray):
+        return "[" + ", ".join(_value(item) for item in value) + "]"
+    return repr(float(value))

@@ -1,0 +1,178 @@
+//! Simulated swings as arrays.
+
+use std::path::PathBuf;
+
+use gyradius_core::dynamics::{Moment, Slack};
+use gyradius_core::practice::{self, RigFile, RiggedSwing};
+use gyradius_core::{Error, Result};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, ToPyArray};
+use pyo3::prelude::*;
+
+use crate::errors::detached;
+use crate::import::read_input;
+
+/// What a rig file says.
+#[pyclass(frozen, module = "gyradius._core")]
+pub struct Rig {
+    inner: RigFile,
+}
+
+/// Read a rig file, or its text where it is given.
+#[pyfunction]
+#[pyo3(signature = (path, text=None))]
+pub fn read_rig(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Rig> {
+    let read = || {
+        let name = path.display().to_string();
+        match text {
+            Some(text) => practice::read_rig(&text, &name),
+            None => practice::read_rig_bytes(&read_input(&path)?.1, &name),
+        }
+    };
+    detached(py, read).map(|inner| Rig { inner })
+}
+
+#[pymethods]
+impl Rig {
+    /// Ids of the swings, in the order of the file.
+    #[getter]
+    fn swing_ids(&self) -> Vec<&str> {
+        self.inner.swings.iter().map(|swing| swing.id.as_str()).collect()
+    }
+
+    /// Name, value and unit of every number of a swing.
+    fn numbers(&self, swing: &str, py: Python<'_>) -> PyResult<Vec<(String, f64, &'static str)>> {
+        let found = detached(py, || self.swing(swing))?;
+        let named = found.experiment.names().into_iter().zip(found.experiment.values());
+        Ok(named.map(|((name, unit), value)| (name, value, unit)).collect())
+    }
+
+    /// Simulate a swing with other values of some numbers, at these times or as its phone samples.
+    fn simulate(
+        &self,
+        py: Python<'_>,
+        swing: &str,
+        values: Vec<(String, f64)>,
+        derivatives: Vec<String>,
+        t_s: Option<PyReadonlyArray1<'_, f64>>,
+    ) -> PyResult<Simulation> {
+        let times = t_s.map(|t| t.as_slice().map(<[f64]>::to_vec)).transpose()?;
+        detached(py, || Simulation::of(self.swing(swing)?, &values, &derivatives, times))
+    }
+}
+
+impl Rig {
+    fn swing(&self, id: &str) -> Result<&RiggedSwing> {
+        let ids = || self.swing_ids().join(", ");
+        let found = self.inner.swings.iter().find(|swing| swing.id == id);
+        found.ok_or_else(|| Error::argument("swing", ids(), id))
+    }
+}
+
+/// A simulated swing.
+#[pyclass(frozen, module = "gyradius._core")]
+pub struct Simulation {
+    t_s: Vec<f64>,
+    readings: Vec<[f64; 6]>,
+    moments: Vec<Moment<f64>>,
+    slack: Option<Slack>,
+    derivatives: Vec<f64>,
+    parameters: usize,
+}
+
+impl Simulation {
+    fn of(
+        swing: &RiggedSwing,
+        values: &[(String, f64)],
+        derivatives: &[String],
+        times: Option<Vec<f64>>,
+    ) -> Result<Self> {
+        let mut numbers = swing.experiment.values();
+        for (name, value) in values {
+            numbers[swing.experiment.index(name)?] = *value;
+        }
+        let experiment = swing.experiment.with_values(&numbers)?;
+        let wanted = derivatives.iter().map(|name| experiment.index(name)).collect::<Result<Vec<_>>>()?;
+        let t_s = times.unwrap_or_else(|| swing.sampling.times_s());
+        let record = experiment.record(&t_s)?;
+        Ok(Self {
+            readings: record.readings.iter().map(|reading| reading.six()).collect(),
+            moments: record.moments,
+            slack: record.path.slack,
+            derivatives: experiment.derivatives(&wanted, &t_s)?.into_iter().flatten().flatten().collect(),
+            parameters: wanted.len(),
+            t_s,
+        })
+    }
+
+    fn rows<'py, const N: usize>(
+        &self,
+        py: Python<'py>,
+        row: impl Fn(&Moment<f64>) -> [f64; N],
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let flat: Vec<f64> = self.moments.iter().flat_map(row).collect();
+        flat.to_pyarray(py).reshape([self.moments.len(), N])
+    }
+}
+
+#[pymethods]
+impl Simulation {
+    /// Time stamps, s.
+    #[getter]
+    fn t_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.t_s.to_pyarray(py)
+    }
+
+    /// Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: one row per stamp.
+    #[getter]
+    fn readings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.readings.as_flattened().to_pyarray(py).reshape([self.t_s.len(), 6])
+    }
+
+    /// Derivatives of the readings: stamp, reading, number.
+    #[getter]
+    fn derivatives<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        self.derivatives.to_pyarray(py).reshape([self.t_s.len(), 6, self.parameters])
+    }
+
+    /// Centre of mass, world axes, m.
+    #[getter]
+    fn position_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |moment| moment.position.into())
+    }
+
+    /// Quaternion w, x, y, z, `world_from_hull`.
+    #[getter]
+    fn attitude<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |moment| moment.attitude)
+    }
+
+    /// Velocity of the centre of mass, world axes, m/s.
+    #[getter]
+    fn velocity_m_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |moment| moment.velocity.into())
+    }
+
+    /// Angular rate, hull axes, rad/s.
+    #[getter]
+    fn rate_rad_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |moment| moment.rate.into())
+    }
+
+    /// Acceleration of the centre of mass, world axes, m/s².
+    #[getter]
+    fn acceleration_m_s2<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |moment| moment.acceleration.into())
+    }
+
+    /// Angular acceleration, hull axes, rad/s².
+    #[getter]
+    fn angular_acceleration_rad_s2<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.rows(py, |moment| moment.angular_acceleration.into())
+    }
+
+    /// When a line first went slack, s, and which.
+    #[getter]
+    fn slack(&self) -> Option<(f64, usize)> {
+        self.slack.map(|slack| (slack.t_s, slack.line))
+    }
+}
