@@ -11,9 +11,6 @@ use num_complex::Complex64;
 use super::compress::Cells;
 use super::motion::{Motion, MotionAt};
 
-/// Rows that are multiplied at once.
-const BLOCK: usize = 128;
-
 /// What is fitted: modes, tones tied to them, and the number of baseline polynomials.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Model {
@@ -134,34 +131,41 @@ impl Model {
         (levers, column)
     }
 
-    /// All columns for every cell, row by row; returns rows and row length.
+    /// All columns for every cell, row by row, weighted by the root of its samples; returns rows and row length.
     pub fn rows(&self, cells: &Cells, derivatives: bool) -> (Vec<f64>, usize) {
-        let columns = if derivatives { self.levers().1 } else { 0 };
-        let size = self.linear() + 2 * columns + cells.channels;
-        let mut rows = Vec::with_capacity(size * cells.len());
+        let columns = if derivatives { 2 * self.levers().1 } else { 0 };
+        let linear = self.linear();
+        let size = linear + columns + cells.channels;
+        let mut rows = vec![0.0; size * cells.len()];
         let mut walk = Walk::new(&self.modes);
-        let mut late = Vec::with_capacity(2 * columns);
-        for i in 0..cells.len() {
-            walk.go_to(cells.tau[i]);
-            late.clear();
-            for atom in 0..self.atoms() {
-                let (log_rate, z) = self.atom_at(atom, &walk);
-                let mean = z * (log_rate * log_rate * (0.5 * cells.m2[i]) + 1.0);
-                rows.extend([mean.re, -mean.im]);
-                if derivatives {
-                    let by_time = mean * cells.tau[i] + z * log_rate * cells.m2[i];
-                    late.extend([by_time.re, -by_time.im]);
-                    self.law_columns(atom, &walk, mean, &mut late);
-                }
+        for (i, row) in rows.chunks_exact_mut(size).enumerate() {
+            let (model, values) = row.split_at_mut(linear + columns);
+            let (own, derived) = model.split_at_mut(linear);
+            self.linear_row(cells, i, &mut walk, own);
+            if derivatives {
+                self.derivative_row(cells, i, &walk, own, derived);
             }
-            legendre(cells.tau[i], self.baseline, &mut rows);
-            rows.extend_from_slice(&late);
-            rows.extend_from_slice(&cells.mean[i * cells.channels..(i + 1) * cells.channels]);
+            values.copy_from_slice(&cells.mean[i * cells.channels..(i + 1) * cells.channels]);
+            let weight = cells.count[i].sqrt();
+            row.iter_mut().for_each(|value| *value *= weight);
         }
         (rows, size)
     }
 
+    /// The linear columns of one cell.
+    pub fn linear_row(&self, cells: &Cells, i: usize, walk: &mut Walk, row: &mut [f64]) {
+        walk.go_to(cells.tau[i]);
+        let (swings, baseline) = row.split_at_mut(2 * self.atoms());
+        for (atom, columns) in swings.chunks_exact_mut(2).enumerate() {
+            let (log_rate, z) = self.atom_at(atom, walk);
+            let mean = mean_over_cell(log_rate, z, cells.m2[i]);
+            (columns[0], columns[1]) = (mean.re, -mean.im);
+        }
+        legendre(cells.tau[i], baseline);
+    }
+
     /// Rate and value of an atom where the walk stands.
+    #[inline]
     pub fn atom_at(&self, atom: usize, walk: &Walk) -> (Complex64, Complex64) {
         if atom < self.modes.len() {
             return (walk.at[atom].rate, walk.z[atom]);
@@ -175,18 +179,32 @@ impl Model {
         (rate, z)
     }
 
-    fn law_columns(&self, atom: usize, walk: &Walk, mean: Complex64, out: &mut Vec<f64>) {
-        for (mode, motion) in self.modes.iter().enumerate() {
-            let n = self.multiple(atom, mode);
-            if n == 0 || motion.law.is_none() {
-                continue;
+    /// The derivative columns of the cell where the walk stands and whose linear columns are known.
+    fn derivative_row(&self, cells: &Cells, i: usize, walk: &Walk, linear: &[f64], derived: &mut [f64]) {
+        let mut columns = derived.chunks_exact_mut(2);
+        let mut put = |value: Complex64| {
+            if let Some(column) = columns.next() {
+                (column[0], column[1]) = (value.re, -value.im);
             }
-            for slope in &walk.at[mode].slopes[1..] {
-                let column = mean * turned(*slope, n);
-                out.extend([column.re, -column.im]);
+        };
+        for atom in 0..self.atoms() {
+            let (log_rate, z) = self.atom_at(atom, walk);
+            let mean = Complex64::new(linear[2 * atom], -linear[2 * atom + 1]);
+            put(mean * cells.tau[i] + z * log_rate * cells.m2[i]);
+            for (mode, _) in self.modes.iter().enumerate().filter(|(_, motion)| motion.law.is_some()) {
+                let n = self.multiple(atom, mode);
+                if n != 0 {
+                    walk.at[mode].slopes[1..].iter().for_each(|slope| put(mean * turned(*slope, n)));
+                }
             }
         }
     }
+}
+
+/// Mean of z over a cell of stamps with variance `m2`: z̄ = z(t̄)(1 + λ²m₂/2).
+#[inline]
+fn mean_over_cell(rate: Complex64, z: Complex64, m2: f64) -> Complex64 {
+    z * (rate * rate * (0.5 * m2) + 1.0)
 }
 
 /// A logarithm of z taken n times round.
@@ -200,26 +218,36 @@ pub(super) fn combined(multiples: &[i32], modes: &[Motion]) -> f64 {
 }
 
 /// Legendre polynomials on [0, 1].
-pub(super) fn legendre(tau: f64, count: usize, out: &mut Vec<f64>) {
+#[inline]
+pub(super) fn legendre(tau: f64, out: &mut [f64]) {
     let x = 2.0 * tau - 1.0;
     let (mut previous, mut now) = (0.0, 1.0);
-    for k in 0..count {
-        out.push(now);
+    for (k, value) in out.iter_mut().enumerate() {
+        *value = now;
         let n = k as f64;
         let next = ((2.0 * n + 1.0) * x * now - n * previous) / (n + 1.0);
         (previous, now) = (now, next);
     }
 }
 
-/// Inner products of rows, weighted by the samples in each cell; in blocks that stay in the cache.
-pub(super) fn products(rows: &[f64], size: usize, count: &[f64]) -> Products {
-    let mut gram = DMatrix::zeros(size, size);
-    for (block, count) in rows.chunks(size * BLOCK).zip(count.chunks(BLOCK)) {
-        // Rows that follow one another are the columns of the transposed matrix.
-        let transposed = DMatrixView::from_slice(block, size, count.len());
-        let weighted = DMatrix::from_fn(count.len(), size, |i, j| block[i * size + j] * count[i]);
-        gram.gemm(1.0, &transposed, &weighted, 1.0);
+/// Their slopes against τ from their values: P'ₖ₊₁ = P'ₖ₋₁ + (2k + 1) Pₖ.
+pub(super) fn legendre_slopes(values: &[f64]) -> Vec<f64> {
+    let mut slopes = vec![0.0; values.len()];
+    for k in 1..values.len() {
+        let before = if k > 1 { slopes[k - 2] } else { 0.0 };
+        slopes[k] = before + 2.0 * (2 * k - 1) as f64 * values[k - 1];
     }
+    slopes
+}
+
+/// Inner products of rows.
+pub(super) fn products(rows: &[f64], size: usize) -> Products {
+    let count = rows.len() / size;
+    let columns = DMatrixView::from_slice_with_strides(rows, count, size, size, 1);
+    // Rows that follow one another are the columns of the transposed matrix.
+    let transposed = DMatrixView::from_slice(rows, size, count);
+    let mut gram = DMatrix::zeros(size, size);
+    gram.gemm(1.0, &transposed, &columns, 0.0);
     Products { gram }
 }
 
@@ -232,6 +260,7 @@ pub(super) struct Walk<'a> {
     tau: f64,
     step: f64,
     turn: Vec<Complex64>,
+    fastest: f64,
     age: u32,
     pub at: Vec<MotionAt>,
     pub z: Vec<Complex64>,
@@ -241,42 +270,38 @@ impl<'a> Walk<'a> {
     pub fn new(modes: &'a [Motion]) -> Self {
         let at: Vec<MotionAt> = modes.iter().map(|mode| mode.at(0.0)).collect();
         let ones = vec![Complex64::ONE; modes.len()];
-        Self { modes, tau: 0.0, step: 0.0, turn: ones.clone(), age: u32::MAX, at, z: ones }
+        let fastest = modes.iter().map(|m| m.omega).fold(0.0, f64::max);
+        Self { modes, tau: 0.0, step: 0.0, turn: ones.clone(), fastest, age: u32::MAX, at, z: ones }
     }
 
+    #[inline]
     pub fn go_to(&mut self, tau: f64) {
         let step = tau - self.tau;
         let fresh = self.age >= 32;
-        let new_step = fresh || (step - self.step).abs() * self.fastest() > 0.03;
+        let new_step = fresh || (step - self.step).abs() * self.fastest > 0.03;
         if new_step {
             self.step = step;
         }
         self.age = if fresh { 0 } else { self.age + 1 };
-        for (m, mode) in self.modes.iter().enumerate() {
+        let uneven = step - self.step;
+        let states = self.at.iter_mut().zip(&mut self.z).zip(&mut self.turn);
+        for (mode, ((at, z), turn)) in self.modes.iter().zip(states) {
             if mode.law.is_some() {
-                self.at[m] = mode.at(tau);
-                self.z[m] = self.at[m].log.exp();
+                *at = mode.at(tau);
+                *z = at.log.exp();
                 continue;
             }
-            let rate = self.at[m].rate;
             if new_step {
-                self.turn[m] = (rate * step).exp();
+                *turn = (at.rate * step).exp();
             }
-            self.z[m] = if fresh {
-                (rate * tau).exp()
-            } else {
-                self.z[m] * self.turn[m] * near_one(rate * (step - self.step))
-            };
+            *z = if fresh { (at.rate * tau).exp() } else { *z * *turn * near_one(at.rate * uneven) };
         }
         self.tau = tau;
-    }
-
-    fn fastest(&self) -> f64 {
-        self.modes.iter().map(|m| m.omega).fold(0.0, f64::max)
     }
 }
 
 /// exp of a small number.
+#[inline]
 fn near_one(x: Complex64) -> Complex64 {
     ((x * (1.0 / 3.0) + 1.0) * (x * 0.5) + 1.0) * x + 1.0
 }

@@ -38,7 +38,7 @@ pub fn decompose(groups: &[ChannelGroup], options: &DecomposeOptions) -> Result<
 fn summarize(record: &Record, search: &Search) -> Result<Decomposition> {
     let failed = || no_result("the modes found cannot be told apart in this record");
     let (fit, curvature) = project_with_curvature(&search.fit.model, &search.cells).ok_or_else(failed)?;
-    let residual = search.whiten(&fit).spectrum;
+    let residual = search.spectrum_about_modes(&fit);
     let errors = Errors::of(&fit, &curvature, &residual).ok_or_else(failed)?;
     let noise = channel_noise(record, search, &fit);
     let mut strongest: Vec<(usize, FittedMode)> =
@@ -62,7 +62,7 @@ fn summarize(record: &Record, search: &Search) -> Result<Decomposition> {
 
 fn channel_noise(record: &Record, search: &Search, fit: &Fit) -> Vec<ChannelNoise> {
     let mut all = Vec::new();
-    for (i, cells) in search.finest_cells().iter().enumerate() {
+    for (i, cells) in search.cells.iter().enumerate() {
         let (group, offsets) = (&record.groups[i], &record.offsets[i]);
         all.extend(group_noise(fit, all.len(), cells, group, offsets, record.clock));
     }
@@ -131,8 +131,8 @@ fn tones(fit: &Fit, order: &[usize]) -> Vec<CombinationTone> {
 
 /// Legendre coefficients with the levels put back, and the values at mid-span.
 fn baselines(record: &Record, fit: &Fit) -> (Vec<Vec<f64>>, Vec<f64>) {
-    let mut middle = Vec::new();
-    super::basis::legendre(0.5, fit.model.baseline, &mut middle);
+    let mut middle = vec![0.0; fit.model.baseline];
+    super::basis::legendre(0.5, &mut middle);
     let offsets = record.offsets.iter().flatten();
     let own = |(a, offset): (&Vec<f64>, &f64)| {
         let mut own = a[2 * fit.model.atoms()..].to_vec();

@@ -37,12 +37,11 @@ fn evaluate(t_s: &[f64], found: &Decomposition, channels: std::ops::Range<usize>
     };
     let mut out = vec![Vec::with_capacity(t_s.len()); channels.len()];
     let mut walk = Walk::new(&rule.modes);
-    let mut polynomials = Vec::new();
+    let mut polynomials = vec![0.0; rule.baseline];
     for &t in t_s {
         let tau = clock.tau(t);
         walk.go_to(tau);
-        polynomials.clear();
-        legendre(tau, rule.baseline, &mut polynomials);
+        legendre(tau, &mut polynomials);
         let atoms: Vec<Complex64> = (0..rule.atoms()).map(|k| rule.atom_at(k, &walk).1).collect();
         for (values, c) in out.iter_mut().zip(channels.clone()) {
             let shapes =

@@ -164,7 +164,7 @@ fn evaluate(model: &Model, groups: &[Cells], wanted: Wanted) -> Option<(Fit, Opt
     };
     for cells in groups {
         let (rows, size) = model.rows(cells, derivatives);
-        let group = Group { products: products(&rows, size, &cells.count), linear: model.linear(), columns };
+        let group = Group { products: products(&rows, size), linear: model.linear(), columns };
         let factor = group.factor()?;
         let first = fit.rss.len();
         for channel in 0..cells.channels {

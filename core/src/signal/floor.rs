@@ -21,8 +21,8 @@ struct Stretch {
 pub(super) struct Floor {
     white: f64,
     red: f64,
-    gamma: f64,
-    /// Knots ln k, ln of the raising.
+    gamma: i32,
+    /// Knots: k, factor of the raising.
     raised: Vec<(f64, f64)>,
 }
 
@@ -34,15 +34,13 @@ impl Floor {
 
     /// Expected power of the noise.
     pub fn at(&self, k: f64) -> f64 {
-        let law = self.white + self.red * k.powf(-self.gamma);
-        law * interpolate(&self.raised, k.ln()).exp()
+        self.law(k) * interpolate(&self.raised, k)
     }
 
     fn fit(power: &[f64], step: f64, lowest: f64, highest: f64) -> Self {
         let stretches = stretches(power, step, lowest, highest);
-        let mut best =
-            (f64::INFINITY, Self { white: f64::MIN_POSITIVE, red: 0.0, gamma: 1.0, raised: vec![] });
-        for gamma in [1.0, 2.0] {
+        let mut best = (f64::INFINITY, Self { white: f64::MIN_POSITIVE, red: 0.0, gamma: 1, raised: vec![] });
+        for gamma in [1, 2] {
             let (white, red) = whittle(&stretches, gamma);
             let floor = Self { white, red, gamma, raised: vec![] };
             let misfit = stretches.iter().map(|s| s.misfit(floor.law(s.k))).sum();
@@ -56,7 +54,7 @@ impl Floor {
     }
 
     fn law(&self, k: f64) -> f64 {
-        self.white + self.red * k.powf(-self.gamma)
+        self.white + self.red * k.powi(-self.gamma)
     }
 }
 
@@ -97,7 +95,7 @@ fn stretches(power: &[f64], step: f64, lowest: f64, highest: f64) -> Vec<Stretch
 }
 
 /// Iterated weighted least squares for `a + b·k^−γ`, both not negative.
-fn whittle(stretches: &[Stretch], gamma: f64) -> (f64, f64) {
+fn whittle(stretches: &[Stretch], gamma: i32) -> (f64, f64) {
     let mut powers: Vec<f64> = stretches.iter().map(|s| s.power).collect();
     if powers.is_empty() {
         return (f64::MIN_POSITIVE, 0.0);
@@ -105,10 +103,10 @@ fn whittle(stretches: &[Stretch], gamma: f64) -> (f64, f64) {
     let middle = powers.len() / 2;
     let start = *powers.select_nth_unstable_by(middle, f64::total_cmp).1;
     let (mut white, mut red) = (start, 0.0);
+    let shape: Vec<f64> = stretches.iter().map(|s| s.k.powi(-gamma)).collect();
     for _ in 0..10 {
         let mut s = [0.0; 5];
-        for stretch in stretches {
-            let x = stretch.k.powf(-gamma);
+        for (stretch, &x) in stretches.iter().zip(&shape) {
             let law = white + red * x;
             let weight = stretch.bins / (law * law);
             let y = stretch.power.min(5.0 * law);
@@ -139,7 +137,7 @@ fn raised(stretches: &[Stretch], floor: &Floor) -> Vec<(f64, f64)> {
         let mut near = ratio[from..to].to_vec();
         let middle = near.len() / 2;
         let typical = *near.select_nth_unstable_by(middle, f64::total_cmp).1;
-        knots.push((stretch.k.ln(), typical.ln().max(0.0)));
+        knots.push((stretch.k, typical.max(1.0)));
     }
     knots
 }
@@ -149,6 +147,6 @@ fn interpolate(knots: &[(f64, f64)], x: f64) -> f64 {
     match (after.checked_sub(1).and_then(|i| knots.get(i)), knots.get(after)) {
         (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0),
         (Some(end), None) | (None, Some(end)) => end.1,
-        (None, None) => 0.0,
+        (None, None) => 1.0,
     }
 }

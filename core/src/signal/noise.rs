@@ -5,11 +5,11 @@
 //! square of the whole residual: it contains them. Their ratio tells whether the model is complete.
 //!
 //! The model is not evaluated at each sample but expanded to third order about each cell's centroid, which is
-//! exact to 1e-4 of the amplitude and costs three multiplications a sample for any number of modes.
+//! exact to 2e-5 of a mode's amplitude and costs three multiplications a sample for any number of modes.
 
 use num_complex::Complex64;
 
-use super::basis::{Walk, legendre};
+use super::basis::{Walk, legendre, legendre_slopes};
 use super::compress::{Cells, Clock};
 use super::fit::Fit;
 use super::types::ChannelGroup;
@@ -39,25 +39,51 @@ pub(super) fn group_noise(
     offsets: &[f64],
     clock: Clock,
 ) -> Vec<ChannelNoise> {
-    let mut runs: Vec<Runs> = vec![Runs::default(); cells.channels];
-    let mut walk = Walk::new(&fit.model.modes);
-    let mut atoms = vec![(Complex64::ZERO, Complex64::ZERO); fit.model.atoms()];
-    let scale = 1.0 / clock.span_s;
-    for i in 0..cells.len() {
-        walk.go_to(cells.tau[i]);
-        atoms.iter_mut().enumerate().for_each(|(k, atom)| *atom = fit.model.atom_at(k, &walk));
-        let (from, to) = (cells.start[i], cells.start[i + 1]);
-        let centroid_s = clock.t_ref_s + cells.tau[i] * clock.span_s;
-        let baseline = baseline_at(cells.tau[i], fit.model.baseline);
-        for (c, run) in runs.iter_mut().enumerate() {
-            let poly = expansion(fit, first + c, &atoms, &baseline, offsets[c]);
-            for (t, y) in group.t_s[from..to].iter().zip(&group.channels[c][from..to]) {
-                let s = (t - centroid_s) * scale;
-                run.push(y - (poly[0] + s * (poly[1] + s * (poly[2] + s * poly[3]))));
+    let expansions = expansions(fit, first, cells, offsets);
+    let from_centroid = from_centroid(cells, group, clock);
+    let of_channel = |(c, values): (usize, &Vec<f64>)| {
+        let mut residuals = values.clone();
+        for (bounds, poly) in cells.start.windows(2).zip(expansions.iter().skip(c).step_by(cells.channels)) {
+            let own = bounds[0]..bounds[1];
+            for (y, s) in residuals[own.clone()].iter_mut().zip(&from_centroid[own]) {
+                *y -= poly[0] + s * (poly[1] + s * (poly[2] + s * poly[3]));
             }
         }
+        ChannelNoise::of(&residuals)
+    };
+    group.channels.iter().enumerate().map(of_channel).collect()
+}
+
+/// Scaled time of every sample from the centroid of its cell.
+fn from_centroid(cells: &Cells, group: &ChannelGroup, clock: Clock) -> Vec<f64> {
+    let scale = 1.0 / clock.span_s;
+    let mut all = Vec::with_capacity(group.t_s.len());
+    for (bounds, tau) in cells.start.windows(2).zip(&cells.tau) {
+        let centroid_s = clock.t_ref_s + tau * clock.span_s;
+        all.extend(group.t_s[bounds[0]..bounds[1]].iter().map(|t| (t - centroid_s) * scale));
     }
-    runs.into_iter().map(Runs::finish).collect()
+    all
+}
+
+/// Taylor coefficients of the model about every cell's centroid, channel by channel within a cell.
+fn expansions(fit: &Fit, first: usize, cells: &Cells, offsets: &[f64]) -> Vec<[f64; 4]> {
+    let mut walk = Walk::new(&fit.model.modes);
+    let mut atoms = vec![(Complex64::ZERO, Complex64::ZERO); fit.model.atoms()];
+    let mut values = vec![0.0; fit.model.baseline];
+    let mut all = Vec::with_capacity(cells.len() * cells.channels);
+    for &tau in &cells.tau {
+        walk.go_to(tau);
+        atoms.iter_mut().enumerate().for_each(|(k, atom)| *atom = fit.model.atom_at(k, &walk));
+        legendre(tau, &mut values);
+        let slopes = legendre_slopes(&values);
+        all.extend(
+            offsets
+                .iter()
+                .enumerate()
+                .map(|(c, offset)| expansion(fit, first + c, &atoms, (&values, &slopes), *offset)),
+        );
+    }
+    all
 }
 
 /// Taylor coefficients of the model of a channel about a cell's centroid.
@@ -65,7 +91,7 @@ fn expansion(
     fit: &Fit,
     channel: usize,
     atoms: &[(Complex64, Complex64)],
-    baseline: &(Vec<f64>, Vec<f64>),
+    baseline: (&[f64], &[f64]),
     offset: f64,
 ) -> [f64; 4] {
     let mut poly = [offset, 0.0, 0.0, 0.0];
@@ -77,61 +103,31 @@ fn expansion(
         }
     }
     let own = &fit.coefficients[channel][2 * atoms.len()..];
-    poly[0] += own.iter().zip(&baseline.0).map(|(a, p)| a * p).sum::<f64>();
-    poly[1] += own.iter().zip(&baseline.1).map(|(a, p)| a * p).sum::<f64>();
+    poly[0] += own.iter().zip(baseline.0).map(|(a, p)| a * p).sum::<f64>();
+    poly[1] += own.iter().zip(baseline.1).map(|(a, p)| a * p).sum::<f64>();
     poly
 }
 
-/// Baseline polynomials and their slopes.
-fn baseline_at(tau: f64, count: usize) -> (Vec<f64>, Vec<f64>) {
-    let h = 1e-4;
-    let (mut low, mut here, mut high) = (vec![], vec![], vec![]);
-    legendre(tau - h, count, &mut low);
-    legendre(tau, count, &mut here);
-    legendre(tau + h, count, &mut high);
-    let slopes = high.iter().zip(&low).map(|(b, a)| (b - a) / (2.0 * h)).collect();
-    (here, slopes)
-}
-
-/// Residuals gathered in runs.
-#[derive(Debug, Clone, Default)]
-struct Runs {
-    count: usize,
-    sum: f64,
-    squares: f64,
-    rss: f64,
-    samples: f64,
-    variances: Vec<f64>,
-}
-
-impl Runs {
-    fn push(&mut self, residual: f64) {
-        self.count += 1;
-        self.sum += residual;
-        self.squares += residual * residual;
-        if self.count == RUN {
-            let n = RUN as f64;
-            self.variances.push((self.squares - self.sum * self.sum / n) / (n - 1.0));
-            self.close();
-        }
-    }
-
-    fn close(&mut self) {
-        self.rss += self.squares;
-        self.samples += self.count as f64;
-        (self.count, self.sum, self.squares) = (0, 0.0, 0.0);
-    }
-
-    fn finish(mut self) -> ChannelNoise {
-        self.close();
-        let middle = self.variances.len() / 2;
-        let median = if self.variances.is_empty() {
-            self.rss / self.samples
+impl ChannelNoise {
+    fn of(residuals: &[f64]) -> Self {
+        let samples = residuals.len() as f64;
+        let rss: f64 = residuals.iter().map(|r| r * r).sum();
+        let mut variances: Vec<f64> = residuals.chunks_exact(RUN).map(run_variance).collect();
+        let middle = variances.len() / 2;
+        let median = if variances.is_empty() {
+            rss / samples
         } else {
-            *self.variances.select_nth_unstable_by(middle, f64::total_cmp).1 / RUN_MEDIAN
+            *variances.select_nth_unstable_by(middle, f64::total_cmp).1 / RUN_MEDIAN
         };
         // Coarsely quantised channels can have runs without any scatter; then the residual speaks alone.
-        let variance = if median > 0.0 { median } else { self.rss / self.samples };
-        ChannelNoise { white: variance.sqrt(), rss: self.rss, samples: self.samples }
+        let variance = if median > 0.0 { median } else { rss / samples };
+        Self { white: variance.sqrt(), rss, samples }
     }
+}
+
+/// Variance of a run about its own mean.
+fn run_variance(run: &[f64]) -> f64 {
+    let (sum, squares) = run.iter().fold((0.0, 0.0), |(s, q), r| (s + r, q + r * r));
+    let n = run.len() as f64;
+    (squares - sum * sum / n) / (n - 1.0)
 }

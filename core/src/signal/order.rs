@@ -5,6 +5,10 @@
 //! the other half of a close pair, or a mode of its own. A trial stays if what it takes off the sum of squares,
 //! measured against the floor *after* the trial, is beyond what the largest of all noise bins would take off.
 
+use std::cell::RefCell;
+
+use rustfft::FftPlanner;
+
 use super::basis::Model;
 use super::compress::Cells;
 use super::fit::{Fit, polish, project, project_with_curvature, refine};
@@ -22,6 +26,8 @@ const FLOOR_MARGIN: f64 = 1.2;
 const LAW_GAIN: f64 = 25.0;
 /// Peaks tried in vain before the search ends.
 const MOST_REJECTIONS: usize = 6;
+/// Cells for the mean and slope before there are modes.
+const START_CELLS: f64 = 256.0;
 /// Most iterations of the last fit.
 const LAST_ITERATIONS: usize = 12;
 /// Standard errors of a negative decay that count as noise.
@@ -40,6 +46,8 @@ pub(super) struct Search<'a> {
     pub cells: Vec<Cells>,
     width: f64,
     pub fit: Fit,
+    /// Transforms, planned once for each length.
+    planner: RefCell<FftPlanner<f64>>,
     /// Bound on the whitened power of a line.
     pub bound: f64,
     /// Modes whose decay is held at zero because they would grow.
@@ -59,11 +67,23 @@ impl<'a> Search<'a> {
         let band_width = record.band_width();
         let band_cells = record.gather(band_width);
         let model = Model { baseline: 2, ..Model::default() };
-        let fit = project(&model, &band_cells)?;
-        let cells = band_cells.clone();
+        let width = band_width.max(1.0 / START_CELLS);
+        let cells = record.gather(width);
+        let fit = project(&model, &cells)?;
         let bound = bound(record.channels(), 2.0 * (record.band.1 - record.band.0)) * FLOOR_MARGIN;
-        let width = band_width;
-        Some(Self { record, options, band_cells, band_width, cells, width, fit, bound, held_growing: 0 })
+        let planner = RefCell::new(FftPlanner::new());
+        Some(Self {
+            record,
+            options,
+            band_cells,
+            band_width,
+            cells,
+            width,
+            fit,
+            planner,
+            bound,
+            held_growing: 0,
+        })
     }
 
     /// Adds lines until the residual has none.
@@ -200,16 +220,20 @@ impl<'a> Search<'a> {
         Some((cells, std::mem::replace(&mut self.width, width), std::mem::replace(&mut self.fit, fit)))
     }
 
-    /// The finer of the two sets of cells.
-    pub fn finest_cells(&self) -> &[Cells] {
-        if self.width < self.band_width { &self.cells } else { &self.band_cells }
+    /// Residual spectrum of a fit over its floor, on the finer of the two sets of cells.
+    pub fn whiten(&self, fit: &Fit) -> Whitened {
+        let finer = if self.width < self.band_width { &self.cells } else { &self.band_cells };
+        let width = self.width.min(self.band_width);
+        Whitened::of(self.residual_spectrum(fit, finer, width), self.record.band)
     }
 
-    /// Residual spectrum of a fit over its floor.
-    pub fn whiten(&self, fit: &Fit) -> Whitened {
-        let cells = self.finest_cells();
-        let spectrum = periodogram(cells, &cell_residuals(fit, cells), self.width.min(self.band_width));
-        Whitened::of(spectrum, self.record.band)
+    /// Residual spectrum of a fit as far as the cells of the fit resolve it: beyond every mode.
+    pub fn spectrum_about_modes(&self, fit: &Fit) -> Periodogram {
+        self.residual_spectrum(fit, &self.cells, self.width)
+    }
+
+    fn residual_spectrum(&self, fit: &Fit, cells: &[Cells], width: f64) -> Periodogram {
+        periodogram(&mut self.planner.borrow_mut(), cells, &cell_residuals(fit, cells), width)
     }
 
     /// Two more baseline polynomials where the spectrum stands high below the band.
@@ -267,13 +291,16 @@ impl Whitened {
         let floors = Floor::of(&spectrum, 1.0, band.1);
         let length = spectrum.len().min((band.1 / spectrum.step) as usize + 2);
         let mut sum = vec![0.0; length];
-        // The floor is smooth: one value for each eighth of a bin's neighbourhood would do; four bins share one.
-        for (power, floor) in spectrum.power.iter().zip(&floors) {
-            let blocks = sum.chunks_mut(4).zip(power.chunks(4)).enumerate();
-            for (block, (sums, powers)) in blocks {
-                let scale = 1.0 / floor.at(((4 * block) as f64 + 1.5) * spectrum.step);
-                sums.iter_mut().zip(powers).for_each(|(s, p)| *s += p * scale);
+        let mut from = 0;
+        while from < length {
+            // The floor is smooth: neighbours share one value of it.
+            let to = (from + 4.max(from / 32)).min(length);
+            let k = 0.5 * (from + to - 1) as f64 * spectrum.step;
+            for (power, floor) in spectrum.power.iter().zip(&floors) {
+                let scale = 1.0 / floor.at(k);
+                sum[from..to].iter_mut().zip(&power[from..to]).for_each(|(s, p)| *s += p * scale);
             }
+            from = to;
         }
         Self { spectrum, floors, sum }
     }

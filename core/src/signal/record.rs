@@ -104,7 +104,7 @@ fn check_group(group: &ChannelGroup) -> Result<()> {
     if group.t_s.windows(2).any(|w| w[1] <= w[0]) || group.t_s.iter().any(|t| !t.is_finite()) {
         return Err(Error::argument("groups", "time stamps that increase", "stamps that do not"));
     }
-    if group.channels.iter().flatten().any(|y| !y.is_finite()) {
+    if group.channels.iter().any(|channel| channel.iter().any(|y| !y.is_finite())) {
         return Err(Error::argument("groups", "finite samples", "NaN or infinity"));
     }
     Ok(())
