@@ -283,7 +283,6 @@ fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
         span_s: (found.t_ref_s, found.t_end_s),
         mode: pole(&found.modes[i]),
         others: &others,
-        noise: &found.noise,
         project: &project,
     };
     against_amplitude(&evidence.groups, &wanted)

@@ -3,10 +3,15 @@
 //! A global fit knows one law for the whole record; windows show what the law really is (a pendulum's 1 + A²/16,
 //! drag, dry friction, a shift linear in amplitude that goes on to the smallest swing).
 
-use nalgebra::{DMatrix, DVector};
+use std::f64::consts::{PI, TAU};
+
 use num_complex::Complex64;
 
-use super::marquardt::nonlinear;
+use super::basis::Model;
+use super::compress::{Cells, Clock};
+use super::fit::{polish, project_with_curvature};
+use super::motion::Motion;
+use super::record::FINAL_CELLS;
 use super::types::ChannelGroup;
 
 /// A damped oscillation, by its two constants.
@@ -32,8 +37,6 @@ pub struct WindowedMode<'a> {
     pub mode: Pole,
     /// Other modes; fixed frequency and decay, free amplitudes.
     pub others: &'a [Pole],
-    /// Noise of each channel, channel unit.
-    pub noise: &'a [f64],
     /// Weights that combine the channels into the mode's coordinate.
     pub project: &'a [Complex64],
 }
@@ -47,7 +50,7 @@ pub struct WindowPoint {
     pub amplitude: f64,
     /// Period, s.
     pub period_s: f64,
-    /// Its standard error from the window's own residual, s.
+    /// Its standard error from the window's own residual, as noise of each channel; the other modes as given, s.
     pub period_se_s: f64,
     /// Logarithmic decrement per cycle.
     pub decrement: f64,
@@ -58,7 +61,7 @@ pub struct WindowPoint {
 impl WindowPoint {
     /// Amplitude of the angle where the projection is an angular rate (of the displacement where it is a speed).
     pub fn amplitude_over_omega(&self) -> f64 {
-        self.amplitude * self.period_s / std::f64::consts::TAU
+        self.amplitude * self.period_s / TAU
     }
 }
 
@@ -69,16 +72,19 @@ const BEATS: f64 = 1.25;
 /// A window's period is dropped where its standard error exceeds this share of it.
 const WORST_RELATIVE_SE: f64 = 0.02;
 
+/// Most iterations in a window.
+const ITERATIONS: usize = 20;
+
 /// Follows a mode through the record in windows that do not overlap.
 pub fn against_amplitude(groups: &[ChannelGroup], wanted: &WindowedMode<'_>) -> Vec<WindowPoint> {
     let (start_s, end_s) = wanted.span_s;
-    let period_s = std::f64::consts::TAU / wanted.mode.omega_rad_s;
+    let period_s = TAU / wanted.mode.omega_rad_s;
     let nearest = wanted
         .others
         .iter()
         .map(|o| (o.omega_rad_s - wanted.mode.omega_rad_s).abs())
         .fold(f64::INFINITY, f64::min);
-    let apart_s = BEATS * std::f64::consts::TAU / nearest;
+    let apart_s = BEATS * TAU / nearest;
     let wanted_s = (CYCLES * period_s).max(if apart_s.is_finite() { apart_s } else { 0.0 });
     let count = ((end_s - start_s) / wanted_s).floor();
     if !(1.0..1e5).contains(&count) {
@@ -91,82 +97,58 @@ pub fn against_amplitude(groups: &[ChannelGroup], wanted: &WindowedMode<'_>) -> 
         let from_s = start_s + k as f64 * width_s;
         let Some(point) = window(groups, wanted, mode, (from_s, from_s + width_s)) else { continue };
         // The next window starts from here: the frequency of a strong swing drifts a long way.
-        mode.omega_rad_s = std::f64::consts::TAU / point.period_s;
+        mode.omega_rad_s = TAU / point.period_s;
         points.push(point);
     }
     points
 }
 
-/// One group's samples within a window, time from the window's middle, channels in units of their noise.
+/// Cells of the groups that have enough samples in a window, and the weights of their channels.
 struct Cut {
-    u_s: Vec<f64>,
-    channels: Vec<DVector<f64>>,
+    cells: Vec<Cells>,
+    project: Vec<Complex64>,
 }
 
-fn cut(groups: &[ChannelGroup], noise: &[f64], (from_s, to_s): (f64, f64)) -> Vec<Cut> {
-    let middle_s = 0.5 * (from_s + to_s);
-    let mut first_channel = 0;
-    let mut cuts = Vec::new();
-    for g in groups {
-        let first = g.t_s.partition_point(|t| *t < from_s);
-        let end = g.t_s.partition_point(|t| *t < to_s);
-        let scaled = |(c, x): (usize, &Vec<f64>)| {
-            let sigma = noise.get(first_channel + c).copied().filter(|s| *s > 0.0).unwrap_or(1.0);
-            DVector::from_iterator(end - first, x[first..end].iter().map(|v| v / sigma))
-        };
-        cuts.push(Cut {
-            u_s: g.t_s[first..end].iter().map(|t| t - middle_s).collect(),
-            channels: g.channels.iter().enumerate().map(scaled).collect(),
-        });
-        first_channel += g.channels.len();
+impl Cut {
+    fn new(parts: &[ChannelGroup], project: &[Complex64], clock: Clock, model: &Model) -> Self {
+        let width = TAU / (FINAL_CELLS * model.highest_omega());
+        let mut cut = Self { cells: Vec::new(), project: Vec::new() };
+        let mut weights = project;
+        for part in parts {
+            let (own, later) = weights.split_at(part.channels.len().min(weights.len()));
+            weights = later;
+            if part.t_s.len() >= 2 * model.linear() {
+                let levels: Vec<f64> = part.channels.iter().map(|c| c[0]).collect();
+                cut.cells.push(Cells::gather(part, clock, width).less(&levels));
+                cut.project.extend_from_slice(own);
+            }
+        }
+        cut
     }
-    cuts
 }
 
-/// Cosine and sine of the mode first, then level, slope, the other modes and the mode's own harmonics.
-fn columns(u_s: &[f64], mode: Pole, others: &[Pole], width_s: f64) -> DMatrix<f64> {
-    let resolution = std::f64::consts::TAU / width_s;
-    let mut poles = vec![mode];
-    poles.extend_from_slice(others);
-    for k in [2.0, 3.0] {
-        let omega = k * mode.omega_rad_s;
-        let free = others.iter().all(|o| (o.omega_rad_s - omega).abs() > resolution);
-        if free && omega * width_s < std::f64::consts::PI * 0.25 * u_s.len() as f64 {
-            poles.push(Pole { omega_rad_s: omega, alpha_per_s: k * mode.alpha_per_s });
-        }
+/// A group's samples within the clock's span.
+fn part(group: &ChannelGroup, clock: Clock) -> ChannelGroup {
+    let first = group.t_s.partition_point(|t| *t < clock.t_ref_s);
+    let end = group.t_s.partition_point(|t| *t < clock.t_ref_s + clock.span_s);
+    ChannelGroup {
+        t_s: group.t_s[first..end].to_vec(),
+        channels: group.channels.iter().map(|x| x[first..end].to_vec()).collect(),
     }
-    let mut matrix = DMatrix::zeros(u_s.len(), 2 * poles.len() + 2);
-    for (row, u) in u_s.iter().enumerate() {
-        for (k, pole) in poles.iter().enumerate() {
-            let envelope = (-pole.alpha_per_s * u).exp();
-            let (sin, cos) = (pole.omega_rad_s * u).sin_cos();
-            matrix[(row, 2 * k)] = envelope * cos;
-            matrix[(row, 2 * k + 1)] = envelope * sin;
-        }
-        matrix[(row, 2 * poles.len())] = 1.0;
-        matrix[(row, 2 * poles.len() + 1)] = 2.0 * u / width_s;
-    }
-    matrix
 }
 
-/// Residuals of all channels with the linear amplitudes projected out, and each channel's amplitude of the mode.
-fn projected(cuts: &[Cut], mode: Pole, others: &[Pole], width_s: f64) -> Option<(Vec<f64>, Vec<Complex64>)> {
-    let (mut residuals, mut amplitudes) = (Vec::new(), Vec::new());
-    for part in cuts {
-        let matrix = columns(&part.u_s, mode, others, width_s);
-        if part.u_s.len() < 2 * matrix.ncols() {
-            amplitudes.extend(part.channels.iter().map(|_| Complex64::new(0.0, 0.0)));
-            continue;
-        }
-        let cholesky = (matrix.transpose() * &matrix).cholesky()?;
-        for x in &part.channels {
-            let c = cholesky.solve(&(matrix.transpose() * x));
-            // Re[(c − is) e^{iωu}] = c cos ωu + s sin ωu
-            amplitudes.push(Complex64::new(c[0], -c[1]));
-            residuals.extend((&matrix * c - x).iter());
-        }
-    }
-    (!residuals.is_empty()).then_some((residuals, amplitudes))
+/// The mode followed, the others, a straight baseline, and the mode's harmonics where they stand alone.
+fn window_model(mode: Pole, wanted: &WindowedMode<'_>, width_s: f64, samples: usize) -> Model {
+    let scaled = |pole: &Pole| Motion::plain(pole.omega_rad_s * width_s, pole.alpha_per_s * width_s);
+    let modes: Vec<Motion> = std::iter::once(&mode).chain(wanted.others).map(scaled).collect();
+    let harmonic = |k: i32| {
+        let omega = f64::from(k) * modes[0].omega;
+        let alone = modes[1..].iter().all(|other| (other.omega - omega).abs() > TAU);
+        let multiples = std::iter::once(k).chain(modes[1..].iter().map(|_| 0)).collect();
+        (alone && omega < 0.25 * PI * samples as f64).then_some(multiples)
+    };
+    let tones = [2, 3].into_iter().filter_map(harmonic).collect();
+    Model { modes, tones, baseline: 2 }
 }
 
 fn window(
@@ -175,32 +157,28 @@ fn window(
     start: Pole,
     (from_s, to_s): (f64, f64),
 ) -> Option<WindowPoint> {
-    let cuts = cut(groups, wanted.noise, (from_s, to_s));
-    let width_s = to_s - from_s;
-    let pole = |p: &[f64]| Pole { omega_rad_s: p[0], alpha_per_s: p[1] };
-    let rows = projected(&cuts, start, wanted.others, width_s)?.0.len();
-    let residuals = |p: &[f64]| {
-        projected(&cuts, pole(p), wanted.others, width_s).map_or_else(|| vec![1e9; rows], |(r, _)| r)
-    };
-    let scale = 0.3 / width_s;
-    let fit = nonlinear(&residuals, &[start.omega_rad_s, start.alpha_per_s], &[scale, scale])?;
-    let (omega, alpha) = (fit.parameters[0], fit.parameters[1]);
-    let (_, amplitudes) = projected(&cuts, pole(&fit.parameters), wanted.others, width_s)?;
-    let period_s = std::f64::consts::TAU / omega;
+    let clock = Clock { t_ref_s: from_s, span_s: to_s - from_s };
+    let parts: Vec<ChannelGroup> = groups.iter().map(|group| part(group, clock)).collect();
+    let samples = parts.iter().map(|part| part.t_s.len()).max()?;
+    let model = window_model(start, wanted, clock.span_s, samples);
+    let cut = Cut::new(&parts, wanted.project, clock, &model);
+    let others: Vec<usize> = (2..model.parameter_count()).collect();
+    let fit = polish(&model, &cut.cells, ITERATIONS, &others)?;
+    let (fit, curvature) = project_with_curvature(&fit.model, &cut.cells)?;
+    let covariance = curvature.hessian.fixed_view::<2, 2>(0, 0).try_inverse()?;
+    let mode = fit.model.modes[0];
+    let period_s = TAU * clock.span_s / mode.omega;
+    let together: Complex64 = cut.project.iter().enumerate().map(|(c, p)| p * fit.amplitude(c, 0)).sum();
     let point = WindowPoint {
         t_s: 0.5 * (from_s + to_s),
-        amplitude: combined(&amplitudes, wanted),
+        amplitude: together.norm() * mode.envelope(0.5),
         period_s,
-        period_se_s: period_s * fit.se(0) / omega,
-        decrement: alpha * period_s,
-        decrement_se: fit.se(1) * period_s,
+        period_se_s: period_s * covariance[(0, 0)].sqrt() / mode.omega,
+        decrement: TAU * mode.alpha / mode.omega,
+        decrement_se: TAU * covariance[(1, 1)].sqrt() / mode.omega,
     };
     // A window that ran away to another line is no window of this mode.
-    let stayed = (omega - wanted.mode.omega_rad_s).abs() < 0.2 * wanted.mode.omega_rad_s;
+    let omega_rad_s = TAU / period_s;
+    let stayed = (omega_rad_s - wanted.mode.omega_rad_s).abs() < 0.2 * wanted.mode.omega_rad_s;
     (stayed && point.period_se_s < WORST_RELATIVE_SE * period_s).then_some(point)
-}
-
-fn combined(amplitudes: &[Complex64], wanted: &WindowedMode<'_>) -> f64 {
-    let term = |((a, p), s): ((&Complex64, &Complex64), &f64)| a * p * if *s > 0.0 { *s } else { 1.0 };
-    amplitudes.iter().zip(wanted.project).zip(wanted.noise).map(term).sum::<Complex64>().norm()
 }
