@@ -19,7 +19,7 @@ help:
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
-	@echo "make bench   speed of the analysis"
+	@echo "make bench   speed of the analysis, and its speed and precision beside other methods"
 
 demo: package
 	@$(BIN)/gyradius demo -o build/demo
@@ -67,8 +67,10 @@ blind-tools: $(BIN)/maturin
 doc:
 	@RUSTDOCFLAGS="-D warnings" $(STEP) doc cargo doc --no-deps $(CRATES)
 
-bench:
-	cargo bench $(CRATES)
+# The core's speed by criterion, then ours beside other methods' on one record, all called from Python.
+bench: package blind-tools
+	cargo bench --manifest-path core/benches/Cargo.toml --target-dir target
+	$(BIN)/python tests/bench_peers.py
 
 skips:
 	@tests/skips $(LOGS) build/skips.txt
