@@ -69,7 +69,7 @@ doc:
 
 # The core's speed by criterion, then ours beside other methods' on one record, all called from Python.
 bench: package blind-tools
-	cargo bench --manifest-path core/benches/Cargo.toml --target-dir target
+	CARGO_TARGET_DIR=$(CURDIR)/target cargo bench --manifest-path core/benches/Cargo.toml
 	$(BIN)/python tests/bench_peers.py
 
 skips:
