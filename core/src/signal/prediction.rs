@@ -15,6 +15,11 @@ const LAGS: usize = 24;
 const ABOVE_NOISE: f64 = 7.0;
 /// … and above this share of the swing's own size.
 const ABOVE_SWING: f64 = 0.05;
+/// Motion below this share of that on the other side is rest. From one window of a cycle and a half to the next, the full
+/// beat of two periods 15 % apart falls to no less than 0.3.
+const AT_REST: f64 = 0.15;
+/// Share of the threshold that a surprise must reach where motion meets rest: such a place is suspect already.
+const SUSPECT: f64 = 0.3;
 
 /// All channels averaged over blocks of one common grid; `None` where a block has no sample.
 pub(super) struct BlockSeries {
@@ -234,7 +239,7 @@ impl Surprise {
             // Near the ends only one side can foretell.
             let early = i < LAGS && at(&self.backward, i) > 1.0;
             let late = i + LAGS >= n && at(&self.forward, i) > 1.0;
-            ahead.min(behind) > 1.0 || early || late
+            ahead.min(behind) > 1.0 || early || late || (ahead.max(behind) > SUSPECT && meets_rest(series, i))
         };
         let mut disturbed: Vec<bool> = (0..n).map(broken).collect();
         self.forgive_glitches(series, &mut disturbed);
@@ -245,7 +250,8 @@ impl Surprise {
     fn forgive_glitches(&self, series: &BlockSeries, disturbed: &mut [bool]) {
         for (first, end) in runs(disturbed) {
             let (a, b) = (first.saturating_sub(1), (end + 1).min(series.len()));
-            if b - a <= LAGS / 2 && a >= LAGS && b + LAGS <= series.len() && self.bridges(series, a, b) {
+            let short = b - a <= LAGS / 2 && a >= LAGS && b + LAGS <= series.len();
+            if short && goes_on(series, a, b) && self.bridges(series, a, b) {
                 disturbed[first..end].fill(false);
             }
         }
@@ -262,6 +268,18 @@ impl Surprise {
             })
         })
     }
+}
+
+/// Whether block `i` divides motion from rest.
+fn meets_rest(series: &BlockSeries, i: usize) -> bool {
+    i >= LAGS && i + LAGS < series.len() && !goes_on(series, i, i + 1)
+}
+
+/// Whether there is as much motion after block `b` as before block `a`. Rest follows the rule of any swing: a constant
+/// foretells itself, and a few unknown blocks lead from the one to the other.
+fn goes_on(series: &BlockSeries, a: usize, b: usize) -> bool {
+    let (before, after) = (series.rms(a - LAGS, a), series.rms(b, b + LAGS));
+    before.min(after) > AT_REST * before.max(after)
 }
 
 fn nan_aside(a: f64, b: f64) -> f64 {

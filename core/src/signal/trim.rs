@@ -3,7 +3,8 @@
 //! A freely swinging hull is a sum of a few damped oscillations, whatever their beats, so every sample follows
 //! linearly from the ones before it, by one rule for all channels (linear prediction). A hand, a release, a stop or
 //! a phone picked up is what the rule does not foresee, from neither side. An envelope would not do: two modes of
-//! equal strength beat to nothing and back without anybody touching the hull.
+//! equal strength beat to nothing and back without anybody touching the hull. Rest follows every such rule too; where motion
+//! meets rest, the prediction is judged more strictly.
 
 use super::prediction::{BlockSeries, Surprise};
 use super::types::ChannelGroup;
@@ -65,122 +66,6 @@ const WAITING_SHARE: f64 = 0.15;
 
 /// Finds the freely decaying part of a record; the whole record where nothing disturbs it.
 pub fn free_swing_span(groups: &[ChannelGroup]) -> FreeSpan {
-    let held_until_s = quiet_until_s(groups);
-    let (first_s, last_s) = extent(groups);
-    let mut span = match held_until_s.filter(|t| t - first_s > SHORTEST_WAIT_S) {
-        None => undisturbed_span(groups),
-        Some(from_s) => swing_after(groups, from_s, first_s),
-    };
-    if span.end_s < last_s {
-        stop_where_it_rests(groups, &mut span, last_s);
-    }
-    span
-}
-
-fn swing_after(groups: &[ChannelGroup], from_s: f64, first_s: f64) -> FreeSpan {
-    let moving: Vec<ChannelGroup> = groups.iter().map(|g| after(g, from_s)).collect();
-    let mut span = undisturbed_span(&moving);
-    span.notes.retain(|note| note.kind != SpanNoteKind::LeadIn);
-    let text = format!("the first {:.1} s (waiting, handling, release) are left out", span.start_s - first_s);
-    let note = SpanNote { kind: SpanNoteKind::LeadIn, from_s: first_s, to_s: span.start_s, text };
-    span.notes.insert(0, note);
-    span
-}
-
-/// A swing that was stopped, rested and was then disturbed ends where it came to rest.
-fn stop_where_it_rests(groups: &[ChannelGroup], span: &mut FreeSpan, last_s: f64) {
-    let until_s = span.end_s - BEFORE_DISTURBANCE_S;
-    let backward: Vec<ChannelGroup> = groups.iter().map(|g| reversed(g, span.start_s, until_s)).collect();
-    let Some(rests_from_s) = quiet_until_s(&backward).map(|t| -t) else { return };
-    if until_s - rests_from_s < SHORTEST_WAIT_S {
-        return;
-    }
-    span.end_s = rests_from_s;
-    for note in span.notes.iter_mut().filter(|note| note.kind == SpanNoteKind::LeadOut) {
-        note.from_s = rests_from_s;
-        note.text = format!(
-            "the last {:.1} s, from {rests_from_s:.1} s on, are left out: the swing was stopped",
-            last_s - rests_from_s
-        );
-    }
-}
-
-/// What a disturbance may reach back over, by the width of the blocks that found it, s.
-const BEFORE_DISTURBANCE_S: f64 = 0.3;
-
-/// The part of a group from `from_s` to `to_s`, backward in time.
-fn reversed(group: &ChannelGroup, from_s: f64, to_s: f64) -> ChannelGroup {
-    let (first, end) =
-        (group.t_s.partition_point(|t| *t < from_s), group.t_s.partition_point(|t| *t <= to_s));
-    ChannelGroup {
-        t_s: group.t_s[first..end].iter().rev().map(|t| -t).collect(),
-        channels: group.channels.iter().map(|c| c[first..end].iter().rev().copied().collect()).collect(),
-    }
-}
-
-/// A wait before the release shorter than this is no wait, s.
-const SHORTEST_WAIT_S: f64 = 1.0;
-/// Stillness: block means stay within their noise (or this share of the rms, for records without noise) of the first.
-/// A null of a beat is not still at that level; a hand that wobbles is what the prediction finds.
-const STILL_SHARE: f64 = 0.004;
-const STILL_SIGMA: f64 = 6.0;
-const TELLING_SHARE: f64 = 0.15;
-const STILL_BLOCK_S: f64 = 0.1;
-
-/// When the first channel leaves the value it was held at.
-fn quiet_until_s(groups: &[ChannelGroup]) -> Option<f64> {
-    let moves = |group: &ChannelGroup| {
-        group.channels.iter().map(|c| leaves_first_value(&group.t_s, c)).fold(f64::INFINITY, f64::min)
-    };
-    let first = groups.iter().map(moves).fold(f64::INFINITY, f64::min);
-    first.is_finite().then_some(first)
-}
-
-fn leaves_first_value(t_s: &[f64], values: &[f64]) -> f64 {
-    let blocks: Vec<(f64, f64, usize)> = block_means(t_s, values);
-    let (Some(first), true) = (blocks.first(), values.len() > 20) else { return f64::INFINITY };
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let rms = (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt();
-    let steps: f64 =
-        values.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum::<f64>() / (values.len() - 1) as f64;
-    let noise = (0.5 * steps).sqrt();
-    // A channel whose noise hides its motion cannot tell rest from a turning point.
-    if STILL_SIGMA * noise * (2.0 / first.2 as f64).sqrt() > TELLING_SHARE * rms {
-        return f64::INFINITY;
-    }
-    blocks
-        .iter()
-        .find(|(_, value, count)| {
-            let spread = noise * (1.0 / *count as f64 + 1.0 / first.2 as f64).sqrt();
-            (value - first.1).abs() > (STILL_SHARE * rms).max(STILL_SIGMA * spread)
-        })
-        .map_or(f64::INFINITY, |(t, ..)| *t)
-}
-
-/// (start, mean, count) of consecutive blocks of time.
-fn block_means(t_s: &[f64], values: &[f64]) -> Vec<(f64, f64, usize)> {
-    let mut blocks: Vec<(f64, f64, usize)> = Vec::new();
-    for (t, v) in t_s.iter().zip(values) {
-        match blocks.last_mut() {
-            Some((start, mean, count)) if t - *start < STILL_BLOCK_S => {
-                *count += 1;
-                *mean += (v - *mean) / *count as f64;
-            }
-            _ => blocks.push((*t, *v, 1)),
-        }
-    }
-    blocks
-}
-
-fn after(group: &ChannelGroup, from_s: f64) -> ChannelGroup {
-    let first = group.t_s.partition_point(|t| *t < from_s);
-    ChannelGroup {
-        t_s: group.t_s[first..].to_vec(),
-        channels: group.channels.iter().map(|c| c[first..].to_vec()).collect(),
-    }
-}
-
-fn undisturbed_span(groups: &[ChannelGroup]) -> FreeSpan {
     let (first_s, last_s) = extent(groups);
     let whole = FreeSpan { start_s: first_s, end_s: last_s, notes: Vec::new() };
     let Some(series) = BlockSeries::new(groups) else { return whole };
