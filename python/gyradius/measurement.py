@@ -49,6 +49,7 @@ class ModeResult:
     amplitude_unit: str
     relative_db: float
     parasitic: bool
+    doubtful: bool
     against_amplitude: tuple[AmplitudePoint, ...]
 
 
@@ -93,6 +94,7 @@ class Route:
     method: str
     value: float
     u: float
+    interval_95: tuple[float, float]
     equation: str
     # `from` in the JSON, which is a word of the language here.
     sources: tuple[str, ...]
@@ -120,6 +122,9 @@ class Claim:
     source: str
     flagged: bool
     text: str
+    # Of routes: how many pairs of swings stand behind this, the worst, and their range in sigmas.
+    pairs: int = 1
+    sigma_range: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -250,5 +250,8 @@ def _variables(html: str) -> dict[str, str]:
 
 
 def _resolved(text: str, variables: dict[str, str]) -> str:
-    """Style variables replaced by their values, which drawings on paper cannot look up."""
-    return re.sub(r"var\((--[\w-]+)[^)]*\)", lambda found: variables.get(found[1], "black"), text)
+    """Style variables replaced by their values, which drawings on paper cannot look up, and every font by the embedded
+    one: the standard fonts of PDF lack half of the signs."""
+    text = re.sub(r"var\((--[\w-]+)[^)]*\)", lambda found: variables.get(found[1], "black"), text)
+    text = re.sub(r"""font-family=("[^"]*"|'[^']*')""", f'font-family="{FONT}"', text)
+    return re.sub(r"font-family:[^;\"]*", f"font-family:{FONT}", text)

@@ -23,6 +23,8 @@ UNITS = {
 }
 # Lines of a budget that are worth a row; the rest is in the JSON and the report.
 BUDGET_ROWS = 5
+# Columns that hold words wherever they stand.
+WORDS = ("method", "from")
 # Contradictions that are spelled out; one wrong dimension contradicts many routes at once.
 FLAGGED_SENTENCES = 5
 
@@ -61,7 +63,7 @@ def _table(title: str, *columns: str, left: int = 1) -> Table:
     )
     for position, column in enumerate(columns):
         # Names may break; a number and its uncertainty stay on one line.
-        is_name = position < left
+        is_name = position < left or column in WORDS
         table.add_column(column, justify="left" if is_name else "right", no_wrap=not is_name, overflow="fold")
     return table
 
@@ -78,8 +80,9 @@ def _swings(swings: tuple[SwingResult, ...]) -> RenderableType:
 
 def _mode_cells(mode: ModeResult) -> tuple[str, ...]:
     amplitude = "–" if mode.amplitude is None else f"{short(mode.amplitude)} {mode.amplitude_unit}"
+    remark = " (doubtful)" if mode.doubtful else " (parasitic)" if mode.parasitic else ""
     return (
-        f"{mode.mode} (parasitic)" if mode.parasitic else mode.mode,
+        spaced(mode.mode) + remark,
         with_u(mode.period_s, mode.period_se_s),
         with_u(mode.decay_time_s, mode.decay_time_se_s),
         amplitude,
@@ -101,22 +104,21 @@ def _quantity_rows(name: str, quantity: Quantity) -> list[tuple[str, str, str, s
     if not isinstance(quantity.value, tuple):
         value = with_u(quantity.value, quantity.u, unit)
         return [(name, value, interval(quantity.interval_95, quantity.u), quantity.method)]
-    rows = [(_vector(row, u), unit) for row, u in _matrix_rows(quantity)]
+    rows = [(label, with_u(value, u, unit)) for label, value, u in _elements(quantity)]
     return [
-        (name if i == 0 else "", f"{text} {row_unit}", "", quantity.method if i == 0 else "")
-        for i, (text, row_unit) in enumerate(rows)
+        (f"{name} {label}" if i == 0 else label.rjust(len(f"{name} {label}")), text, "", "" if i else quantity.method)
+        for i, (label, text) in enumerate(rows)
     ]
 
 
-def _matrix_rows(quantity: Quantity) -> list[tuple[Any, Any]]:
-    is_matrix = bool(quantity.value) and isinstance(quantity.value[0], tuple)
-    if is_matrix:
-        return list(zip(quantity.value, quantity.u, strict=True))
-    return [(quantity.value, quantity.u)]
-
-
-def _vector(values: tuple[float | None, ...], us: tuple[float | None, ...]) -> str:
-    return "   ".join(with_u(value, u) for value, u in zip(values, us, strict=True))
+def _elements(quantity: Quantity) -> list[tuple[str, Any, Any]]:
+    """Label, value and uncertainty: a vector by axis, a symmetric matrix by its six elements, zeros left out."""
+    axes = "xyz"
+    if not isinstance(quantity.value[0], tuple):
+        return list(zip(axes, quantity.value, quantity.u, strict=True))
+    places = [(i, j) for i in range(3) for j in range(i, 3)]
+    found = [(axes[i] + axes[j], quantity.value[i][j], quantity.u[i][j]) for i, j in places]
+    return [element for element in found if element[1]]
 
 
 def _alternatives(measurement: Measurement) -> Table:
@@ -124,7 +126,7 @@ def _alternatives(measurement: Measurement) -> Table:
     for name, routes in measurement.alternatives.items():
         for route in routes:
             value = with_u(route.value, route.u, UNITS.get(name, ""))
-            table.add_row(name, route.method, route.equation, ", ".join(route.sources), value)
+            table.add_row(name, spaced(route.method), route.equation, ", ".join(route.sources), value)
     return table
 
 
@@ -132,7 +134,7 @@ def _budget(measurement: Measurement) -> Table:
     table = _table("Where the uncertainty comes from", "quantity", "input", "contribution", left=2)
     for name, lines in measurement.budget.items():
         for line in lines[:BUDGET_ROWS]:
-            table.add_row(name, line.input, f"{line.u_contribution:.2g} {UNITS.get(name, '')}")
+            table.add_row(name, spaced(line.input), f"{line.u_contribution:.2g} {UNITS.get(name, '')}")
     return table
 
 
@@ -149,7 +151,9 @@ def _consistency(measurement: Measurement) -> RenderableType:
 
 def _claim_cells(claim: Claim) -> tuple[str, ...]:
     stated = with_u(claim.stated, claim.stated_u)
-    return claim.claim, stated, with_u(claim.implied, claim.implied_u), f"{claim.sigma:.1f}", claim.source
+    low, high = claim.sigma_range or (claim.sigma, claim.sigma)
+    sigma = f"{high:.1f}" if claim.pairs == 1 else f"{low:.1f} … {high:.1f}"
+    return spaced(claim.claim), stated, with_u(claim.implied, claim.implied_u), sigma, claim.source
 
 
 def _verdicts(measurement: Measurement) -> Table:
@@ -161,6 +165,11 @@ def _verdicts(measurement: Measurement) -> Table:
         colour = colours.get(verdict.verdict, "yellow")
         table.add_row(verdict.quantity, limit, band, probability, Text(verdict.verdict, style=colour))
     return table
+
+
+def spaced(key: str) -> str:
+    """A key of the format as words; the name of a quantity stays, its unit is part of it."""
+    return key if key in UNITS else key.replace("_", " ")
 
 
 def _warning(text: str) -> Text:

@@ -26,6 +26,7 @@ QUANTITIES = ("k_yaw_m", "k_pitch_m", "cm_depth_m", "k_roll_m", "psi_deg")
 RISK = 1e-3  # of failing a program that keeps its promise
 HALF_WIDTH = 1.959964  # standard uncertainties in half a 95 % interval of a normal distribution
 CLEAN_PROMISE = 0.85  # sessions clear of resonances with every name right and every quantity given, as it stands
+CONTRADICTIONS = ("not meant to be excited", "does not show in the data")
 SAME_PERIOD = 0.01  # a reported mode further than this from the true period of its name bears the wrong name
 
 
@@ -42,6 +43,7 @@ class Outcome:
     absent: list = field(default_factory=list)
     wrong_names: list = field(default_factory=list)
     missed_modes: list = field(default_factory=list)
+    unsaid: list = field(default_factory=list)  # wrong hints that the program let pass
     period_ppm: list = field(default_factory=list)
 
 
@@ -87,9 +89,12 @@ def judge_session(name: str, truth: dict, result: dict | None, trouble: str) -> 
         outcome.z[quantity] = error / u if u > 0 else float("inf")
         outcome.inside[quantity] = low <= truth[quantity] <= high
         outcome.relative_u[quantity] = u / abs(truth[quantity]) if quantity != "psi_deg" else u
-    reported = {swing["id"]: swing["modes"] for swing in result.get("swings", [])}
+    reported = {swing["id"]: swing for swing in result.get("swings", [])}
     for swing, true in truth["swings"].items():
-        judge_modes(outcome, swing, true, reported.get(swing, []))
+        judge_modes(outcome, swing, true, reported.get(swing, {}).get("modes", []))
+        warnings = " ".join(reported.get(swing, {}).get("warnings", []))
+        if true.get("wrong_hint") and not any(words in warnings for words in CONTRADICTIONS):
+            outcome.unsaid.append(f"{swing}: a wrong hint was let pass")
     return outcome
 
 
@@ -139,6 +144,7 @@ def judge(outcomes: list[Outcome]) -> tuple[list[str], list[str]]:
         ("absent", [(o.name, o.absent) for o in outcomes]),
         ("wrong mode name", [(o.name, o.wrong_names) for o in outcomes]),
         ("mode not found", [(o.name, o.missed_modes) for o in outcomes]),
+        ("hint not contradicted", [(o.name, o.unsaid) for o in outcomes]),
     ):
         found = [f"{name}: {item}" for name, items in lists for item in items]
         table.append(f"{label}: {len(found)}")
@@ -169,7 +175,7 @@ def reasons_in_reach(outcomes: list[Outcome]) -> list[str]:
     hold, or too many sessions with a wrong, missed or absent item."""
     clear = [o for o in outcomes if clear_of_resonance(o)]
     reasons = [f"{o.name}: {o.trouble}" for o in outcomes if o.trouble]
-    clean = sum(not (o.trouble or o.absent or o.wrong_names or o.missed_modes) for o in clear)
+    clean = sum(not (o.trouble or o.absent or o.wrong_names or o.missed_modes or o.unsaid) for o in clear)
     if clean < least_clean(len(clear)):
         reasons.append(f"{clean} of {len(clear)} sessions are clean, {least_clean(len(clear))} needed")
     for q in QUANTITIES:
@@ -219,7 +225,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--count", type=int, default=28)
     parser.add_argument("--seed", type=int, default=None)
-    parser.add_argument("--kinds", default="abcdefg")
+    parser.add_argument("--kinds", default="".join(generate.KINDS))
     parser.add_argument("--keep", type=Path, default=None, help="folder to keep the sessions in")
     parser.add_argument("--again", type=Path, default=None, help="measure the sessions of this folder, generate none")
     options = parser.parse_args()

@@ -32,12 +32,38 @@ KINDS = {
     "e": "as a, at two line lengths",
     "f": "as d, and two tilted yaw swings for psi",
     "g": "as a, and a compound pendulum",
+    "h": "as a, with attachments to be taken off",
+    "i": "as a, and a yaw with masses added at the ends",
+    "j": "as a, and a weight hung from bow and stern, the tilt recorded by the phone",
+    "k": "as a, with another spacing above than on the hull",
+    "l": "as c, one swing with the wrong motion said to be excited",
 }
 
 
 @dataclass
+class Attachment:
+    """A body that rides on the hull."""
+
+    name: str
+    mass_kg: float
+    position_m: np.ndarray
+    gyradii_m: np.ndarray
+
+
+@dataclass
+class Incline:
+    """A weight at one end and the pitch that it makes."""
+
+    end: str
+    mass_kg: float
+    arm_m: float
+    depth_m: float
+    bow_up_rad: float
+
+
+@dataclass
 class Hull:
-    """What is true of the body."""
+    """What is true of everything that hangs."""
 
     mass_kg: float
     length_m: float
@@ -48,6 +74,8 @@ class Hull:
     psi_rad: float
     depth_m: float
     gravity_m_s2: float
+    attachments: list[Attachment] = field(default_factory=list)
+    inclines: list[Incline] = field(default_factory=list)
 
     def inertia(self) -> np.ndarray:
         """Tensor about the centre of mass, hull axes, kg m²; the product follows from psi."""
@@ -56,6 +84,19 @@ class Hull:
         tensor = np.diag([self.k_roll_m**2, self.k_pitch_m**2, self.k_yaw_m**2])
         tensor[0, 2] = tensor[2, 0] = i_xz
         return self.mass_kg * tensor
+
+    def alone(self) -> tuple[float, np.ndarray, np.ndarray]:
+        """Mass, centre of mass (hull axes, from the middle of the suspension points) and tensor without attachments."""
+        parts = [(-a.mass_kg, a.position_m, -a.mass_kg * np.diag(a.gyradii_m**2)) for a in self.attachments]
+        return together([(self.mass_kg, np.array([0, 0, -self.depth_m]), self.inertia()), *parts])
+
+
+def together(bodies: list[tuple]) -> tuple[float, np.ndarray, np.ndarray]:
+    """Several bodies (mass, centre, tensor about it) as one, by way of the tensor about the origin."""
+    offset = lambda m, r: m * (r @ r * np.eye(3) - np.outer(r, r))
+    mass = sum(m for m, _, _ in bodies)
+    centre = sum(m * r for m, r, _ in bodies) / mass
+    return mass, centre, sum(i + offset(m, r) for m, r, i in bodies) - offset(mass, centre)
 
 
 @dataclass
@@ -92,10 +133,18 @@ class Plan:
     phone: Phone | None = None
     duration_s: float = DURATION_S
     extra: dict = field(default_factory=dict)
+    top_spacing_m: float | None = None
+    added: list = field(default_factory=list)  # (mass, position): masses that ride along in this swing alone
+    said: list[str] | None = None  # what the operator wrote, where it is not what was set going
 
     def depth(self, hull: Hull) -> float:
         """Tilted, the points are moved along the deck until the centre of mass hangs below them."""
         return hull.depth_m / np.cos(self.bow_up_rad)
+
+    def body(self, hull: Hull) -> tuple[float, np.ndarray, np.ndarray]:
+        """Mass, centre of mass (hull axes, from the middle of the points of a level swing) and tensor as it swings."""
+        points = [(m, np.array(r), np.zeros((3, 3))) for m, r in self.added]
+        return together([(hull.mass_kg, np.array([0, 0, -hull.depth_m]), hull.inertia()), *points])
 
 
 def uniform_rotation(rng) -> np.ndarray:
@@ -121,8 +170,7 @@ def draw_hull(rng, tilted: bool) -> Hull:
             mass, length, length * rng.uniform(0.2, 0.38), k_roll, k_pitch, k_yaw, psi,
             float(np.clip(length * rng.uniform(0.05, 0.13), 0.1, 0.6)), rng.uniform(9.78, 9.83),
         )  # fmt: skip
-        principal = np.linalg.eigvalsh(hull.inertia())
-        if principal[0] > 0 and principal[2] < principal[0] + principal[1]:
+        if possible(hull.inertia()):
             return hull
 
 
@@ -159,11 +207,20 @@ def draw_plans(rng, hull: Hull, kind: str) -> list[Plan]:
     def add(name, excited, rig=level, **more):
         plans.append(Plan(name, excited, *rig, **more))
 
-    if kind == "b":
+    if kind == "k":
+        top = spacing * rng.uniform(0.8, 1.25)
+        more = {"top_spacing_m": top, "extra": {"top_spacing": stated(rng, top, 0.0005, 0.001)}}
+        add("yaw-sway-1", ("yaw", "sway"), **more)
+        add("pitch-1", ("pitch",), **more)
+    elif kind == "b":
         add("all-1", ("yaw", "sway", "pitch"))
-    elif kind == "c":
+    elif kind in "cl":
         for motion in ("yaw", "sway", "pitch"):
             add(f"{motion}-1", (motion,))
+        if kind == "l":
+            wrong = {"yaw": ["pitch"], "sway": ["yaw"], "pitch": ["yaw"]}
+            liar = plans[rng.integers(3)]
+            liar.said = wrong[liar.excited[0]]
     else:
         add("yaw-sway-1", ("yaw", "sway"))
         add("pitch-1", ("pitch",))
@@ -183,6 +240,12 @@ def draw_plans(rng, hull: Hull, kind: str) -> list[Plan]:
             tilt = sign * np.radians(rng.uniform(15, 30))
             note = {"value": round(float(np.degrees(tilt) + rng.normal(0, 0.2)), 2), "u": 0.2}
             add(f"bow-{end}", ("yaw", "sway") if rng.random() < 0.5 else ("yaw",), bow_up_rad=tilt, stated_pitch=note)
+    if kind == "i":
+        ends = np.array([rng.uniform(0.35, 0.48), -rng.uniform(0.35, 0.48)]) * hull.length_m
+        mass = hull.mass_kg * rng.uniform(0.001, 0.006)
+        height = rng.uniform(-0.05, 0.1)
+        # The same weight at both ends: the trim changes a little.
+        add("added-1", ("yaw",), added=[(round(mass, 4), [round(float(x), 4), 0.0, round(height, 4)]) for x in ends])
     if kind == "g":
         height = rng.uniform(0.25, 1.0) * hull.k_pitch_m
         tape = stated(rng, height, 0.001, 0.002)
@@ -191,6 +254,34 @@ def draw_plans(rng, hull: Hull, kind: str) -> list[Plan]:
             fore_and_aft=rng.random() < 0.4,
         )  # fmt: skip
     return plans
+
+
+def draw_attachments(rng, hull: Hull) -> list[Attachment]:
+    """A cross beam at the points and a box somewhere along the keel line."""
+    width = rng.uniform(0.3, 0.9) * hull.beam_m
+    place = lambda x, z: np.round([x * hull.length_m, 0.0, z], 4)
+    beam = Attachment(
+        "cross beam", round(hull.mass_kg * rng.uniform(0.01, 0.06), 4), place(rng.uniform(-0.02, 0.02), rng.uniform(0, 0.05)),
+        np.round([width / np.sqrt(12), 0.03, width / np.sqrt(12)], 4),
+    )  # fmt: skip
+    box = Attachment(
+        "box", round(hull.mass_kg * rng.uniform(0.003, 0.02), 4), place(rng.uniform(-0.3, 0.3), rng.uniform(-0.2, 0)),
+        np.round(rng.uniform(0.05, 0.15, 3), 4),
+    )  # fmt: skip
+    return [beam, box]
+
+
+def draw_inclines(rng, hull: Hull) -> list[Incline]:
+    """A weight that tilts the hull by 4 to 10 degrees, hung from each end in turn."""
+    drop, arms = round(rng.uniform(0, 0.1), 4), np.round(rng.uniform(0.3, 0.48, 2) * hull.length_m, 4)
+    tangent = np.tan(np.radians(rng.uniform(4, 10)))
+    mass = round(hull.mass_kg * hull.depth_m * tangent / (arms.mean() - drop * tangent), 4)
+    # Moments about the points: mass (arm cos a − drop sin a) = hull depth sin a.
+    angle = lambda arm: np.arctan(mass * arm / (hull.mass_kg * hull.depth_m + mass * drop))
+    return [
+        Incline("bow", mass, float(arms[0]), drop, -angle(arms[0])),
+        Incline("stern", mass, float(arms[1]), drop, angle(arms[1])),
+    ]
 
 
 def damping(rng, hull: Hull) -> tuple[tuple, tuple]:
@@ -227,9 +318,14 @@ def hang(rng, hull: Hull, plan: Plan) -> Hung:
     if plan.compound:
         hung.excited = ["compound"]
         return hung
+    mass, centre, tensor = plan.body(hull)
+    # Weights at the ends pitch a hull that hangs free, until its centre is below the points again.
+    bow_up, depth = plan.bow_up_rad, plan.depth(hull)
+    if plan.added:
+        bow_up, depth = -np.arctan2(centre[0], -centre[2]), np.hypot(centre[0], centre[2])
     hung.rig, hung.rest = rb.bifilar(
-        hull.mass_kg, hull.inertia(), plan.depth(hull), plan.spacing_m, plan.line_m, hull.gravity_m_s2,
-        fore_and_aft=plan.fore_and_aft, bow_up_rad=plan.bow_up_rad, force_damping=hung.drag[0], torque_damping=hung.drag[1],
+        mass, tensor, depth, plan.spacing_m, plan.line_m, hull.gravity_m_s2, top_spacing_m=plan.top_spacing_m,
+        fore_and_aft=plan.fore_and_aft, bow_up_rad=bow_up, force_damping=hung.drag[0], torque_damping=hung.drag[1],
     )  # fmt: skip
     hung.modes = {m.name: m for m in rb.small_modes(hung.rig, hung.rest, fore_and_aft=plan.fore_and_aft)}
     for motion in plan.excited:
@@ -247,16 +343,26 @@ def acceptable(hung: Hung, nearest: float, tseng: float) -> bool:
     return clear and near >= nearest and (kane >= tseng or not combined)
 
 
+def possible(tensor: np.ndarray) -> bool:
+    """Whether a body may have this tensor."""
+    principal = np.linalg.eigvalsh(tensor)
+    return principal[0] > 0 and principal[2] < principal[0] + principal[1]
+
+
 def draw_session(rng, kind: str) -> tuple[Hull, list[Hung]]:
     """A hull and its swings; half the rigs keep 4 % from the Kane-Tseng resonances, nearly all 3 % between periods."""
     tseng = 0.04 if rng.random() < 0.5 else 0.0
     nearest = 0.03 if rng.random() < 0.95 else 0.02
     while True:
         hull = draw_hull(rng, kind == "f")
+        hull.attachments = draw_attachments(rng, hull) if kind == "h" else []
+        hull.inclines = draw_inclines(rng, hull) if kind == "j" else []
+        if not possible(hull.alone()[2]):
+            continue
         hungs = [hang(rng, hull, plan) for plan in draw_plans(rng, hull, kind)]
         if all(acceptable(h, nearest, tseng) for h in hungs):
             break
-    taped_once = kind == "f" or rng.random() < 0.6
+    taped_once = kind in "fj" or rng.random() < 0.6
     phone = draw_phone(rng, hull)
     for h in hungs:
         h.plan.phone = phone if taped_once else draw_phone(rng, hull)
@@ -402,7 +508,8 @@ def record(rng, hull: Hull, motion, gyro_t: np.ndarray, acc_t: np.ndarray) -> tu
     _, w, _, _ = motion.at(gyro_t)
     gyro = rb.rotate(phone.phone_from_hull, w) + phone.gyro_bias[:, None]
     q, w, dw, a = motion.at(acc_t)
-    arm = (phone.position_m + [0, 0, hull.depth_m])[:, None] * np.ones_like(acc_t)
+    _, centre, _ = motion.hung.plan.body(hull)
+    arm = (phone.position_m - centre)[:, None] * np.ones_like(acc_t)
     a = a + np.array([[0.0], [0], [hull.gravity_m_s2]])
     force = rb.rotate(rb.conjugate(q), a) + rb.cross(dw, arm) + rb.cross(w, rb.cross(w, arm))
     acc = rb.rotate(phone.phone_from_hull, force) + phone.acc_bias[:, None]
@@ -459,9 +566,14 @@ def session_toml(title: str, hull: Hull, hungs: list[Hung], hints: bool) -> str:
                               "length_overall": round(hull.length_m, 2)}),
         toml_table("[site]", {"gravity": gravity, "air_density": 1.2}),
     ]  # fmt: skip
+    for a in hull.attachments:
+        body = {"name": a.name, "mass": a.mass_kg, "position": a.position_m.tolist(), "gyradii": a.gyradii_m.tolist()}
+        parts.append(toml_table("[[attachment]]", body))
     for h in hungs:
         p = h.plan
-        parts.append(toml_table("[[swing]]", {"id": p.id, "recording": f"{p.id}.csv", "excited": said(p) if hints else None}))
+        added = [{"mass": m, "position": r} for m, r in p.added] or None
+        swing = {"id": p.id, "recording": f"{p.id}.csv", "excited": said(p) if hints or p.said else None, "added_mass": added}
+        parts.append(toml_table("[[swing]]", swing))
         suspension = {
             "kind": "compound" if p.compound else "bifilar",
             "orientation": orientation(p),
@@ -469,6 +581,11 @@ def session_toml(title: str, hull: Hull, hungs: list[Hung], hints: bool) -> str:
         if not p.compound:
             suspension |= {"line_length": p.stated_line, "spacing": p.stated_spacing, "hull_pitch_deg": p.stated_pitch}
         parts.append(toml_table("[swing.suspension]", suspension | p.extra))
+    for i in hull.inclines:
+        weight = {"end": i.end, "mass": {"value": i.mass_kg, "u": round(1e-3 * i.mass_kg, 6)},
+                  "arm": {"value": i.arm_m, "u": 0.001}, "depth": {"value": i.depth_m, "u": 0.001},
+                  "recording": f"incline-{i.end}.csv"}  # fmt: skip
+        parts.append(toml_table("[[incline]]", weight))
     return "\n".join(parts)
 
 
@@ -479,6 +596,8 @@ def orientation(plan: Plan) -> str:
 
 def said(plan: Plan) -> list[str]:
     """The operator's words for what was set going."""
+    if plan.said:
+        return plan.said
     turned = plan.fore_and_aft
     words = {"yaw": ["yaw"], "sway": ["surge" if turned else "sway"], "pitch": ["roll"] if turned else ["surge", "pitch"]}
     if plan.compound:
@@ -500,7 +619,7 @@ def swing_truth(motion) -> dict:
              "gyro_noise": p.phone.gyro_noise, "acc_noise": p.phone.acc_noise,
              "release_s": motion.story.release_s,
              "caught_s": motion.story.caught_s if np.isfinite(motion.story.caught_s) else None,
-             "hull_pitch_deg": float(np.degrees(p.bow_up_rad))}  # fmt: skip
+             "hull_pitch_deg": float(np.degrees(p.bow_up_rad)), "wrong_hint": p.said is not None}  # fmt: skip
     if p.compound:
         period = motion.period_s
         damped = period / np.sqrt(1 - (period / (2 * np.pi * motion.tau_s)) ** 2)
@@ -534,15 +653,32 @@ def write_session(rng, folder: Path, title: str, hull: Hull, motions: list, *, h
         gyro, acc = record(rng, hull, motion, gyro_t, acc_t)
         offset = rng.uniform(0, 1000) if rng.random() < 0.5 else 0.0
         write_recording(folder / f"{plan.id}.csv", plan.phone, gyro_t, gyro, acc_t, acc, offset, decimals)
+    for incline in hull.inclines:
+        write_incline(rng, folder, hull, hungs[0].plan.phone, incline, decimals)
+
+
+def write_incline(rng, folder: Path, hull: Hull, phone: Phone, incline: Incline, decimals: Decimals) -> None:
+    """Twenty seconds at rest with the weight on."""
+    t = stamps(rng, phone.acc_rate_hz, 20.0)
+    world_from_hull = rb.turn(np.array([[0.0], [-incline.bow_up_rad], [0.0]]))
+    force = rb.rotate(rb.conjugate(world_from_hull), np.array([[0.0], [0.0], [hull.gravity_m_s2]]))
+    acc = (rb.rotate(phone.phone_from_hull, force) + phone.acc_bias[:, None]).T + rng.normal(0, phone.acc_noise, (t.size, 3))
+    gyro = phone.gyro_bias + rng.normal(0, phone.gyro_noise, (t.size, 3))
+    write_recording(folder / f"incline-{incline.end}.csv", phone, t, gyro, t, acc, 0.0, decimals)
 
 
 def truth_of(seed, kind: str, hull: Hull, motions: list) -> dict:
     """The truth beside a session."""
+    mass, centre, tensor = hull.alone() if hull.attachments else (hull.mass_kg, [0, 0, -hull.depth_m], hull.inertia())
+    roll, pitch, yaw = np.sqrt(np.diag(tensor) / mass)
+    if not hull.attachments:
+        roll, pitch, yaw = hull.k_roll_m, hull.k_pitch_m, hull.k_yaw_m
+    psi = 0.5 * np.arctan2(-2 * tensor[0, 2], tensor[2, 2] - tensor[0, 0]) if hull.attachments else hull.psi_rad
     return {
-        "seed": seed, "kind": kind, "k_yaw_m": hull.k_yaw_m, "k_pitch_m": hull.k_pitch_m, "k_roll_m": hull.k_roll_m,
-        "cm_depth_m": hull.depth_m, "psi_deg": float(np.degrees(hull.psi_rad)), "mass_kg": hull.mass_kg,
+        "seed": seed, "kind": kind, "k_yaw_m": float(yaw), "k_pitch_m": float(pitch), "k_roll_m": float(roll),
+        "cm_depth_m": float(-centre[2]), "psi_deg": float(np.degrees(psi)), "mass_kg": hull.mass_kg,
         "length_overall_m": hull.length_m, "beam_m": hull.beam_m, "gravity_m_s2": hull.gravity_m_s2,
-        "inertia_kg_m2": hull.inertia().tolist(),
+        "inertia_kg_m2": tensor.tolist(),
         "compound_axis": next((orientation(m.hung.plan) for m in motions if m.hung.plan.compound), None), "swings": {m.hung.plan.id: swing_truth(m) for m in motions},
     }  # fmt: skip
 
@@ -552,7 +688,7 @@ def fresh_seed() -> int:
     return secrets.randbits(48)
 
 
-def generate(out: Path, seed: int, count: int, kinds: str = "abcdefg") -> list[str]:
+def generate(out: Path, seed: int, count: int, kinds: str = "".join(KINDS)) -> list[str]:
     """Write `count` sessions drawn from the seed; returns their names."""
     names = []
     for first in range(0, count, BATCH):
@@ -576,7 +712,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--count", type=int, default=7)
     parser.add_argument("--seed", type=int, default=None)
-    parser.add_argument("--kinds", default="abcdefg", help="; ".join(f"{k}: {v}" for k, v in KINDS.items()))
+    parser.add_argument("--kinds", default="".join(KINDS), help="; ".join(f"{k}: {v}" for k, v in KINDS.items()))
     options = parser.parse_args()
     seed = fresh_seed() if options.seed is None else options.seed
     print(f"seed {seed}")

@@ -2,6 +2,8 @@
 //!
 //! Sittings are unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is flagged.
 
+use std::collections::BTreeMap;
+
 use crate::recording::{ModeName, Quantity};
 
 use super::alternatives::RouteCalculation;
@@ -9,6 +11,7 @@ use super::estimate::{Observed, Solution, System};
 use super::measurement::Claim;
 use super::parameters::Role;
 use super::routes::ratio::line_length_m;
+use super::words::{claim_name, claim_unit, quantity_name, route, spaced, unit_of};
 
 /// A difference this large speaks up: chance does that once in 370 for a normal error.
 pub const FLAG_SIGMA: f64 = 3.0;
@@ -47,7 +50,7 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
                 "line_length",
                 stated,
                 implied,
-                &format!("sway period of {}", system.session.swings[i].id),
+                &format!("the sway period of {}", system.session.swings[i].id),
             ))
         })
         .collect()
@@ -75,7 +78,7 @@ fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
     let from = super::outputs::budget(&opened, &freed, &derived)
         .into_iter()
         .take(2)
-        .map(|line| line.input)
+        .map(|line| spaced(&line.input))
         .collect::<Vec<_>>()
         .join(", ");
     let implied = Quantity::new(derived.value, derived.u);
@@ -83,18 +86,19 @@ fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
 }
 
 fn claim(name: &str, stated: Quantity, implied: Quantity, from: &str) -> Claim {
-    let difference = implied.value - stated.value;
-    let sigma = difference.abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
+    let sigma = (implied.value - stated.value).abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
     let flagged = sigma > FLAG_SIGMA;
     let text = format!(
-        "{} is stated as {:.4} ± {:.4}; the {from} implies {:.4} ± {:.4}: {} ({sigma:.1} standard uncertainties).",
-        name.replace('_', " "),
-        stated.value,
-        stated.u,
-        implied.value,
-        implied.u,
-        if flagged { "they contradict each other" } else { "they agree" },
+        "{} is stated as {}; by {from} it is {}: {} ({sigma:.1} standard uncertainties).",
+        claim_name(name),
+        figure(&stated, claim_unit(name)),
+        figure(&implied, claim_unit(name)),
+        verdict(flagged),
     );
+    Claim { text, ..bare_claim(name, (stated, implied), sigma, from.into()) }
+}
+
+fn bare_claim(name: &str, (stated, implied): (Quantity, Quantity), sigma: f64, from: String) -> Claim {
     Claim {
         claim: name.into(),
         stated: stated.value,
@@ -102,55 +106,80 @@ fn claim(name: &str, stated: Quantity, implied: Quantity, from: &str) -> Claim {
         implied: implied.value,
         implied_u: implied.u,
         sigma,
-        from: from.into(),
-        flagged,
-        text,
+        from,
+        flagged: sigma > FLAG_SIGMA,
+        text: String::new(),
+        pairs: 1,
+        sigma_range: None,
     }
 }
 
-/// Single routes to the same quantity, two by two; inputs they share cancel in the difference as they should.
+fn figure(value: &Quantity, unit: &str) -> String {
+    format!("{:.4} ± {:.4} {unit}", value.value, value.u).trim_end().into()
+}
+
+fn verdict(flagged: bool) -> &'static str {
+    if flagged { "they contradict each other" } else { "they agree" }
+}
+
+/// Single routes to the same quantity, method against method: of all pairs of swings the one that differs most.
 fn route_against_route(routes: &[RouteCalculation]) -> Vec<Claim> {
-    let mut claims = Vec::new();
+    let mut by_methods: BTreeMap<[&str; 3], Vec<Pair>> = BTreeMap::new();
     for (i, a) in routes.iter().enumerate() {
         for b in routes[i + 1..].iter().filter(|b| b.quantity == a.quantity) {
-            claims.extend(pair(a, b));
+            let (first, second) = if a.method <= b.method { (a, b) } else { (b, a) };
+            let pairs = by_methods.entry([a.quantity, first.method, second.method]).or_default();
+            pairs.extend(Pair::of(first, second));
         }
     }
-    claims
+    by_methods.into_values().filter_map(|pairs| worst_of(&pairs)).collect()
 }
 
-fn pair(a: &RouteCalculation, b: &RouteCalculation) -> Option<Claim> {
-    let quantity = |r: &RouteCalculation| Quantity::new(r.figure.value, r.figure.u());
-    let (first, second) = (quantity(a), quantity(b));
-    let u = a.figure.u_of_difference(&b.figure);
-    // Two routes through the very same figures are one route.
-    if u <= 1e-9 * first.value.abs() {
-        return None;
+/// Two routes and how far apart they are; inputs they share cancel in the difference as they should.
+struct Pair<'a> {
+    first: &'a RouteCalculation,
+    second: &'a RouteCalculation,
+    sigma: f64,
+}
+
+impl<'a> Pair<'a> {
+    /// Two routes through the very same figures are one route.
+    fn of(first: &'a RouteCalculation, second: &'a RouteCalculation) -> Option<Self> {
+        let u = first.figure.u_of_difference(&second.figure);
+        let sigma = (first.figure.value - second.figure.value).abs() / u;
+        (u > 1e-9 * first.figure.value.abs()).then_some(Pair { first, second, sigma })
     }
-    let sigma = (first.value - second.value).abs() / u;
-    let flagged = sigma > FLAG_SIGMA;
-    let named =
-        |r: &RouteCalculation| format!("{} from {}", r.method.replace('_', " "), r.from.join(" and "));
+}
+
+fn worst_of(pairs: &[Pair]) -> Option<Claim> {
+    let worst = pairs.iter().max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
+    let least = pairs.iter().map(|p| p.sigma).fold(f64::INFINITY, f64::min);
+    let quantity = |r: &RouteCalculation| Quantity::new(r.figure.value, r.figure.u());
+    let (first, second) = (quantity(worst.first), quantity(worst.second));
+    let named = |r: &RouteCalculation| format!("the {} ({})", route(r.method), r.from.join(", "));
+    let (name, unit) = (worst.first.quantity, unit_of(worst.first.quantity));
+    let others = match pairs.len() {
+        1 => String::new(),
+        n => {
+            format!(" The same two ways differ by {least:.1} to {:.1} over {n} pairs of swings.", worst.sigma)
+        }
+    };
     let text = format!(
-        "{}: {} gives {:.4} ± {:.4}, {} gives {:.4} ± {:.4}: {} ({sigma:.1} standard uncertainties of the difference).",
-        a.quantity,
-        named(a),
-        first.value,
-        first.u,
-        named(b),
-        second.value,
-        second.u,
-        if flagged { "they contradict each other" } else { "they agree" },
+        "{}: {} gives {}, {} gives {}: {} ({:.1} standard uncertainties of the difference).{others}",
+        quantity_name(name),
+        named(worst.first),
+        figure(&first, unit),
+        named(worst.second),
+        figure(&second, unit),
+        verdict(worst.sigma > FLAG_SIGMA),
+        worst.sigma,
     );
+    let from = format!("{} against {}", spaced(worst.second.method), spaced(worst.first.method));
+    let sigma_range = (pairs.len() > 1).then_some([least, worst.sigma]);
     Some(Claim {
-        claim: a.quantity.into(),
-        stated: first.value,
-        stated_u: first.u,
-        implied: second.value,
-        implied_u: second.u,
-        sigma,
-        from: format!("{} against {}", b.method, a.method),
-        flagged,
         text,
+        pairs: pairs.len(),
+        sigma_range,
+        ..bare_claim(name, (first, second), worst.sigma, from)
     })
 }

@@ -16,15 +16,17 @@ use crate::signal::{
     small_amplitude_limit,
 };
 
-use super::alternatives::routes;
+use super::alternatives::{RouteCalculation, routes};
+use super::beats;
 use super::court;
 use super::estimate::{Observation, Observed, Solution, System, incline_observations};
 use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
-use super::observe::{Evidence, mode_text, names_by_period, observe_recording, observe_track, parasites};
+use super::observe::{Evidence, names_by_period, observe_recording, observe_track, parasites};
 use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
 use super::twin::{Correction, corrections};
+use super::words::mode_text;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-measurement/1";
@@ -37,6 +39,11 @@ const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 /// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger motion drives them
 /// off their own period.
 const WEAKEST_DB: f64 = -16.0;
+
+/// A mode weaker than this in a record whose residual exceeds its noise by this factor may be part of the misfit: strong
+/// motions that are no damped lines leave such traces beside them.
+const DOUBTFUL_DB: f64 = -40.0;
+const DOUBTFUL_MISFIT: f64 = 1.5;
 
 /// A roll gyradius of which weak priors decide less than this share is measured.
 const ROLL_WEAK_SHARE: f64 = 0.05;
@@ -87,17 +94,28 @@ pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analy
     }
     let pitch = phone_pitches(session, &works);
     let inclines = recorded_inclines(loaded, &works);
-    let layout = Layout::of(session, gravity, &pitch);
+    let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
+    let layout = Layout::of(session, gravity, &pitch, &yaws);
     let mut observations = observations(session, &works, &[]);
     observations.extend(incline_observations(session, &inclines));
     let mut system = System { session, layout, observations };
     match estimate(&mut system, session, &mut works, &inclines) {
-        Ok(solution) => conclude(&system, &solution, options, &mut result),
+        Ok(solution) => {
+            let counted = |w: &SwingWork| w.evidence.as_ref().and_then(|e| beats::counted(e, &w.result));
+            let beats: Vec<_> = works.iter().map(counted).collect();
+            let routes = routes(&system, &solution, &beats);
+            conclude(&system, &solution, &routes, options, &mut result);
+        }
         Err(error) => result.warnings.push(format!("no joint estimate: {error}")),
     }
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
     Ok(Analysis { measurement: result, evidence })
+}
+
+fn yaw_period_s(work: &SwingWork) -> Option<f64> {
+    let is_yaw = |(m, _): &&(usize, Quantity)| work.result.modes[*m].mode == ModeName::Yaw;
+    work.periods.iter().find(is_yaw).map(|(_, period)| period.value)
 }
 
 fn title(session: &Session) -> String {
@@ -153,14 +171,19 @@ fn apply(result: &mut SwingResult, corrections: &[Correction]) {
     }
 }
 
-fn conclude(system: &System, solution: &Solution, options: &MeasureOptions, result: &mut Measurement) {
+fn conclude(
+    system: &System,
+    solution: &Solution,
+    calculations: &[RouteCalculation],
+    options: &MeasureOptions,
+    result: &mut Measurement,
+) {
     write_quantities(system, solution, result);
-    let calculations = routes(system, solution);
-    for calculation in &calculations {
+    for calculation in calculations {
         let known = result.alternatives.entry(calculation.quantity.into()).or_default();
         known.push(calculation.route());
     }
-    result.consistency = court::sit(system, solution, &calculations);
+    result.consistency = court::sit(system, solution, calculations);
     result.warnings.extend(worst_of_each(&result.consistency));
     if solution.birge > 1.0 {
         result.warnings.push(format!(
@@ -227,6 +250,7 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         .map(|(i, ((mode, named), (db, parasitic)))| ModeResult {
             relative_db: db,
             parasitic,
+            doubtful: db < DOUBTFUL_DB && evidence.found.rms_over_noise > DOUBTFUL_MISFIT,
             ..mode_result(&evidence, i, mode, named.name, named.angle_rad)
         })
         .collect();
@@ -268,6 +292,7 @@ fn mode_result(
         phase_rad: Some(phase_rad(mode)),
         relative_db: 0.0,
         parasitic: false,
+        doubtful: false,
         against_amplitude: points_in_unit(&points, amplitude),
     }
 }
@@ -345,6 +370,7 @@ fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> M
         phase_rad: None,
         relative_db: 0.0,
         parasitic: false,
+        doubtful: false,
         against_amplitude: vec![],
     }
 }
@@ -458,13 +484,19 @@ fn recorded_incline(recording: &Recording, incline: &Incline, level: &Vec3) -> O
     Some(Quantity::new(tilt_between_rad(level, &up).to_degrees(), PHONE_TILT_U_DEG))
 }
 
+/// The last part of a path.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
 /// Measures a bare recording: the modes alone.
 pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Result<Analysis> {
     let gravity = crate::constants::STANDARD_GRAVITY_M_S2;
-    let evidence = observe_recording(&recording.name, recording, gravity, &Hanging::default(), None)?;
+    let evidence =
+        observe_recording(file_name(&recording.name), recording, gravity, &Hanging::default(), None)?;
     let work = work(evidence, None);
     let mut result =
-        Measurement { format: FORMAT.into(), title: recording.name.clone(), ..Default::default() };
+        Measurement { format: FORMAT.into(), title: file_name(&recording.name).into(), ..Default::default() };
     result
         .warnings
         .push("a bare recording gives modes alone; a session with dimensions gives inertia".into());

@@ -76,6 +76,9 @@ pub struct ModeResult {
     pub relative_db: f64,
     /// True where the operator did not mean to excite it.
     pub parasitic: bool,
+    /// True for a weak mode of a record that the fit does not describe: it may be part of the misfit.
+    #[serde(default)]
+    pub doubtful: bool,
     /// Period and decay against amplitude, by window.
     pub against_amplitude: Vec<AmplitudePoint>,
 }
@@ -120,6 +123,8 @@ pub struct Route {
     pub value: f64,
     /// One standard uncertainty.
     pub u: f64,
+    /// 95 % interval.
+    pub interval_95: [f64; 2],
     /// The paper's equations.
     pub equation: String,
     /// The swings or inclines it used.
@@ -156,6 +161,12 @@ pub struct Claim {
     pub flagged: bool,
     /// A sentence for the report.
     pub text: String,
+    /// Routes: how many pairs of swings stand behind this one, which differs most.
+    #[serde(skip_serializing_if = "is_one", default = "one")]
+    pub pairs: usize,
+    /// Routes: the smallest and the largest difference among those pairs, standard uncertainties.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub sigma_range: Option<[f64; 2]>,
 }
 
 /// A guard-banded verdict against a class limit (JCGM 106).
@@ -173,4 +184,12 @@ pub struct Verdict {
     pub conformance_probability: f64,
     /// `pass`, `fail` or `undecided`.
     pub verdict: String,
+}
+
+fn one() -> usize {
+    1
+}
+
+fn is_one(count: &usize) -> bool {
+    *count == 1
 }

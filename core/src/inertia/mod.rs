@@ -3,6 +3,7 @@
 //! May know `recording`, `signal`, `modes`, `dynamics` and what they may know.
 
 mod alternatives;
+mod beats;
 mod court;
 mod estimate;
 mod measure;
@@ -14,10 +15,11 @@ pub mod routes;
 mod theory;
 mod traced;
 mod twin;
+pub(crate) mod words;
 
 pub use measure::{Analysis, MeasureOptions, analyse, measure, measure_recording};
 pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };
 pub use observe::Evidence;
-pub(crate) use observe::mode_text;
+pub(crate) use outputs::COVERAGE_95;

@@ -8,6 +8,8 @@ use crate::signal::{
     ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose, free_swing_span,
 };
 
+use super::words::mode_text;
+
 /// A parasitic motion is worth a warning from this share of the strongest, dB.
 const PARASITIC_DB: f64 = -30.0;
 
@@ -84,7 +86,7 @@ fn found_in(
     let groups = clipped(all, &span);
     let found = decompose(&groups, &DecomposeOptions::default())?;
     let mut warnings = found.warnings.clone();
-    let mut repairs = repairs.to_vec();
+    let mut repairs = merged(repairs);
     repairs.extend(trimmed(&span, &mut warnings));
     let (id, named, up) = (id.into(), vec![], None);
     Ok(Evidence { id, groups, map, span, found, named, up, amplitude_unit, repairs, warnings })
@@ -110,6 +112,23 @@ pub fn observe_recording(
     }
     evidence.warnings.extend(hints_contradicted(&named, swing));
     Ok(Evidence { named, up, ..evidence })
+}
+
+/// The same fault of both sensors, which share their rows in most files, is one line.
+fn merged(repairs: &[Repair]) -> Vec<Repair> {
+    let mut list: Vec<Repair> = Vec::new();
+    for repair in repairs {
+        let (name, what) = repair.text.split_once(": ").unwrap_or(("", &repair.text));
+        let same = |r: &Repair| {
+            (r.kind, r.count, r.first_s, r.last_s)
+                == (repair.kind, repair.count, repair.first_s, repair.last_s)
+        };
+        match list.iter_mut().find(|r| same(r) && r.text.ends_with(what)) {
+            Some(known) => known.text = known.text.replacen(": ", &format!(" and {name}: "), 1),
+            None => list.push(repair.clone()),
+        }
+    }
+    list
 }
 
 /// Without gravity in the record a shape has no name: the strongest turn takes the operator's word.
@@ -180,20 +199,6 @@ fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<String>
 /// A mode's angle, 0 where unknown.
 pub fn size(named: &NamedMode) -> f64 {
     named.angle_rad.unwrap_or(0.0)
-}
-
-/// A mode's name in words.
-pub fn mode_text(mode: ModeName) -> &'static str {
-    match mode {
-        ModeName::Yaw => "yaw",
-        ModeName::Sway => "sway",
-        ModeName::PitchInPhase => "pitch in phase",
-        ModeName::PitchOutOfPhase => "pitch out of phase",
-        ModeName::RollInPhase => "roll in phase",
-        ModeName::RollOutOfPhase => "roll out of phase",
-        ModeName::Compound => "compound pendulum",
-        ModeName::Other => "unnamed motion",
-    }
 }
 
 /// Relative sizes, dB below the largest, and which of them nobody meant; with a warning for those that matter.

@@ -19,7 +19,7 @@ const MOST_RELATIVE_U: f64 = 0.25;
 /// The largest uncertainty at which an angle of the principal axes still says something, degrees.
 const MOST_ANGLE_U_DEG: f64 = 20.0;
 /// Two-sided 95 % of a normal distribution.
-const COVERAGE_95: f64 = 1.959_963_984_540_054;
+pub const COVERAGE_95: f64 = 1.959_963_984_540_054;
 /// A hanging tilted by less says nothing of the principal axes, degrees.
 const LEAST_TILT_DEG: f64 = 5.0;
 /// Pitch of a hanging that counts as level, degrees.
@@ -80,13 +80,16 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
     let mut determined: Vec<(&str, Derived)> = Vec::new();
     for name in SCALARS {
         let mut derived = solution.derive(&system.layout, |x| hull.scalar(name, x));
+        let first_order = derived.as_ref().map_or(0.0, |d| d.u);
         if let (Some(d), Some(other)) = (derived.as_mut(), tilted.as_ref()) {
             widen(d, other, |x| hull.scalar(name, x));
         }
         let shown = name != "psi_deg" || has_tilted_swings(system);
         if let Some(derived) = derived.filter(|d| shown && is_determined(name, d)) {
             result.quantities.insert(name.into(), scalar_result(&derived));
-            result.budget.insert(name.into(), budget(system, solution, &derived));
+            let mut lines = budget(system, solution, &derived);
+            second_order(&mut lines, derived.u, first_order);
+            result.budget.insert(name.into(), lines);
             determined.push((name, derived));
         }
     }
@@ -118,6 +121,15 @@ fn widen(derived: &mut Derived, other: &Solution, f: impl Fn(&[f64]) -> Option<f
     let first_order = derived.u;
     let change = f(&other.x).map_or(0.0, |v| (v - derived.value).abs());
     derived.u = first_order.hypot(change);
+}
+
+/// What [`widen`] added is an input's share too.
+fn second_order(lines: &mut Vec<BudgetLine>, u: f64, first_order: f64) {
+    let u_contribution = (u * u - first_order * first_order).max(0.0).sqrt();
+    if u_contribution > 1e-4 * u {
+        lines.push(BudgetLine { input: "unknown tilt of the principal axes".into(), u_contribution });
+        lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));
+    }
 }
 
 /// Only swings about tilted axes tell a bow-up from a bow-down principal axis.

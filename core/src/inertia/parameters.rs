@@ -10,7 +10,7 @@
 
 use crate::constants::{PHONE_CLOCK_U_RELATIVE, STANDARD_GRAVITY_M_S2};
 use crate::error::Result;
-use crate::recording::{ModeName, Quantity, Session, SwingData};
+use crate::recording::{Quantity, Session, SwingData};
 
 use super::routes::corrections::{NORMAL_GRAVITY_U_M_S2, buoyant_gravity_m_s2, normal_gravity_m_s2};
 use super::routes::yaw::{Lines, yaw_gyradius_m};
@@ -96,13 +96,19 @@ pub struct Layout {
 
 impl Layout {
     /// Lays out the parameters of a session. `gravity` is the effective one, buoyancy included; `pitch_deg`
-    /// holds what the phones' own tilts say of each swing's pitch, where they say anything.
-    pub fn of(session: &Session, gravity: Quantity, pitch_deg: &[Option<Quantity>]) -> Self {
+    /// holds what the phones' own tilts say of each swing's pitch, where they say anything, `yaw_periods_s` the
+    /// observed yaw period of each swing, where there is one.
+    pub fn of(
+        session: &Session,
+        gravity: Quantity,
+        pitch_deg: &[Option<Quantity>],
+        yaw_periods_s: &[Option<f64>],
+    ) -> Self {
         let mut builder = Builder::default();
         let gravity = builder.stated("gravity", gravity);
         let clock = builder.stated_with_step("phone_clock", Quantity::new(0.0, PHONE_CLOCK_U_RELATIVE), 1e-6);
         let mass = builder.stated("mass", session.body.mass_kg.unwrap_or(Quantity::exact(1.0)));
-        let scale_m = length_scale_m(session, builder.value(gravity));
+        let scale_m = length_scale_m(session, builder.value(gravity), yaw_periods_s);
         let log_roll_share = builder.unknown("gyradius", ROLL_SHARE.ln(), ROLL_SHARE_LOG_U, 1e-6);
         let [pitch, yaw] = [0, 1].map(|_| builder.unknown("gyradius", scale_m.ln(), WEAK_LOG_U, 1e-6));
         let log_gyradii = [log_roll_share, pitch, yaw];
@@ -196,14 +202,12 @@ impl Builder {
     }
 }
 
-/// A first guess of the body's gyradius, m: from a typed yaw period by (6), else the spacing, else the axis height.
-fn length_scale_m(session: &Session, gravity_m_s2: f64) -> f64 {
-    let by_yaw = session.swings.iter().find_map(|s| match &s.data {
-        SwingData::PeriodsS(periods) => {
-            let (d, l) = (0.5 * s.suspension.spacing_m?.value, s.suspension.line_length_m?.value);
-            yaw_gyradius_m(periods.get(&ModeName::Yaw)?.value, &Lines::parallel(l, d), gravity_m_s2).ok()
-        }
-        _ => None,
+/// A first guess of the body's gyradius, m: from a yaw period by (6), else the spacing, else the axis height.
+fn length_scale_m(session: &Session, gravity_m_s2: f64, yaw_periods_s: &[Option<f64>]) -> f64 {
+    let by_yaw = session.swings.iter().zip(yaw_periods_s).find_map(|(swing, period_s)| {
+        let hung = &swing.suspension;
+        let lines = Lines::parallel(hung.line_length_m?.value, 0.5 * hung.spacing_m?.value);
+        yaw_gyradius_m((*period_s)?, &lines, gravity_m_s2).ok()
     });
     let half_spacing = session.swings.iter().find_map(|s| s.suspension.spacing_m.map(|q| 0.5 * q.value));
     let height = session.swings.iter().find_map(|s| s.suspension.axis_height_m.map(|q| q.value));

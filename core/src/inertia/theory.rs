@@ -1,8 +1,6 @@
 //! What small-oscillation theory says a session should show, for given parameters.
 
-use crate::dynamics::{
-    ModeKind, Rig, RigidBody, SuspensionAxis, compound_pendulum_period_s, mode_kind, small_modes,
-};
+use crate::dynamics::{Rig, RigidBody, SmallModes, SuspensionAxis, compound_pendulum_period_s, small_modes};
 use crate::error::{Error, Result};
 use crate::frames::{Mat3, Vec3, world_from_hull_pitched};
 use crate::recording::{Incline, ModeName, Orientation, Session, Swing};
@@ -69,16 +67,27 @@ pub fn axis(orientation: Orientation) -> SuspensionAxis {
     }
 }
 
-/// The name of a small oscillation on a suspension of this orientation.
-pub fn kind_name(kind: ModeKind, orientation: Orientation) -> ModeName {
-    match (kind, orientation) {
-        (ModeKind::Yaw, _) => ModeName::Yaw,
-        (ModeKind::SwayLine, _) => ModeName::Sway,
-        (ModeKind::DoublePendulumInPhase, Orientation::Athwartships) => ModeName::PitchInPhase,
-        (ModeKind::DoublePendulumOutOfPhase, Orientation::Athwartships) => ModeName::PitchOutOfPhase,
-        (ModeKind::DoublePendulumInPhase, Orientation::ForeAndAft) => ModeName::RollInPhase,
-        (ModeKind::DoublePendulumOutOfPhase, Orientation::ForeAndAft) => ModeName::RollOutOfPhase,
+/// Names of the four small oscillations, slowest first: each name once, even where two modes nearly share a period and
+/// with it their shapes. Yaw is what turns most about the vertical, sway what of the rest goes most along the suspension;
+/// of the double pendulum in phase is the slower (errata to (16)).
+pub fn mode_names(body: &RigidBody, modes: &SmallModes, orientation: Orientation) -> [ModeName; 4] {
+    let unit = axis(orientation).unit();
+    let most = |energy: &dyn Fn(usize) -> f64, taken: Option<usize>| {
+        let open = (0..4).filter(|i| Some(*i) != taken);
+        open.max_by(|a, b| energy(*a).total_cmp(&energy(*b))).unwrap_or_default()
+    };
+    let yaw = most(&|i| body.inertia_kg_m2[(2, 2)] * modes.rotation(i).z.powi(2), None);
+    let sway = most(&|i| body.mass_kg * modes.displacement(i).dot(&unit).powi(2), Some(yaw));
+    let [slow, fast] = match orientation {
+        Orientation::Athwartships => [ModeName::PitchInPhase, ModeName::PitchOutOfPhase],
+        Orientation::ForeAndAft => [ModeName::RollInPhase, ModeName::RollOutOfPhase],
+    };
+    let mut names = [fast; 4];
+    if let Some(first) = (0..4).find(|i| *i != yaw && *i != sway) {
+        names[first] = slow;
     }
+    (names[yaw], names[sway]) = (ModeName::Yaw, ModeName::Sway);
+    names
 }
 
 /// Small-amplitude undamped periods of one swing by mode, s.
@@ -93,13 +102,8 @@ pub fn swing_periods(
         return Ok(vec![(ModeName::Compound, compound_period_s(&body, swing, x[height], x[layout.gravity]))]);
     }
     let modes = small_modes(&swing_rig(layout, x, swing, index)?, &body)?;
-    let unit = axis(swing.suspension.orientation).unit();
-    Ok((0..4)
-        .map(|i| {
-            let kind = mode_kind(&body, &modes.shapes[i], unit);
-            (kind_name(kind, swing.suspension.orientation), modes.period_s(i))
-        })
-        .collect())
+    let names = mode_names(&body, &modes, swing.suspension.orientation);
+    Ok((0..4).map(|i| (names[i], modes.period_s(i))).collect())
 }
 
 /// Eq. (22): the axis lies `axis_height_m` above the suspension points, along the suspension's direction.

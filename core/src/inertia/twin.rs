@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector, Vector6};
 
 use crate::dynamics::{
     Damping, ModalPart, Rig, RigidBody, Sampling, SmallModes, Trajectory, compound_pendulum_period_s,
-    initial_state, mode_kind, simulate, small_modes,
+    initial_state, simulate, small_modes,
 };
 use crate::frames::Vec3;
 use crate::recording::{ModeName, Swing};
@@ -17,7 +17,7 @@ use crate::recording::{ModeName, Swing};
 use super::measurement::{ModeResult, SwingResult};
 use super::parameters::{Layout, SwingIndex};
 use super::routes::finite_amplitude::pendulum_period_ratio;
-use super::theory::{axis, kind_name, swing_body, swing_rig};
+use super::theory::{axis, mode_names, swing_body, swing_rig};
 
 /// Share of a correction that counts as its standard uncertainty: amplitudes are known to a percent or two, and
 /// the twin knows no air and no bearing.
@@ -127,11 +127,8 @@ fn bifilar(rig: &Rig, body: &RigidBody, swing: &Swing, result: &SwingResult) -> 
 
 fn parts(body: &RigidBody, modes: &SmallModes, swing: &Swing, result: &SwingResult) -> Vec<Part> {
     let unit = axis(swing.suspension.orientation).unit();
-    let find = |name: ModeName| {
-        (0..4).find(|i| {
-            kind_name(mode_kind(body, &modes.shapes[*i], unit), swing.suspension.orientation) == name
-        })
-    };
+    let names = mode_names(body, modes, swing.suspension.orientation);
+    let find = |name: ModeName| (0..4).find(|i| names[*i] == name);
     let part = |(observed, mode): (usize, &ModeResult)| {
         let small = find(mode.mode)?;
         let angle = mode.amplitude.filter(|_| mode.amplitude_unit == "rad")?;
@@ -353,6 +350,7 @@ fn compound(
 mod tests {
     use super::*;
     use crate::dynamics::SuspensionAxis;
+    use crate::recording::Orientation;
     use approx::assert_relative_eq;
 
     /// The errata's table for pure yaw on the keelboat rig (quadrature, heave included): +473 ppm at 5°.
@@ -361,9 +359,8 @@ mod tests {
         let rig = Rig::bifilar(SuspensionAxis::Athwartships, 3.477, 1.8, 1.8, 9.80665).unwrap();
         let body = RigidBody::from_gyradii(622.7, [0.6, 1.156, 1.0566], Vec3::new(0.0, 0.0, -0.465));
         let modes = small_modes(&rig, &body).unwrap();
-        let yaw = (0..4)
-            .find(|i| mode_kind(&body, &modes.shapes[*i], Vec3::y()) == crate::dynamics::ModeKind::Yaw)
-            .unwrap();
+        let names = mode_names(&body, &modes, Orientation::Athwartships);
+        let yaw = names.iter().position(|name| *name == ModeName::Yaw).unwrap();
         let amplitude = 5f64.to_radians() / modes.rotation(yaw).z.abs();
         let part = Part { observed: 0, small: yaw, amplitude, phase_rad: 0.0, alpha_per_s: 0.0 };
         let result = SwingResult { span_s: Some([0.0, 60.0]), ..Default::default() };

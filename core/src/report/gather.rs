@@ -6,7 +6,8 @@ use super::source::{
     BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
 };
 use super::thin::thinned;
-use crate::inertia::{Analysis, Evidence, mode_text};
+use super::words;
+use crate::inertia::{Analysis, Evidence};
 use crate::recording::{InclineAngle, LoadedSession, Quantity, Session};
 use crate::signal::{ChannelGroup, residuals, spectrum};
 
@@ -178,7 +179,7 @@ impl<'a> Channel<'a> {
         let found = &self.evidence.found.modes;
         let peaks = found.iter().zip(&self.evidence.named).map(|(mode, named)| Peak {
             freq_hz: mode.omega_rad_s / TAU,
-            name: mode_text(named.name).into(),
+            name: words::mode_text(named.name).into(),
         });
         SpectrumFigureData {
             label: self.label.clone(),

@@ -25,7 +25,8 @@ fn quantity(value: f64, u: f64) -> QuantityResult {
 
 fn route(method: &str, value: f64, u: f64, equation: &str, from: &[&str]) -> Route {
     let from = from.iter().map(|id| id.to_string()).collect();
-    Route { method: method.into(), value, u, equation: equation.into(), from }
+    let interval_95 = [value - 1.96 * u, value + 1.96 * u];
+    Route { method: method.into(), value, u, interval_95, equation: equation.into(), from }
 }
 
 fn mode(mode: ModeName, period_s: f64, tau_s: f64, amplitude_rad: f64) -> ModeResult {
@@ -40,6 +41,7 @@ fn mode(mode: ModeName, period_s: f64, tau_s: f64, amplitude_rad: f64) -> ModeRe
         amplitude_unit: "rad".into(),
         relative_db: 0.0,
         parasitic: false,
+        doubtful: false,
         against_amplitude: windows(period_s, tau_s, amplitude_rad),
         ..bare_mode()
     }
@@ -59,6 +61,7 @@ pub fn bare_mode() -> ModeResult {
         phase_rad: None,
         relative_db: 0.0,
         parasitic: false,
+        doubtful: false,
         against_amplitude: vec![],
     }
 }
@@ -156,6 +159,8 @@ fn claims() -> Vec<Claim> {
                 implied.0,
                 implied.1
             ),
+            pairs: 1,
+            sigma_range: None,
         }
     };
     vec![

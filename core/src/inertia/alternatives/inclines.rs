@@ -1,16 +1,18 @@
 //! Depth of the centre of mass by weights hung from the ends.
 
 use crate::inertia::estimate::{Observation, Observed, Solution, System};
-use crate::inertia::routes::incline::{Weight, cm_depth_m};
+use crate::inertia::routes::incline::{BothEnds, Weight, cm_depth_from_both_ends_m, cm_depth_m};
 use crate::inertia::theory::hull_alone;
 use crate::inertia::traced::Traced;
+use crate::recording::End;
 
 use super::{RouteCalculation, stated};
 
 /// Each incline by itself.
 pub fn routes(system: &System, solution: &Solution) -> Vec<RouteCalculation> {
     let Some(depth_shift_m) = hull_above_hanging_m(system, solution) else { return vec![] };
-    system.observations.iter().filter_map(|o| one_end(system, o, depth_shift_m)).collect()
+    let ends = system.observations.iter().filter_map(|o| one_end(system, o, depth_shift_m));
+    ends.chain(both_ends(system, depth_shift_m)).collect()
 }
 
 /// How much deeper the hull's own centre lies than that of everything that hangs, m.
@@ -39,5 +41,43 @@ fn one_end(system: &System, observed: &Observation, depth_shift_m: f64) -> Optio
         equation: "(20)",
         from: vec![observed.label.clone()],
         figure: figure.ok()?,
+        interval_95: None,
+    })
+}
+
+/// (21): the same weight at both ends; where the suspension points stand between them drops out.
+fn both_ends(system: &System, depth_shift_m: f64) -> Option<RouteCalculation> {
+    let at = |end: End| {
+        system.observations.iter().find_map(|o| match o.what {
+            Observed::Incline(i) if system.session.inclines[i].end == end => {
+                Some((o, &system.session.inclines[i]))
+            }
+            _ => None,
+        })
+    };
+    let ((bow_seen, bow), (stern_seen, stern)) = (at(End::Bow)?, at(End::Stern)?);
+    if bow.mass_kg != stern.mass_kg {
+        return None;
+    }
+    let angle = |o: &Observation| Traced::input(o.label.clone(), o.value);
+    let parts = [&angle(bow_seen), &angle(stern_seen), &stated(system, system.layout.mass)];
+    let figure = Traced::combine(&parts, |v| {
+        let test = BothEnds {
+            mass_ratio: bow.mass_kg.value / v[2],
+            length_m: bow.arm_m.value + stern.arm_m.value,
+            bow_depth_m: bow.depth_m.value,
+            stern_depth_m: stern.depth_m.value,
+            bow_angle_rad: v[0].to_radians(),
+            stern_angle_rad: v[1].to_radians(),
+        };
+        Ok(cm_depth_from_both_ends_m(&test)? + depth_shift_m)
+    });
+    Some(RouteCalculation {
+        quantity: "cm_depth_m",
+        method: "incline_both_ends",
+        equation: "(21)",
+        from: vec![bow_seen.label.clone(), stern_seen.label.clone()],
+        figure: figure.ok()?,
+        interval_95: None,
     })
 }

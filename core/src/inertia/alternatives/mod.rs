@@ -4,15 +4,19 @@
 //! The routes give the body as it hangs; [`HullShare`] brings them to the hull alone by the joint estimate's own ratio
 //! (hull over hanging body), so that all figures of one quantity mean the same thing.
 
+mod heights;
 mod inclines;
 mod swings;
+mod tilts;
 
 use crate::error::Result;
 use crate::frames::world_from_hull_pitched;
 use crate::recording::{ModeName, Orientation};
 
+use super::beats::CountedBeat;
 use super::estimate::{Observed, Solution, System};
 use super::measurement::Route;
+use super::outputs::COVERAGE_95;
 use super::theory::{hull_alone, swing_body};
 use super::traced::Traced;
 
@@ -31,6 +35,8 @@ pub struct RouteCalculation {
     pub from: Vec<String>,
     /// What it gives.
     pub figure: Traced,
+    /// Its 95 % interval where that is not ± 1.96 u.
+    pub interval_95: Option<[f64; 2]>,
 }
 
 impl RouteCalculation {
@@ -40,18 +46,26 @@ impl RouteCalculation {
             method: self.method.into(),
             value: self.figure.value,
             u: self.figure.u(),
+            interval_95: self.interval_95.unwrap_or_else(|| {
+                let half = COVERAGE_95 * self.figure.u();
+                [self.figure.value - half, self.figure.value + half]
+            }),
             equation: self.equation.into(),
             from: self.from.clone(),
         }
     }
 }
 
-/// All single routes that a session's observations allow.
-pub fn routes(system: &System, solution: &Solution) -> Vec<RouteCalculation> {
+/// All single routes that a session's observations allow; `beats` are those counted in the swings' records.
+pub fn routes(system: &System, solution: &Solution, beats: &[Option<CountedBeat>]) -> Vec<RouteCalculation> {
     let benches: Vec<Bench> =
         (0..system.session.swings.len()).filter_map(|i| Bench::of(system, solution, i)).collect();
     let mut found: Vec<RouteCalculation> =
-        benches.iter().flat_map(|bench| swings::routes(bench, solution)).collect();
+        benches.iter().flat_map(|bench| swings::routes(bench, solution, beats)).collect();
+    found.extend(heights::routes(&benches));
+    let rolls: Vec<&RouteCalculation> = found.iter().filter(|r| r.quantity == "k_roll_m").collect();
+    let tilted = tilts::routes(&benches, &rolls);
+    found.extend(tilted);
     found.extend(inclines::routes(system, solution));
     found
 }
@@ -136,7 +150,14 @@ impl<'a> Bench<'a> {
         formula: impl Fn(&[f64]) -> Result<f64>,
     ) -> Option<RouteCalculation> {
         let figure = Traced::combine(parts, formula).ok()?;
-        Some(RouteCalculation { quantity, method, equation, from: vec![self.id()], figure })
+        Some(RouteCalculation {
+            quantity,
+            method,
+            equation,
+            from: vec![self.id()],
+            figure,
+            interval_95: None,
+        })
     }
 }
 

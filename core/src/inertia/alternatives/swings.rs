@@ -1,12 +1,13 @@
 //! Routes that one swing allows by itself.
 
 use crate::error::Result;
+use crate::inertia::beats::CountedBeat;
 use crate::inertia::estimate::Solution;
 use crate::inertia::routes::double_pendulum::{
     GyradiusAndDepth, Periods, from_line_length, from_sway_period,
 };
 use crate::inertia::routes::yaw::{Lines, yaw_gyradius_m};
-use crate::inertia::routes::{compound, ratio};
+use crate::inertia::routes::{beat, compound, ratio};
 use crate::inertia::traced::Traced;
 use crate::recording::{ModeName, Orientation, Quantity};
 
@@ -20,10 +21,11 @@ const MOST_RELATIVE_U: f64 = 0.25;
 type Solver = fn(&Periods, f64, f64) -> Result<GyradiusAndDepth>;
 
 /// Every route through one swing.
-pub fn routes(bench: &Bench, solution: &Solution) -> Vec<RouteCalculation> {
+pub fn routes(bench: &Bench, solution: &Solution, beats: &[Option<CountedBeat>]) -> Vec<RouteCalculation> {
     let mut found = Vec::new();
     found.extend(yaw_period(bench));
     found.extend(period_ratio(bench));
+    found.extend(beats.get(bench.swing).and_then(|beat| beat_count(bench, beat.as_ref()?)));
     found.extend(double_pendulum(bench).unwrap_or_default());
     found.extend(compound_pendulum(bench, solution));
     found
@@ -52,6 +54,16 @@ fn period_ratio(bench: &Bench) -> Option<RouteCalculation> {
     let half_spacing = bench.half_spacing().filter(|_| bench.is_level() && bench.is_parallel())?;
     bench.route(("k_yaw_m", "period_ratio", "(8)"), &[&yaw, &sway, &half_spacing], |v| {
         Ok(bench.share.gyradii[2] * ratio::yaw_gyradius_m(v[0], v[1], v[2])?)
+    })
+}
+
+/// (13): the count gives the ratio of the periods as they were swung; the twin's corrections bring it to small amplitude.
+fn beat_count(bench: &Bench, beat: &CountedBeat) -> Option<RouteCalculation> {
+    let count = Traced::input(format!("oscillations per beat of {}", bench.id()), beat.count);
+    let half_spacing = bench.half_spacing().filter(|_| bench.is_level() && bench.is_parallel())?;
+    bench.route(("k_yaw_m", "beat_count", "(9)–(13)"), &[&count, &half_spacing], |v| {
+        let share = bench.share.gyradii[2] * beat.small_over_observed;
+        Ok(share * beat::yaw_gyradius_m(v[0], v[1], beat.yaw_is_slower)?)
     })
 }
 

@@ -1,10 +1,11 @@
 //! Period and decay of a mode against its amplitude.
 
 use super::Figure;
-use crate::inertia::{AmplitudePoint, ModeResult, SwingResult, mode_text};
+use crate::inertia::{AmplitudePoint, ModeResult, SwingResult};
 use crate::report::chart::{Mark, Panel, colour, stacked};
 use crate::report::digits::{prefix, with_u};
 use crate::report::scale::{drawable, extent};
+use crate::report::words;
 
 /// Fewer windows than this show no dependence.
 const LEAST_POINTS: usize = 2;
@@ -20,13 +21,13 @@ fn picture(swing: &SwingResult, i: usize, mode: &ModeResult) -> Option<Figure> {
         return None;
     }
     let data = Columns::of(&points, mode);
-    let title = format!("{}: {} against amplitude", swing.id, mode_text(mode.mode));
+    let title = format!("{}: {} against amplitude", swing.id, words::mode_text(mode.mode));
     let svg = stacked(&title, &[data.period_panel(), data.decrement_panel()]);
     let caption = format!(
         "T₀ = {} s. Each dot is one window of the record, with one standard error.",
         with_u(mode.period_s, mode.period_se_s)
     );
-    let id = format!("{}-amplitude-{}-{}", swing.id, i + 1, mode_text(mode.mode));
+    let id = format!("{}-amplitude-{}-{}", swing.id, i + 1, words::mode_text(mode.mode));
     Some(Figure::new(&id, title, caption, svg))
 }
 

@@ -96,6 +96,6 @@ fn draw_arrow(out: &mut Markup, side: f64, y: f64, fill: &str) {
 }
 
 fn label(claim: &Claim) -> String {
-    let whole = format!("{} · {}", words::claim_name(&claim.claim), words::spaced(&claim.from));
+    let whole = format!("{} · {}", words::sentence_case(&words::claim_name(&claim.claim)), claim.from);
     chart::shortened(&whole, WIDTH - LEFT)
 }

@@ -1,6 +1,6 @@
 //! How the result was got, in plain language: swings, equations, the joint estimate, single routes beside it.
 
-use crate::inertia::{Measurement, Route, SwingResult, mode_text};
+use crate::inertia::{Measurement, Route, SwingResult};
 use crate::report::digits::{NOTHING, joined, significant, with_u, with_unit};
 use crate::report::markup::Markup;
 use crate::report::source::{ReportSource, StatedFigure};
@@ -33,7 +33,7 @@ fn swing_sentence(swing: &SwingResult) -> String {
     let modes: Vec<String> = swing
         .modes
         .iter()
-        .map(|m| format!("{} {} s", mode_text(m.mode), with_u(m.period_s, m.period_se_s)))
+        .map(|m| format!("{} {} s", words::mode_text(m.mode), with_u(m.period_s, m.period_se_s)))
         .collect();
     if modes.is_empty() {
         return format!("{}{span}: no period was found.", swing.id);

@@ -58,12 +58,15 @@ fn verdict(count: usize, flagged: usize) -> String {
 fn row(claim: &Claim) -> Vec<String> {
     let unit = words::claim_unit(&claim.claim);
     let flag = if claim.flagged { " – contradiction" } else { "" };
+    let range = claim.sigma_range.map_or(String::new(), |[least, most]| {
+        format!("{} to {} over {} pairs", significant(least, 2), significant(most, 2), claim.pairs)
+    });
     vec![
-        words::claim_name(&claim.claim),
+        words::sentence_case(&words::claim_name(&claim.claim)),
         joined(&with_u(claim.stated, claim.stated_u), unit),
         joined(&with_u(claim.implied, claim.implied_u), unit),
-        format!("{} σ{flag}", significant(claim.sigma, 2)),
-        words::sentence_case(&words::spaced(&claim.from)),
+        format!("{} σ{flag}", if range.is_empty() { significant(claim.sigma, 2) } else { range }),
+        words::sentence_case(&claim.from),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! Each swing: modes, repairs, and its pictures.
 
-use crate::inertia::{ModeResult, SwingResult, mode_text};
+use crate::inertia::{ModeResult, SwingResult};
 use crate::report::digits::{NOTHING, minus, significant, with_u};
 use crate::report::markup::Markup;
 use crate::report::pictures;
@@ -67,10 +67,14 @@ fn modes(swing: &SwingResult, out: &mut Markup) {
 }
 
 fn row(mode: &ModeResult) -> Vec<String> {
-    let unmeant = if mode.parasitic { " (not meant)" } else { "" };
+    let unmeant = match (mode.parasitic, mode.doubtful) {
+        (_, true) => " (doubtful: it may be part of the misfit)",
+        (true, false) => " (not meant)",
+        (false, false) => "",
+    };
     let observed_u = if mode.period_se_s > 0.0 { mode.period_se_s } else { f64::NAN };
     vec![
-        words::sentence_case(&format!("{}{unmeant}", mode_text(mode.mode))),
+        words::sentence_case(&format!("{}{unmeant}", words::mode_text(mode.mode))),
         with_u(mode.period_s, mode.period_se_s),
         crate::report::digits::rounded(mode.period_observed_s, observed_u),
         mode.decay_time_s.map_or(NOTHING.into(), |tau| with_u(tau, mode.decay_time_se_s.unwrap_or(0.0))),

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::inertia::{QuantityResult, Verdict};
+use crate::inertia::{COVERAGE_95, QuantityResult, Verdict};
 use crate::report::digits::{NOTHING, interval, joined, significant, with_u};
 use crate::report::markup::Markup;
 use crate::report::source::ReportSource;
@@ -75,7 +75,8 @@ fn triple(out: &mut Markup, key: &str, quantity: &QuantityResult) {
         out.within("tr", &[], |out| {
             out.element("th", &[], &format!("{name} {axis}"));
             out.element("td", &[("class", "value")], &joined(&with_u(value, u), words::unit_of(key)));
-            out.element("td", &[("class", "interval")], "");
+            let half = COVERAGE_95 * u;
+            out.element("td", &[("class", "interval")], &interval([value - half, value + half], u));
         });
     }
 }

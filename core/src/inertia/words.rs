@@ -1,0 +1,106 @@
+//! Words for the names that the result's format uses.
+
+use crate::recording::ModeName;
+
+/// How a quantity is called and printed.
+pub struct QuantityWords {
+    /// In words.
+    pub name: &'static str,
+    /// Its symbol.
+    pub symbol: &'static str,
+}
+
+/// Scalar quantities in the order of the report.
+const QUANTITIES: [(&str, QuantityWords); 5] = [
+    ("k_yaw_m", QuantityWords { name: "Yaw gyradius", symbol: "k_yaw" }),
+    ("k_pitch_m", QuantityWords { name: "Pitch gyradius", symbol: "k_pitch" }),
+    ("k_roll_m", QuantityWords { name: "Roll gyradius", symbol: "k_roll" }),
+    ("cm_depth_m", QuantityWords { name: "Depth of the centre of mass", symbol: "l₂" }),
+    ("psi_deg", QuantityWords { name: "Tilt of the principal axis", symbol: "ψ" }),
+];
+
+/// Words for a quantity.
+pub fn quantity(key: &str) -> Option<&'static QuantityWords> {
+    QUANTITIES.iter().find(|(name, _)| *name == key).map(|(_, words)| words)
+}
+
+/// A quantity's name in words, its key where it has none.
+pub fn quantity_name(key: &str) -> String {
+    match (quantity(key), key) {
+        (Some(words), _) => words.name.into(),
+        (None, "principal_gyradii_m") => "Principal gyradii".into(),
+        (None, "inertia_kg_m2") => "Moments of inertia".into(),
+        (None, other) => spaced(other),
+    }
+}
+
+/// A quantity's unit, as its key tells it.
+pub fn unit_of(key: &str) -> &'static str {
+    const ENDINGS: [(&str, &str); 5] =
+        [("_kg_m2", "kg m²"), ("_m_s2", "m/s²"), ("_deg", "°"), ("_kg", "kg"), ("_m", "m")];
+    ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("", |(_, unit)| unit)
+}
+
+/// Place of a quantity in the report.
+pub fn rank(key: &str) -> usize {
+    QUANTITIES.iter().position(|(name, _)| *name == key).unwrap_or(QUANTITIES.len())
+}
+
+/// A stated figure or a route's quantity as the court names it.
+pub fn claim_name(claim: &str) -> String {
+    match quantity(claim) {
+        Some(words) => words.name.into(),
+        None => spaced(claim),
+    }
+}
+
+/// Unit of a stated figure or a route's quantity.
+pub fn claim_unit(claim: &str) -> &'static str {
+    match claim {
+        "line_length" | "spacing" | "top_spacing" | "axis_height" => "m",
+        "gravity" => "m/s²",
+        "hull_pitch" => "°",
+        other => unit_of(other),
+    }
+}
+
+/// A mode's name in words.
+pub fn mode_text(mode: ModeName) -> &'static str {
+    match mode {
+        ModeName::Yaw => "yaw",
+        ModeName::Sway => "sway",
+        ModeName::PitchInPhase => "pitch in phase",
+        ModeName::PitchOutOfPhase => "pitch out of phase",
+        ModeName::RollInPhase => "roll in phase",
+        ModeName::RollOutOfPhase => "roll out of phase",
+        ModeName::Compound => "compound pendulum",
+        ModeName::Other => "unnamed motion",
+    }
+}
+
+/// A single route to a quantity, in words.
+pub fn route(method: &str) -> String {
+    let known = match method {
+        "yaw_period" => "yaw period with line length and spacing",
+        "period_ratio" => "yaw period over sway period, times half the spacing",
+        "beat_count" => "oscillations per beat of yaw and sway",
+        "double_pendulum" => "both periods of the double pendulum, sway period as clock",
+        "double_pendulum_and_line_length" => "both periods of the double pendulum, with the line length",
+        "compound" | "compound_pendulum" => "compound pendulum",
+        "lamboley" => "compound pendulum at two heights (Lamboley)",
+        "incline" => "inclining by a weight",
+        "tilted_yaw" => "yaw level and at two tilts",
+        "tilted_yaw_right_angle" => "yaw level and at two tilts a right angle apart",
+        "one_tilt" => "roll, yaw and one tilted yaw",
+        "tilt_fit" => "yaw at all tilts by least squares",
+        "incline_both_ends" => "inclining at bow and stern",
+        "joint_estimate" => "joint estimate from everything in the session",
+        other => return spaced(other),
+    };
+    known.into()
+}
+
+/// A key of the format as words.
+pub fn spaced(key: &str) -> String {
+    key.replace('_', " ")
+}
