@@ -210,8 +210,10 @@ def _widths(node: Any, columns: int) -> list[float]:
     longest = [1.0] * columns
     for row in node.iter("tr"):
         for i, cell in enumerate(cell for cell in row if cell.tag in ("td", "th")):
-            # Beyond 40 characters a cell wraps; under 6 it would break words.
-            longest[i] = max(longest[i], min(40.0, max(6.0, len(" ".join(cell.itertext()).strip()))))
+            # Beyond 40 characters a cell wraps, between words only.
+            text = " ".join(cell.itertext()).strip()
+            word = max(map(len, text.split()), default=0) + 2.0
+            longest[i] = max(longest[i], word, min(40.0, len(text)))
     return [WIDTH * length / sum(longest) for length in longest]
 
 
@@ -221,8 +223,8 @@ def _drawing(node: Any, variables: dict[str, str]) -> Iterator[Flowable]:
     drawing = svg2rlg(io.BytesIO(source.encode()))
     if drawing is None or not drawing.width:
         return
-    # Half a page at most, so that a picture and its caption stay together.
-    scale = min(WIDTH / drawing.width, HEIGHT / 2 / drawing.height)
+    # Half a page at most, so that picture and caption stay together; never larger than drawn: one size of type.
+    scale = min(WIDTH / drawing.width, HEIGHT / 2 / drawing.height, 1.0)
     drawing.scale(scale, scale)
     drawing.width, drawing.height = drawing.width * scale, drawing.height * scale
     yield drawing

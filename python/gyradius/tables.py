@@ -126,6 +126,9 @@ def _alternatives(measurement: Measurement) -> Table:
     for name, routes in measurement.alternatives.items():
         for route in routes:
             value = with_u(route.value, route.u, UNITS.get(name, ""))
+            if name == "psi_deg":
+                # Never without its interval: a millimetre of a gyradius turns it by tenths of a degree.
+                value += f" ({interval(route.interval_95, route.u)})"
             table.add_row(name, spaced(route.method), route.equation, ", ".join(route.sources), value)
     return table
 

@@ -416,7 +416,7 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
     Ok(SwingWork { result, evidence: None, periods })
 }
 
-/// All observed periods with their corrections (which free them of amplitude and damping).
+/// All observed periods with their corrections (which free them of amplitude and damping), as far as these are known.
 fn observations(session: &Session, works: &[SwingWork], corrections: &[Vec<Correction>]) -> Vec<Observation> {
     let mut all = Vec::new();
     for (i, work) in works.iter().enumerate() {
@@ -425,7 +425,8 @@ fn observations(session: &Session, works: &[SwingWork], corrections: &[Vec<Corre
         };
         for (m, observed) in work.periods.iter().filter(|(m, _)| compound_like(work.result.modes[*m].mode)) {
             let mode = &work.result.modes[*m];
-            let correction = corrections.get(i).and_then(|c| c.get(*m)).copied().unwrap_or_default();
+            let correction = corrections.get(i).and_then(|c| c.get(*m)).copied();
+            let correction = correction.unwrap_or_else(|| Correction::unknown(mode));
             let value = observed.value * correction.factor;
             let u_amplitude = value * correction.u_relative;
             all.push(Observation {

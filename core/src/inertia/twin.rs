@@ -50,6 +50,12 @@ impl Correction {
         Correction { u_relative: self.u_relative.hypot(self.factor - other.factor), ..self }
     }
 
+    /// Before there is a body to simulate: the pendulum's law A²/16, and yaw's that is up to twice that, may be missing.
+    pub fn unknown(mode: &ModeResult) -> Self {
+        let amplitude_rad = mode.amplitude.filter(|_| mode.amplitude_unit == "rad").unwrap_or(0.0);
+        Correction { factor: 1.0, u_relative: amplitude_rad * amplitude_rad / 8.0 }
+    }
+
     fn of(small_over_observed: f64) -> Self {
         Correction {
             factor: small_over_observed,

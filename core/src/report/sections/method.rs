@@ -1,7 +1,7 @@
 //! How the result was got, in plain language: swings, equations, the joint estimate, single routes beside it.
 
 use crate::inertia::{Measurement, Route, SwingResult};
-use crate::report::digits::{NOTHING, joined, significant, with_u, with_unit};
+use crate::report::digits::{NOTHING, interval, joined, significant, with_u, with_unit};
 use crate::report::markup::Markup;
 use crate::report::source::{ReportSource, StatedFigure};
 use crate::report::table::{list, table};
@@ -96,11 +96,19 @@ fn route_row(measurement: &Measurement, key: &str, route: &Route) -> Vec<String>
     vec![
         words::quantity_name(key),
         words::sentence_case(&words::route(&route.method)),
-        joined(&with_u(route.value, route.u), unit),
+        with_interval(key, route, &joined(&with_u(route.value, route.u), unit)),
         difference,
         route.equation.clone(),
         route.from.join(", "),
     ]
+}
+
+/// ψ is never printed without its interval (errata to (4)).
+fn with_interval(key: &str, route: &Route, value: &str) -> String {
+    match key {
+        "psi_deg" => format!("{value} ({})", interval(route.interval_95, route.u)),
+        _ => value.into(),
+    }
 }
 
 /// A difference with its sign, to the digits of an uncertainty.

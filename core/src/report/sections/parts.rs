@@ -58,14 +58,18 @@ fn verdict(count: usize, flagged: usize) -> String {
 fn row(claim: &Claim) -> Vec<String> {
     let unit = words::claim_unit(&claim.claim);
     let flag = if claim.flagged { " – contradiction" } else { "" };
-    let range = claim.sigma_range.map_or(String::new(), |[least, most]| {
-        format!("{} to {} over {} pairs", significant(least, 2), significant(most, 2), claim.pairs)
-    });
+    let sigma = match claim.sigma_range {
+        None => format!("{} σ", significant(claim.sigma, 2)),
+        Some([least, most]) => {
+            let pairs = claim.pairs;
+            format!("{} to {} σ over {pairs} pairs", significant(least, 2), significant(most, 2))
+        }
+    };
     vec![
         words::sentence_case(&words::claim_name(&claim.claim)),
         joined(&with_u(claim.stated, claim.stated_u), unit),
         joined(&with_u(claim.implied, claim.implied_u), unit),
-        format!("{} σ{flag}", if range.is_empty() { significant(claim.sigma, 2) } else { range }),
+        format!("{sigma}{flag}"),
         words::sentence_case(&claim.from),
     ]
 }
