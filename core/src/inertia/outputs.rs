@@ -118,9 +118,10 @@ fn with_principal_axes_turned(system: &System, solution: &Solution) -> Option<So
 }
 
 fn widen(derived: &mut Derived, other: &Solution, f: impl Fn(&[f64]) -> Option<f64>) {
-    let first_order = derived.u;
-    let change = f(&other.x).map_or(0.0, |v| (v - derived.value).abs());
-    derived.u = first_order.hypot(change);
+    let change = f(&other.x).map_or(0.0, |v| v - derived.value);
+    derived.u = derived.u.hypot(change);
+    // One row more, which quantities share as they share the others.
+    derived.by_row.push(change);
 }
 
 /// What [`widen`] added is an input's share too.
