@@ -1,9 +1,10 @@
 //! Runge–Kutta of order 8 with output of order 7 between steps (Dormand and Prince; DOP853).
 //!
 //! Coefficients: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
-//! (Springer 1993), section II.5 and its code DOP853; section II.6 for the output between steps. Fixed step:
-//! the embedded error estimate is absent because the step follows from the fastest mode.
-//! The equations are autonomous (time is a part of the state).
+//! (Springer 1993), section II.5 and its code DOP853; section II.6 for the output between steps; section II.10 for
+//! the estimate of the error. The equations are autonomous (time is a part of the state).
+
+use std::ops::Range;
 
 use super::real::Real;
 
@@ -36,6 +37,21 @@ impl<S: Real> Stepper<S> {
             self.stage(f, stage, start, h);
         }
         combine(A[STAGES], &self.slopes, start, h, end);
+    }
+
+    /// Estimate of the error of the step just made, of what `part` reads off a number, the largest among the parts
+    /// `watched` of the state: the estimate of order 5, damped where that of order 3 is larger (eq. II.10.17).
+    pub fn error(&self, h: f64, watched: Range<usize>, part: impl Fn(&S) -> f64) -> f64 {
+        let sum = |row: &[(usize, f64)], i: usize| -> f64 {
+            row.iter().map(|&(stage, weight)| weight * part(&self.slopes[stage][i])).sum()
+        };
+        let (mut fifth, mut third) = (0.0f64, 0.0f64);
+        for i in watched {
+            fifth = fifth.max(sum(FIFTH, i).abs());
+            third = third.max(sum(THIRD, i).abs());
+        }
+        let size = fifth.hypot(0.1 * third);
+        if size == 0.0 { 0.0 } else { h * fifth * fifth / size }
     }
 
     fn stage(&mut self, f: &mut impl FnMut(&[S], &mut [S]), stage: usize, start: &[S], h: f64) {
@@ -149,6 +165,22 @@ const A: [&[(usize, f64)]; EXTENDED] = [
         (8, 0.3567271874552811), (12, -0.0013990241651590145), (13, 2.9475147891527724),
         (14, -9.15095847217987),
     ],
+];
+
+/// Weights of the error by the embedded formula of order 5.
+#[rustfmt::skip]
+const FIFTH: &[(usize, f64)] = &[
+    (0, 0.01312004499419488), (5, -1.2251564463762044), (6, -0.4957589496572502), (7, 1.6643771824549864),
+    (8, -0.35032884874997366), (9, 0.3341791187130175), (10, 0.08192320648511571),
+    (11, -0.022355307863886294),
+];
+
+/// The same by the formula of order 3.
+#[rustfmt::skip]
+const THIRD: &[(usize, f64)] = &[
+    (0, -0.18980075407240762), (5, 4.450312892752409), (6, 1.8915178993145003), (7, -5.801203960010585),
+    (8, -0.4226823213237919), (9, -0.1521609496625161), (10, 0.20136540080403034),
+    (11, 0.02265179219836082),
 ];
 
 /// The polynomial between the ends of a step.

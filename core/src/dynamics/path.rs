@@ -3,7 +3,7 @@
 use super::dop853::{COEFFICIENTS, Stepper, between};
 use super::effects::matrix;
 use super::real::{M3, Real, V3};
-use super::suspended::{ATTITUDE, Equations, MEMORY, PLACE, RATE, VELOCITY};
+use super::suspended::{ATTITUDE, Equations, MEMORY, MOST_LINES, PLACE, RATE, VELOCITY};
 use crate::error::{Error, Result};
 
 /// A line that went slack: lines of given length then go on as rods, and what follows is not to be used; elastic lines
@@ -16,11 +16,13 @@ pub struct Slack {
     pub line: usize,
 }
 
-/// A motion from time 0 on.
+/// A motion from time 0 on, in steps of one length; a step may be made of several pieces.
 #[derive(Debug, Clone)]
 pub struct Path<S: Real> {
     step_s: f64,
-    steps: usize,
+    pieces: Vec<Piece>,
+    /// The first piece of each step, and one beyond the last.
+    first: Vec<usize>,
     coefficients: Vec<[S; COEFFICIENTS]>,
     /// First slack line, if any.
     pub slack: Option<Slack>,
@@ -28,6 +30,13 @@ pub struct Path<S: Real> {
     pub cm_m: V3<S>,
     /// Acceleration of free fall, m/s².
     pub gravity_m_s2: S,
+}
+
+/// A piece of the path.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    from_s: f64,
+    length_s: f64,
 }
 
 /// The body at one instant of its path.
@@ -63,6 +72,97 @@ impl<S: Real> Moment<S> {
 
 /// Newton steps onto the constraints after each step of the integration: it leaves them by rounding or a little more.
 const PROJECTIONS: usize = 1;
+/// A step with a larger error (m, m/s, 1, rad/s) is halved: those that cross the kink of a drag or of a friction. On
+/// the smooth motions of a swing the error is smaller than this by itself.
+const LARGEST_ERROR: f64 = 1e-9;
+/// The same for the effects' memories, which act on the body by a small force.
+const LARGEST_ERROR_OF_MEMORY: f64 = 1e-6;
+/// The same for the derivatives by a parameter, of the largest of them.
+const LARGEST_ERROR_OF_DERIVATIVES: f64 = 1e-8;
+/// A step is halved no oftener than this.
+const MOST_HALVINGS: u32 = 10;
+
+/// An integration under way.
+struct Integration<'a, S: Real> {
+    equations: &'a Equations<S>,
+    stepper: Stepper<S>,
+    state: Vec<S>,
+    end: Vec<S>,
+    end_slope: Vec<S>,
+    tension_n: [f64; MOST_LINES],
+    path: Path<S>,
+}
+
+impl<'a, S: Real> Integration<'a, S> {
+    fn new(equations: &'a Equations<S>, start: Vec<S>, step_s: f64) -> Self {
+        let size = equations.size();
+        let mut stepper = Stepper::new(size);
+        let tension_n = equations.slope(&start, stepper.first_slope()).tension_n.map(Real::value);
+        let path = Path {
+            step_s,
+            pieces: Vec::new(),
+            first: vec![0],
+            coefficients: Vec::new(),
+            slack: None,
+            cm_m: equations.system.cm_m,
+            gravity_m_s2: equations.system.gravity_m_s2,
+        };
+        let zeros = || vec![S::zero(); size];
+        Self { equations, stepper, state: start, end: zeros(), end_slope: zeros(), tension_n, path }
+    }
+
+    /// One piece, or two of half its length, and so on.
+    fn advance(&mut self, piece: Piece, halvings: u32) -> Result<()> {
+        let equations = self.equations;
+        let mut f = |y: &[S], out: &mut [S]| {
+            equations.slope(y, out);
+        };
+        self.stepper.advance(&mut f, &self.state, piece.length_s, &mut self.end);
+        if halvings < MOST_HALVINGS && self.is_rough(piece.length_s) {
+            let length_s = 0.5 * piece.length_s;
+            self.advance(Piece { length_s, ..piece }, halvings + 1)?;
+            return self.advance(Piece { from_s: piece.from_s + length_s, length_s }, halvings + 1);
+        }
+        self.accept(piece)
+    }
+
+    /// Whether the step just made has too large an error.
+    fn is_rough(&self, h: f64) -> bool {
+        let error = |watched, part: &dyn Fn(&S) -> f64| self.stepper.error(h, watched, part);
+        let value = |x: &S| x.value();
+        if error(PLACE..MEMORY, &value) > LARGEST_ERROR
+            || error(MEMORY..self.end.len(), &value) > LARGEST_ERROR_OF_MEMORY
+        {
+            return true;
+        }
+        let lanes = self.end[PLACE].slopes().len();
+        (0..lanes).any(|lane| {
+            let slope = |x: &S| x.slopes()[lane];
+            let size = self.end[PLACE..MEMORY].iter().map(|x| slope(x).abs()).fold(0.0, f64::max);
+            error(PLACE..MEMORY, &slope) > LARGEST_ERROR_OF_DERIVATIVES * size
+        })
+    }
+
+    fn accept(&mut self, piece: Piece) -> Result<()> {
+        let equations = self.equations;
+        let mut f = |y: &[S], out: &mut [S]| {
+            equations.slope(y, out);
+        };
+        equations.project(&mut self.end, PROJECTIONS);
+        let tension_n = equations.slope(&self.end, &mut self.end_slope).tension_n.map(Real::value);
+        if !self.end.iter().all(|x| x.value().is_finite()) {
+            let text = format!("it cannot be continued after {} s", piece.from_s);
+            return Err(Error::no_result("motion", text));
+        }
+        let (ends, out) = ((&self.state[..], &self.end[..]), &mut self.path.coefficients);
+        self.stepper.between(&mut f, ends, &self.end_slope, piece.length_s, MEMORY, out);
+        self.path.pieces.push(piece);
+        self.path.note_slack(piece, &self.tension_n, &tension_n, equations.system.cords.len());
+        std::mem::swap(&mut self.state, &mut self.end);
+        self.tension_n = tension_n;
+        Ok(())
+    }
+}
 
 /// A path of more steps would take a gigabyte.
 const MOST_STEPS: f64 = 1e6;
@@ -88,62 +188,53 @@ impl<S: Real> Path<S> {
             ));
         }
         let steps = steps as usize;
-        let size = equations.size();
-        let mut path = Self {
-            step_s,
-            steps,
-            coefficients: Vec::with_capacity(steps * MEMORY),
-            slack: None,
-            cm_m: equations.system.cm_m,
-            gravity_m_s2: equations.system.gravity_m_s2,
-        };
-        let mut f = |y: &[S], out: &mut [S]| {
-            equations.slope(y, out);
-        };
-        let mut stepper = Stepper::new(size);
-        let (mut y, mut end, mut end_slope) = (start, vec![S::zero(); size], vec![S::zero(); size]);
-        let mut before = equations.slope(&y, stepper.first_slope()).tension_n.map(Real::value);
+        let mut integration = Integration::new(equations, start, step_s);
+        integration.path.coefficients.reserve(steps * MEMORY);
         for n in 0..steps {
-            stepper.advance(&mut f, &y, step_s, &mut end);
-            equations.project(&mut end, PROJECTIONS);
-            let after = equations.slope(&end, &mut end_slope).tension_n.map(Real::value);
-            let from_s = n as f64 * step_s;
-            if !end.iter().all(|x| x.value().is_finite()) {
-                return Err(Error::no_result("motion", format!("it cannot be continued after {from_s} s")));
-            }
-            stepper.between(&mut f, (&y, &end), &end_slope, step_s, MEMORY, &mut path.coefficients);
-            path.note_slack(from_s, &before, &after, equations.system.cords.len());
-            std::mem::swap(&mut y, &mut end);
-            before = after;
+            integration.advance(Piece { from_s: n as f64 * step_s, length_s: step_s }, 0)?;
+            integration.path.first.push(integration.path.pieces.len());
         }
-        Ok(path)
+        Ok(integration.path)
     }
 
-    /// Keeps the first zero of a tension, by a straight line between the ends of the step.
-    fn note_slack(&mut self, from_s: f64, before: &[f64], after: &[f64], count: usize) {
+    /// Keeps the first zero of a tension, by a straight line between the ends of the piece.
+    fn note_slack(&mut self, piece: Piece, before: &[f64], after: &[f64], count: usize) {
         if self.slack.is_some() {
             return;
         }
         let zero = |line: usize| {
             let (b, a) = (before[line], after[line]);
             let part = if b > a { (b / (b - a)).clamp(0.0, 1.0) } else { 0.0 };
-            (a <= 0.0).then_some(Slack { t_s: from_s + part * self.step_s, line })
+            (a <= 0.0).then_some(Slack { t_s: piece.from_s + part * piece.length_s, line })
         };
         self.slack = (0..count).filter_map(zero).min_by(|a, b| a.t_s.total_cmp(&b.t_s));
     }
 
     /// Length, s.
     pub fn duration_s(&self) -> f64 {
-        self.steps as f64 * self.step_s
+        (self.first.len() - 1) as f64 * self.step_s
     }
 
-    /// The body at `t_s`; outside of the path its first or last step is continued.
+    /// The body at `t_s`; outside of the path its first or last piece is continued.
     pub fn at(&self, t_s: f64) -> Moment<S> {
-        let step = ((t_s / self.step_s) as usize).min(self.steps - 1);
-        let x = t_s / self.step_s - step as f64;
-        let parts = &self.coefficients[step * MEMORY..(step + 1) * MEMORY];
-        let value = |i: usize| between(&parts[i], x).0;
-        let slope = |i: usize| between(&parts[i], x).1.scale(1.0 / self.step_s);
+        let n = self.piece_at(t_s);
+        let x = (t_s - self.pieces[n].from_s) / self.pieces[n].length_s;
+        self.moment(n, |parts| between(parts, x))
+    }
+
+    fn piece_at(&self, t_s: f64) -> usize {
+        let step = ((t_s / self.step_s) as usize).min(self.first.len() - 2);
+        let mut n = self.first[step];
+        while n + 1 < self.first[step + 1] && self.pieces[n + 1].from_s <= t_s {
+            n += 1;
+        }
+        n
+    }
+
+    fn moment(&self, n: usize, read: impl Fn(&[S; COEFFICIENTS]) -> (S, S)) -> Moment<S> {
+        let parts = &self.coefficients[n * MEMORY..(n + 1) * MEMORY];
+        let value = |i: usize| read(&parts[i]).0;
+        let slope = |i: usize| read(&parts[i]).1.scale(1.0 / self.pieces[n].length_s);
         let vector = |i: usize, of: &dyn Fn(usize) -> S| V3::new(of(i), of(i + 1), of(i + 2));
         Moment {
             position: vector(PLACE, &value),

@@ -32,6 +32,8 @@ pub trait Real:
     fn constant(value: f64) -> Self;
     /// The number itself.
     fn value(self) -> f64;
+    /// Its derivatives, if it has any.
+    fn slopes(&self) -> &[f64];
     /// `f(self)`, given f and its derivative at the number.
     fn chain(self, f: f64, slope: f64) -> Self;
     /// `self · factor`.
@@ -89,6 +91,9 @@ impl Real for f64 {
     fn value(self) -> f64 {
         self
     }
+    fn slopes(&self) -> &[f64] {
+        &[]
+    }
     #[inline]
     fn chain(self, f: f64, _slope: f64) -> Self {
         f
@@ -136,6 +141,9 @@ impl<const N: usize> Real for Dual<N> {
     }
     fn value(self) -> f64 {
         self.value
+    }
+    fn slopes(&self) -> &[f64] {
+        &self.slope
     }
     #[inline]
     fn chain(self, f: f64, slope: f64) -> Self {
