@@ -1,15 +1,18 @@
 //! The start of a motion on the lines: the free coordinates are given, the others follow.
 
-use super::effects::matrix;
+use super::effects::{Now, matrix};
 use super::real::{M3, Real, V3, constant, solve};
 use super::scene::{Hanging, Start};
-use super::suspended::{ATTITUDE, Equations, MOST_LINES, PLACE, RATE, VELOCITY};
+use super::suspended::{ATTITUDE, Equations, MEMORY, MOST_LINES, PLACE, RATE, VELOCITY};
 use crate::error::{Error, Result};
 
 /// Newton's method needs about five; a start that needs more than these has no place near it.
 const ITERATIONS: usize = 30;
 /// Once the numbers stand, so many more iterations bring the derivatives: Newton's method gives them exactly.
 const FOR_DERIVATIVES: usize = 2;
+
+/// Rounds that bring a support that gives way to rest: each gains at least a digit or two.
+const SETTLING: usize = 12;
 
 /// A coordinate: a translation or a turn, world axes, at the mid-point of the suspension points.
 #[derive(Clone, Copy)]
@@ -38,6 +41,8 @@ struct Chart<S: Real> {
     across: V3<S>,
     /// Values in the order of [`ALL`].
     at: [S; 6],
+    /// Of the upper ends, world axes.
+    shift: V3<S>,
 }
 
 impl<S: Real> Chart<S> {
@@ -86,11 +91,39 @@ fn product<S: Real>(p: &[S; 4], q: &[S; 4]) -> [S; 4] {
     [p[0] * q[0] - a.dot(&b), v.x, v.y, v.z]
 }
 
-/// The state at the start.
+/// The state at the start; a support that gives way stands where the lines' pull holds it.
 pub(super) fn started<S: Real>(
     equations: &Equations<S>,
     hanging: Hanging,
     start: &Start<S>,
+) -> Result<Vec<S>> {
+    let mut y = placed(equations, hanging, start, &V3::zeros())?;
+    if equations.support(&Now::at(&y), &y).is_none() {
+        return Ok(y);
+    }
+    let mut slope = vec![S::zero(); equations.size()];
+    for _ in 0..SETTLING {
+        let solved = equations.slope(&y, &mut slope);
+        let memories = &mut slope[MEMORY..];
+        memories.fill(S::zero());
+        for (effect, memory) in equations.effects() {
+            effect.memory_start(&solved, &mut memories[memory.start - MEMORY..memory.end - MEMORY]);
+        }
+        let settled = memories.to_vec();
+        y[MEMORY..].copy_from_slice(&settled);
+        let shift = equations.support(&Now::at(&y), &y).map_or(V3::zeros(), |support| support.offset);
+        y = placed(equations, hanging, start, &shift)?;
+        y[MEMORY..].copy_from_slice(&settled);
+    }
+    Ok(y)
+}
+
+/// The state at the start under upper ends that are shifted, without memories.
+fn placed<S: Real>(
+    equations: &Equations<S>,
+    hanging: Hanging,
+    start: &Start<S>,
+    shift: &V3<S>,
 ) -> Result<Vec<S>> {
     let system = &equations.system;
     let axis: V3<S> = constant(&hanging.axis().unit());
@@ -102,6 +135,7 @@ pub(super) fn started<S: Real>(
         across: axis.cross(&V3::z()),
         axis,
         at: [start.along_m, start.across_m, heave, start.turn_rad, zero, start.yaw_rad],
+        shift: *shift,
     };
     let bound = bound(hanging);
     let lengths = hung_lengths(equations);
@@ -126,7 +160,7 @@ fn hung_lengths<S: Real>(equations: &Equations<S>) -> Vec<S> {
     let system = &equations.system;
     let share = (system.mass_kg * system.gravity_m_s2).scale(1.0 / system.cords.len() as f64);
     let stretch = system.spring.as_ref().map_or(S::zero(), |spring| share / spring.stiffness_n_m);
-    system.cords.iter().map(|cord| cord.length_m + stretch).collect()
+    (0..system.cords.len()).map(|i| equations.length(S::zero(), i)[0] + stretch).collect()
 }
 
 fn squared<S: Real>(v: &V3<S>) -> S {
@@ -137,7 +171,7 @@ fn squared<S: Real>(v: &V3<S>) -> S {
 fn reaches<S: Real>(equations: &Equations<S>, chart: &Chart<S>) -> Vec<(V3<S>, V3<S>)> {
     let turn: M3<S> = matrix(&chart.quaternion());
     let middle = chart.middle();
-    let reach = |arm: V3<S>, top: &V3<S>| (middle + arm - top, arm);
+    let reach = |arm: V3<S>, top: &V3<S>| (middle + arm - top - chart.shift, arm);
     equations.system.cords.iter().map(|cord| reach(turn * cord.point_m, &cord.top_m)).collect()
 }
 
@@ -201,7 +235,8 @@ fn state<S: Real>(
     let (v, w) = motion(&rates);
     let mut stretching = [zero; MOST_LINES];
     for (i, (q, arm)) in reaches.iter().enumerate() {
-        stretching[i] = q.dot(&(v + w.cross(arm)));
+        let [length, lengthening, _] = equations.length(zero, i);
+        stretching[i] = q.dot(&(v + w.cross(arm))) - length * lengthening;
     }
     solve(&mut jacobian(chart, &reaches, bound), &mut stretching, bound.len());
     bound.iter().zip(stretching).for_each(|(c, rate)| rates[*c as usize] = -rate);

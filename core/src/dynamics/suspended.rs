@@ -62,6 +62,29 @@ pub struct Suspended<S: Real> {
     pub spring: Option<Spring<S>>,
 }
 
+impl<S: Real> Cord<S> {
+    /// −1 or 1: on which side along `axis` the line takes hold of the body.
+    pub fn side(&self, axis: &V3<S>) -> f64 {
+        axis.dot(&self.point_m).value().signum()
+    }
+}
+
+impl<S: Real> Suspended<S> {
+    /// The direction that joins the suspension points, from the first lines to the last.
+    pub fn axis(&self) -> V3<S> {
+        let half = self.cords.len() / 2;
+        let sum = |cords: &[Cord<S>]| cords.iter().fold(V3::zeros(), |sum, cord| sum + cord.point_m);
+        let along: V3<S> = sum(&self.cords[half..]) - sum(&self.cords[..half]);
+        along / along.dot(&along).sqrt()
+    }
+
+    /// Mean length of the lines, m.
+    pub fn mean_length_m(&self) -> S {
+        let sum = self.cords.iter().fold(S::zero(), |sum, cord| sum + cord.length_m);
+        sum.scale(1.0 / self.cords.len() as f64)
+    }
+}
+
 /// The equations, ready to be evaluated.
 pub(super) struct Equations<S: Real> {
     pub system: Suspended<S>,
@@ -183,7 +206,7 @@ impl<S: Real> Equations<S> {
         out[VELOCITY..RATE].copy_from_slice(solved.acceleration.as_slice());
         out[RATE..MEMORY].copy_from_slice(solved.angular_acceleration.as_slice());
         for (effect, memory) in &self.effects {
-            effect.memory_slope(now, &y[memory.clone()], solved, &mut out[memory.clone()]);
+            effect.memory_slope(now, &y[memory.clone()], &self.system, solved, &mut out[memory.clone()]);
         }
     }
 
@@ -200,7 +223,7 @@ impl<S: Real> Equations<S> {
         Mass::Full { matrix: added.matrix, turn: now.turn }
     }
 
-    fn support(&self, now: &Now<S>, y: &[S]) -> Option<Support<S>> {
+    pub fn support(&self, now: &Now<S>, y: &[S]) -> Option<Support<S>> {
         self.effects.iter().find_map(|(effect, memory)| effect.support(now, &y[memory.clone()]))
     }
 
@@ -253,7 +276,7 @@ impl<S: Real> Equations<S> {
             let speed = now.rate.cross(&self.points[i]);
             let centripetal = grip.q[i].dot(&(now.turn * now.rate.cross(&speed)));
             let velocity = self.end_velocity(now, i, support);
-            let [length, lengthening, growth] = self.length(now, i);
+            let [length, lengthening, growth] = self.length(now.t_s, i);
             due[i] = grip.q[i].dot(&free.acceleration)
                 + grip.moment[i].dot(&free.angular_acceleration)
                 + velocity.dot(&velocity)
@@ -277,7 +300,7 @@ impl<S: Real> Equations<S> {
         let mut pull = [S::zero(); MOST_LINES];
         for (i, pull) in pull.iter_mut().enumerate().take(grip.count) {
             let length = grip.q[i].dot(&grip.q[i]).sqrt();
-            let [rest, ..] = self.length(now, i);
+            let [rest, ..] = self.length(now.t_s, i);
             let rate = grip.q[i].dot(&self.end_velocity(now, i, support)) / length;
             let tension = spring.stiffness_n_m * (length - rest) + spring.damping_n_s_m * rate;
             // A slack line pushes nothing.
@@ -288,11 +311,11 @@ impl<S: Real> Equations<S> {
         pull
     }
 
-    /// Length of line `i` with its first and second derivative in time.
-    fn length(&self, now: &Now<S>, i: usize) -> [S; 3] {
+    /// Length of line `i` at a time, with its first and second derivative in time.
+    pub fn length(&self, t_s: S, i: usize) -> [S; 3] {
         let mut law = [self.system.cords[i].length_m, S::zero(), S::zero()];
         for (effect, _) in &self.effects {
-            effect.lengthen(now.t_s, &self.system.cords[i], &mut law);
+            effect.lengthen(t_s, &self.system.cords[i], &mut law);
         }
         law
     }
@@ -325,7 +348,7 @@ impl<S: Real> Equations<S> {
         let mut excess = [S::zero(); MOST_LINES];
         for i in 0..grip.count {
             let length = grip.q[i].dot(&grip.q[i]).sqrt();
-            let [wanted, ..] = self.length(&now, i);
+            let [wanted, ..] = self.length(now.t_s, i);
             excess[i] = ((length - wanted) * (length + wanted)).scale(0.5);
         }
         let (shift, turn) = push(&grip, excess);
@@ -345,7 +368,7 @@ impl<S: Real> Equations<S> {
         let (now, grip, support) = self.projecting(y);
         let mut stretching = [S::zero(); MOST_LINES];
         for i in 0..grip.count {
-            let [length, lengthening, _] = self.length(&now, i);
+            let [length, lengthening, _] = self.length(now.t_s, i);
             stretching[i] =
                 grip.q[i].dot(&self.end_velocity(&now, i, support.as_ref())) - length * lengthening;
         }

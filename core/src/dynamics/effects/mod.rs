@@ -3,6 +3,9 @@
 //! An effect is a structure of named numbers ([`Numbers`]) with a law ([`Effect`]), in a file of its own, and a line in
 //! the registry below.
 //!
+//! `pitch_coupling` is not among them: the exchange of a combined yaw and sway with the pitch (T. R. Kane and G.-T. Tseng,
+//! Int. J. Mech. Sci. 9 (1967) 83) is in the equations of motion of every body on two lines, without a switch.
+//!
 //! # Conventions
 //! Hull axes: x forward, y to port, z up. Forces act at the centre of mass, torques about it. Surge, sway and heave are
 //! motions along x, y, z; roll, pitch and yaw turn about them.
@@ -14,9 +17,47 @@ use super::real::{M3, Real, V3};
 use super::suspended::{ATTITUDE, Cord, PLACE, RATE, Suspended, TIME, VELOCITY};
 use crate::error::{Error, Result};
 
+mod added_mass;
+mod amplitude_added_mass;
+mod bearing_friction;
+mod buoyancy;
+mod internal_motion;
+mod line_creep;
+mod line_mass;
+mod line_stretch;
+mod line_torsion;
 mod linear_damping;
+mod nonparallel_lines;
+mod off_centre_cm;
+mod power_law_damping;
+mod presliding_bearing;
+mod quadratic_drag;
+mod stated_length;
+mod stated_spacing;
+mod support_compliance;
+mod unequal_lines;
+mod wind;
 
+pub use added_mass::EntrainedAir;
+pub use amplitude_added_mass::AmplitudeAddedMass;
+pub use bearing_friction::BearingFriction;
+pub use buoyancy::Buoyancy;
+pub use internal_motion::InternalMotion;
+pub use line_creep::LineCreep;
+pub use line_mass::LineMass;
+pub use line_stretch::LineStretch;
+pub use line_torsion::LineTorsion;
 pub use linear_damping::LinearDamping;
+pub use nonparallel_lines::NonparallelLines;
+pub use off_centre_cm::OffCentreCm;
+pub use power_law_damping::PowerLawDamping;
+pub use presliding_bearing::PreslidingBearing;
+pub use quadratic_drag::QuadraticDrag;
+pub use stated_length::StatedLength;
+pub use stated_spacing::StatedSpacing;
+pub use support_compliance::SupportCompliance;
+pub use unequal_lines::UnequalLines;
+pub use wind::Wind;
 
 /// The body at one instant.
 #[derive(Debug, Clone, Copy)]
@@ -50,9 +91,24 @@ impl<S: Real> Now<S> {
         self.turn.tr_mul(&self.velocity)
     }
 
-    /// Heading: the angle of the hull's x axis about the vertical, rad.
-    pub fn heading(&self) -> S {
-        self.turn[(1, 0)].atan2(self.turn[(0, 0)])
+    /// Downwards, hull axes.
+    pub fn down(&self) -> V3<S> {
+        -self.turn.row(2).transpose()
+    }
+
+    /// Horizontal part of the position, world axes, m.
+    pub fn level_position(&self) -> V3<S> {
+        V3::new(self.position.x, self.position.y, S::zero())
+    }
+
+    /// The turn about the vertical, rad, and its change by a turn about each hull axis: what is left of the attitude
+    /// when the least tilt that explains the hull's z axis is taken away (swing and twist). A tilted hull's axes do not
+    /// bias it, and a torque along its change conserves energy.
+    pub fn twist(&self) -> (S, V3<S>) {
+        let r = &self.turn;
+        let angle = (r[(1, 0)] - r[(0, 1)]).atan2(r[(0, 0)] + r[(1, 1)]);
+        let upright = S::one() / (S::one() + r[(2, 2)]);
+        (angle, V3::new(r[(2, 0)] * upright, r[(2, 1)] * upright, S::one()))
     }
 }
 
@@ -109,6 +165,44 @@ impl<S: Real> AddedMass<S> {
         }
         Self { matrix, force: V3::zeros(), torque: V3::zeros() }
     }
+
+    /// A mass for each axis of the centre of mass and an inertia about each.
+    pub fn add_diagonal(&mut self, mass_kg: &V3<S>, inertia_kg_m2: &V3<S>) {
+        for i in 0..3 {
+            self.matrix[i][i] += mass_kg[i];
+            self.matrix[3 + i][3 + i] += inertia_kg_m2[i];
+        }
+    }
+
+    /// A mass at `arm` from the centre of mass that moves with the body, and a force on it.
+    pub fn add_point(&mut self, mass_kg: S, arm: &V3<S>, force: &V3<S>, now: &Now<S>) {
+        self.add_at(&M3::from_diagonal_element(mass_kg), arm, force, now);
+    }
+
+    /// The same for a mass that differs by direction.
+    ///
+    /// Its acceleration is a + ω̇ × r + ω × (ω × r).
+    pub fn add_at(&mut self, mass_kg: &M3<S>, arm: &V3<S>, force: &V3<S>, now: &Now<S>) {
+        let turned = mass_kg * skew(arm);
+        let inertia = skew(arm) * turned;
+        for i in 0..3 {
+            for j in 0..3 {
+                self.matrix[i][j] += mass_kg[(i, j)];
+                self.matrix[i][3 + j] -= turned[(i, j)];
+                self.matrix[3 + i][j] -= turned[(j, i)];
+                self.matrix[3 + i][3 + j] -= inertia[(i, j)];
+            }
+        }
+        let force = force - mass_kg * now.rate.cross(&now.rate.cross(arm));
+        self.force += force;
+        self.torque += arm.cross(&force);
+    }
+}
+
+/// Matrix of r × .
+fn skew<S: Real>(r: &V3<S>) -> M3<S> {
+    let zero = S::zero();
+    M3::new(zero, -r.z, r.y, r.z, zero, -r.x, -r.y, r.x, zero)
 }
 
 /// A support that moves: the upper ends of all lines together.
@@ -171,8 +265,18 @@ pub trait Effect<S: Real>: Debug {
     fn memory(&self) -> usize {
         0
     }
-    /// Their derivatives in time.
-    fn memory_slope(&self, _now: &Now<S>, _memory: &[S], _solved: &Solved<S>, _out: &mut [S]) {}
+    /// Where a support stands at the start, given what pulls at it.
+    fn memory_start(&self, _solved: &Solved<S>, _memory: &mut [S]) {}
+    /// Derivatives of its states in time.
+    fn memory_slope(
+        &self,
+        _now: &Now<S>,
+        _memory: &[S],
+        _system: &Suspended<S>,
+        _solved: &Solved<S>,
+        _out: &mut [S],
+    ) {
+    }
     /// Fastest angular frequency that it brings in, rad/s: the step of the integration follows it.
     fn fastest_rad_s(&self, _system: &Suspended<S>) -> f64 {
         0.0
@@ -188,6 +292,8 @@ pub struct EffectKind {
     pub sentence: &'static str,
     /// Its numbers.
     pub numbers: &'static [Number],
+    /// Names of those that must be larger than zero.
+    pub positive: &'static [&'static str],
 }
 
 /// What is told of an effect, as a type.
@@ -196,6 +302,8 @@ pub trait Described {
     const ID: &'static str;
     /// What it is, for a report.
     const SENTENCE: &'static str;
+    /// Names of the numbers that must be larger than zero: those divided by.
+    const POSITIVE: &'static [&'static str] = &[];
 }
 
 /// An effect and the values of its numbers.
@@ -223,6 +331,17 @@ impl EffectValues {
         }
         Ok(Self { kind, values })
     }
+
+    /// Fails where a number that must be larger than zero is not.
+    pub(super) fn check(&self) -> Result<()> {
+        for (number, value) in self.kind.numbers.iter().zip(&self.values) {
+            if self.kind.positive.contains(&number.name) && !(value.is_finite() && *value > 0.0) {
+                let name = format!("{}.{}", self.kind.id, number.name);
+                return Err(Error::argument(&name, "a positive number", value));
+            }
+        }
+        Ok(())
+    }
 }
 
 macro_rules! registry {
@@ -233,6 +352,7 @@ macro_rules! registry {
                 id: $effect::<f64>::ID,
                 sentence: $effect::<f64>::SENTENCE,
                 numbers: <$effect<f64> as Numbers<f64>>::NUMBERS,
+                positive: $effect::<f64>::POSITIVE,
             }),*]
         }
 
@@ -248,4 +368,23 @@ macro_rules! registry {
 
 registry! {
     LinearDamping,
+    QuadraticDrag,
+    PowerLawDamping,
+    BearingFriction,
+    PreslidingBearing,
+    EntrainedAir,
+    AmplitudeAddedMass,
+    LineCreep,
+    LineStretch,
+    LineTorsion,
+    LineMass,
+    NonparallelLines,
+    UnequalLines,
+    OffCentreCm,
+    StatedLength,
+    StatedSpacing,
+    SupportCompliance,
+    InternalMotion,
+    Wind,
+    Buoyancy,
 }

@@ -1,0 +1,48 @@
+//! Dry friction.
+
+use super::{Described, Effect, Loads, Now};
+use crate::dynamics::numbers::numbers;
+use crate::dynamics::real::{Real, V3};
+use crate::dynamics::suspended::Suspended;
+
+numbers! {
+    /// M = −M_c tanh(ω/ω_t) about each hull axis: Coulomb's law, whose jump is spread over the transition rate ω_t.
+    ///
+    /// A pure turn loses 4 M_c/K of its amplitude in each period (K its stiffness): a straight line, not an exponential
+    /// (Squire, Am. J. Phys. 54 (1986) 984). Below ω_t the law is a linear drag: the body creeps to rest and does not
+    /// stick. For sticking see `presliding_bearing`.
+    pub struct BearingFriction {
+        /// About x.
+        roll_n_m: "N m",
+        /// About y.
+        pitch_n_m: "N m",
+        /// About z.
+        yaw_n_m: "N m",
+        /// Rate over which the friction turns its sign; small against the rate of the swing.
+        transition_rad_s: "rad/s",
+    }
+}
+
+impl<S> Described for BearingFriction<S> {
+    const ID: &'static str = "bearing_friction";
+    const SENTENCE: &'static str =
+        "dry friction in the bearings takes the same angle off every swing, wide or narrow";
+    const POSITIVE: &'static [&'static str] = &["transition_rad_s"];
+}
+
+impl<S: Real> Effect<S> for BearingFriction<S> {
+    fn load(&self, now: &Now<S>, _memory: &[S], _system: &Suspended<S>, loads: &mut Loads<S>) {
+        let torque = V3::new(self.roll_n_m, self.pitch_n_m, self.yaw_n_m);
+        let sign = now.rate.map(|rate| (rate / self.transition_rad_s).tanh());
+        loads.torque -= torque.component_mul(&sign);
+    }
+
+    /// The rate at which a slow turn dies: a step longer than that would not hold it.
+    fn fastest_rad_s(&self, system: &Suspended<S>) -> f64 {
+        let torques = [self.roll_n_m, self.pitch_n_m, self.yaw_n_m];
+        let rate = |i: usize| {
+            torques[i].value() / (system.inertia_kg_m2[(i, i)].value() * self.transition_rad_s.value())
+        };
+        (0..3).map(rate).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,36 @@
+//! Lines that weigh something.
+
+use super::{AddedMass, Described, Effect, Now};
+use crate::dynamics::numbers::numbers;
+use crate::dynamics::real::Real;
+use crate::dynamics::suspended::Suspended;
+
+numbers! {
+    /// A straight line of mass m, its upper end at rest, has the kinetic energy of m/3 and the weight of m/2 at its
+    /// lower end: its points move in proportion to their distance from the top. Exact for straight lines of fixed
+    /// length; that heavy lines sag is left out.
+    pub struct LineMass {
+        /// Mass for each metre of line.
+        linear_density_kg_m: "kg/m",
+    }
+}
+
+impl<S> Described for LineMass<S> {
+    const ID: &'static str = "line_mass";
+    const SENTENCE: &'static str = "the lines themselves weigh something and swing along";
+}
+
+impl<S: Real> Effect<S> for LineMass<S> {
+    fn adds_mass(&self) -> bool {
+        true
+    }
+
+    fn add_mass(&self, now: &Now<S>, _memory: &[S], system: &Suspended<S>, mass: &mut AddedMass<S>) {
+        for cord in &system.cords {
+            let line = self.linear_density_kg_m * cord.length_m;
+            let arm = cord.point_m - system.cm_m;
+            let weight = now.down() * (system.gravity_m_s2 * line.scale(0.5));
+            mass.add_point(line.scale(1.0 / 3.0), &arm, &weight, now);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! A bearing that gives before it slides.
+
+use super::{Described, Effect, Loads, Now, Solved};
+use crate::dynamics::numbers::numbers;
+use crate::dynamics::real::{Real, V3};
+use crate::dynamics::suspended::Suspended;
+
+numbers! {
+    /// Dahl's friction: M = −M_c z about each hull axis, ż = (ω − |ω| z)/θ_s, z = 0 at the start.
+    ///
+    /// Within angles small against θ_s the bearing is a spring of M_c/θ_s, which shortens the period; beyond, it slides
+    /// with Coulomb's torque M_c (P. R. Dahl, *A Solid Friction Model*, Aerospace Corporation TOR-0158(3107-18)-1, 1968).
+    pub struct PreslidingBearing {
+        /// Torque once it slides, about x.
+        roll_n_m: "N m",
+        /// About y.
+        pitch_n_m: "N m",
+        /// About z.
+        yaw_n_m: "N m",
+        /// Angle over which it gives, θ_s.
+        give_rad: "rad",
+    }
+}
+
+impl<S> Described for PreslidingBearing<S> {
+    const ID: &'static str = "presliding_bearing";
+    const SENTENCE: &'static str =
+        "the bearings stick and give like a spring before they slide: small swings are stiffer and faster";
+    const POSITIVE: &'static [&'static str] = &["give_rad"];
+}
+
+impl<S: Real> PreslidingBearing<S> {
+    fn torque(&self) -> V3<S> {
+        V3::new(self.roll_n_m, self.pitch_n_m, self.yaw_n_m)
+    }
+}
+
+impl<S: Real> Effect<S> for PreslidingBearing<S> {
+    fn load(&self, _now: &Now<S>, memory: &[S], _system: &Suspended<S>, loads: &mut Loads<S>) {
+        loads.torque -= self.torque().component_mul(&V3::new(memory[0], memory[1], memory[2]));
+    }
+
+    fn memory(&self) -> usize {
+        3
+    }
+
+    fn memory_slope(
+        &self,
+        now: &Now<S>,
+        memory: &[S],
+        _system: &Suspended<S>,
+        _solved: &Solved<S>,
+        out: &mut [S],
+    ) {
+        for i in 0..3 {
+            let rate = now.rate[i];
+            out[i] = (rate - rate.abs() * memory[i]) / self.give_rad;
+        }
+    }
+
+    /// The frequency of the body on the bearing's spring alone.
+    fn fastest_rad_s(&self, system: &Suspended<S>) -> f64 {
+        let stiffness = |i: usize| self.torque()[i].value() / self.give_rad.value();
+        let square = |i: usize| stiffness(i) / system.inertia_kg_m2[(i, i)].value();
+        (0..3).map(square).fold(0.0, f64::max).sqrt()
+    }
+}

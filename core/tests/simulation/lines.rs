@@ -1,0 +1,170 @@
+//! Lines that are not what the theory takes them for.
+
+use std::f64::consts::TAU;
+
+use gyradius_core::constants::STANDARD_GRAVITY_M_S2 as G;
+use gyradius_core::dynamics::{Line, Rig, RigidBody, Scene, Start, small_modes};
+use gyradius_core::frames::Vec3;
+
+use crate::scenes::*;
+
+fn yaw_s(scene: &Scene) -> f64 {
+    period_s(&scene.motion(60.0).unwrap(), heading)
+}
+
+fn sway_s(scene: &Scene) -> f64 {
+    period_s(&scene.motion(60.0).unwrap(), |m| m.position.y)
+}
+
+#[test]
+fn creep_lengthens_a_pendulum() {
+    let numbers = [("strain_per_decade", 2e-3), ("loaded_before_s", 30.0)];
+    let scene = with(keelboat(swayed(0.1)), "line_creep", &numbers);
+    let path = scene.motion(600.0).unwrap();
+    // l φ̈ + 2 l̇ φ̇ + g sin φ = 0.
+    let length = |t: f64| LINE_M * (1.0 + 2e-3 * (1.0 + t / 30.0).log10());
+    let growth = |t: f64| LINE_M * 2e-3 / std::f64::consts::LN_10 / (30.0 + t);
+    let slope = |t: f64, y: &[f64; 2]| [y[1], -(G * y[0].sin() + 2.0 * growth(t) * y[1]) / length(t)];
+    let mut worst = 0.0f64;
+    // The start's rate along the axis, l̇ sin φ + l φ̇ cos φ, is zero.
+    let rate = -growth(0.0) / length(0.0) * 0.1f64.tan();
+    runge_kutta([0.1, rate], 120.0, 0.1, slope, |t, y| {
+        worst = worst.max((path.at(t).position.y - length(t) * y[0].sin()).abs());
+    });
+    println!("creep {worst:.1e} m");
+    assert!(worst < 1e-9);
+    // The period drifts by half of the strain: its means over the first and the last forty half swings.
+    let at = zeros(&path, |m| m.position.y);
+    let n = at.len() - 1;
+    let drift = (at[n] - at[n - 40]) / (at[40] - at[0]) - 1.0;
+    // ∫ log₁₀(1 + x) dx = ((1 + x) ln(1 + x) − x)/ln 10, x = t/30 s.
+    let integral = |t: f64| {
+        let x = t / 30.0;
+        30.0 * ((1.0 + x) * (1.0 + x).ln() - x) / std::f64::consts::LN_10
+    };
+    let strain = |i: usize, j: usize| 2e-3 * (integral(at[j]) - integral(at[i])) / (at[j] - at[i]);
+    let expected = 0.5 * (strain(n - 40, n) - strain(0, 40));
+    println!("drift {:.1} ppm, half the strain {:.1}", 1e6 * drift, 1e6 * expected);
+    assert_close(drift, expected, 0.005);
+}
+
+#[test]
+fn elastic_lines_swing_as_an_elastic_pendulum() {
+    let (force, delay) = (2e5, 2e-3);
+    let scene =
+        with(keelboat(swayed(0.3)), "line_stretch", &[("force_per_strain_n", force), ("delay_s", delay)]);
+    let path = scene.motion(30.0).unwrap();
+    let start = path.at(0.0);
+    // A plate in the plane of the lines: y, z and roll, on two springs whose ends are 0.4 m above the centre of mass.
+    let slope = |_: f64, y: &[f64; 6]| {
+        let (sin, cos) = y[2].sin_cos();
+        let mut pull = [0.0, -MASS_KG * G, 0.0];
+        for side in [-HALF_SPACING_M, HALF_SPACING_M] {
+            let arm = [side * cos - 0.4 * sin, side * sin + 0.4 * cos];
+            let line = [y[0] + arm[0] - side, y[1] + arm[1]];
+            let speed = [y[3] - y[5] * arm[1], y[4] + y[5] * arm[0]];
+            let r = line[0].hypot(line[1]);
+            let rate = (line[0] * speed[0] + line[1] * speed[1]) / r;
+            let force = [0, 1].map(|k| -force / LINE_M * (r - LINE_M + delay * rate) * line[k] / r);
+            pull[0] += force[0];
+            pull[1] += force[1];
+            pull[2] += arm[0] * force[1] - arm[1] * force[0];
+        }
+        [y[3], y[4], y[5], pull[0] / MASS_KG, pull[1] / MASS_KG, pull[2] / (MASS_KG * 0.625 * 0.625)]
+    };
+    let state = [start.position.y, start.position.z, roll(&start), 0.0, 0.0, 0.0];
+    let mut worst = 0.0f64;
+    runge_kutta(state, 30.0, 0.1, slope, |t, y| {
+        let moment = path.at(t);
+        let apart = [moment.position.y - y[0], moment.position.z - y[1], roll(&moment) - y[2]];
+        worst = apart.iter().fold(worst, |a, b| a.max(b.abs()));
+    });
+    println!("elastic {worst:.1e} m");
+    assert!(worst < 1e-8);
+}
+
+#[test]
+fn torsion_stiffens_the_yaw() {
+    let scene = with(keelboat(yawed(1e-4)), "line_torsion", &[("stiffness_n_m_rad", 60.0)]);
+    let stiffness = MASS_KG * G * HALF_SPACING_M * HALF_SPACING_M / LINE_M + 60.0;
+    assert_close(yaw_s(&scene), TAU * (YAW_INERTIA / stiffness).sqrt(), 1e-8);
+    let numbers = [("stiffness_n_m_rad", 60.0), ("neutral_rad", 0.05)];
+    let scene = with(keelboat(yawed(0.2)), "line_torsion", &numbers);
+    assert!(worst_yaw(&scene, 60.0, |_, psi, _, _| [-60.0 * (psi - 0.05), 0.0, 0.0]) < 1e-9);
+}
+
+#[test]
+fn heavy_lines() {
+    let each = 0.8 * LINE_M;
+    let heavy = |start| with(keelboat(start), "line_mass", &[("linear_density_kg_m", 0.8)]);
+    // Two rods of mass μ about their upper ends: inertia μ l²/3, weight at l/2.
+    let inertia = (MASS_KG + 2.0 * each / 3.0) * LINE_M * LINE_M;
+    let stiffness = (MASS_KG + each) * G * LINE_M;
+    let expected = TAU * (inertia / stiffness).sqrt();
+    assert_close(sway_s(&heavy(swayed(1e-4))), expected, 1e-8);
+    let inertia = YAW_INERTIA + 2.0 * each / 3.0 * HALF_SPACING_M.powi(2);
+    let stiffness = (MASS_KG + each) * G * HALF_SPACING_M.powi(2) / LINE_M;
+    assert_close(yaw_s(&heavy(yawed(1e-4))), TAU * (inertia / stiffness).sqrt(), 1e-8);
+}
+
+#[test]
+fn dimensions_that_are_not_the_stated_ones() {
+    let yaw = |b: f64, t: f64, l: f64| {
+        let h = (l * l - (b - t) * (b - t)).sqrt();
+        TAU * YAW_GYRADIUS_M * (h / (G * b * t)).sqrt()
+    };
+    let (d, l) = (HALF_SPACING_M, LINE_M);
+    let of = |id, number, value| yaw_s(&with(keelboat(yawed(1e-5)), id, &[(number, value)]));
+    assert_close(of("nonparallel_lines", "excess_m", 0.3), yaw(d, d + 0.15, l), 1e-8);
+    assert_close(of("stated_length", "excess_m", 0.07), yaw(d, d, l + 0.07), 1e-8);
+    assert_close(of("stated_spacing", "excess_m", -0.02), yaw(d - 0.01, d - 0.01, l), 1e-8);
+}
+
+/// Frequencies that the turn of the hull and its displacement show, by small modes of a rig made apart.
+#[test]
+fn unequal_lines_and_a_centre_of_mass_off_the_middle() {
+    let mut scene = with(keelboat(Start::default()), "unequal_lines", &[("difference_m", 0.06)]);
+    scene = with(scene, "off_centre_cm", &[("forward_m", 0.02), ("to_port_m", 0.05)]);
+    let line = |side: f64| Line {
+        top_m: Vec3::new(0.0, side * HALF_SPACING_M, 0.0),
+        hull_point_m: Vec3::new(0.0, side * HALF_SPACING_M, 0.0),
+        length_m: LINE_M + 0.03 * side,
+    };
+    let rig = Rig { lines: [line(-1.0), line(1.0)], gravity_m_s2: G };
+    let body = RigidBody::from_gyradii(MASS_KG, [0.625, 1.156, YAW_GYRADIUS_M], Vec3::new(0.02, 0.05, -0.4));
+    let modes = small_modes(&rig, &body).unwrap();
+    // At rest where that rig rests: the simulated hull, started there, does not move.
+    let rest = modes.equilibrium.pose;
+    let hull = rest.world_from_body * -body.cm_m + rest.position_m;
+    // World from hull is yaw about z · roll about x · turn about y.
+    let turn = rest.world_from_body.to_rotation_matrix();
+    let pitch = (-turn[(2, 0)]).atan2(turn[(2, 2)]);
+    let yaw = (-turn[(0, 1)]).atan2(turn[(1, 1)]);
+    let at_rest = |yaw_rad: f64| {
+        let mut scene = scene.clone();
+        scene.start = Start {
+            along_m: hull.y,
+            across_m: hull.x,
+            turn_rad: pitch,
+            yaw_rad: yaw + yaw_rad,
+            ..Start::default()
+        };
+        scene.motion(60.0).unwrap()
+    };
+    let still = at_rest(0.0);
+    println!("rest: pitch {pitch}, rate {:e}", still.at(7.0).rate.norm());
+    assert!(still.at(7.0).rate.norm() < 1e-6);
+    assert!((still.at(7.0).position - rest.position_m).norm() < 1e-6);
+    // What the yaw then does is a sum of the four modes: fit their sines to the heading and nothing is left.
+    let path = at_rest(1e-4);
+    let times: Vec<f64> = (0..600).map(|i| f64::from(i) * 0.1).collect();
+    let columns =
+        |t: &f64| modes.omega_rad_s.iter().flat_map(|w| [(w * t).cos(), (w * t).sin()]).collect::<Vec<_>>();
+    let rows: Vec<f64> = times.iter().flat_map(columns).collect();
+    let matrix = nalgebra::DMatrix::from_row_slice(times.len(), 8, &rows);
+    let headings = nalgebra::DVector::from_iterator(600, times.iter().map(|t| path.at(*t).rate.z));
+    let fit = matrix.clone().svd(true, true).solve(&headings, 1e-12).unwrap();
+    let left = (matrix * fit - &headings).amax() / headings.amax();
+    println!("left of the yaw beside the four modes: {left:.1e}");
+    assert!(left < 1e-4);
+}
