@@ -71,6 +71,7 @@ doc:
 bench: package blind-tools
 	CARGO_TARGET_DIR=$(CURDIR)/target cargo bench --manifest-path core/benches/Cargo.toml
 	$(BIN)/python tests/bench_peers.py
+	$(BIN)/python tests/bench_simulation.py
 
 skips:
 	@tests/skips $(LOGS) build/skips.txt
