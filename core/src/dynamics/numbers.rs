@@ -39,6 +39,14 @@ macro_rules! numbers {
             }
         }
 
+        impl<S: Copy> $name<S> {
+            /// The same structure over other numbers.
+            #[allow(dead_code, reason = "not every structure of numbers is mapped")]
+            pub fn map<T>(&self, f: impl Fn(S) -> T) -> $name<T> {
+                $name { $($field: f(self.$field),)* }
+            }
+        }
+
         impl Default for $name<f64> {
             fn default() -> Self {
                 Self { $($field: 0.0,)* }

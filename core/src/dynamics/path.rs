@@ -57,6 +57,19 @@ pub struct Moment<S: Real> {
 }
 
 impl<S: Real> Moment<S> {
+    /// From a state and its derivative.
+    pub(super) fn new(y: &[S], slope: &[S]) -> Self {
+        let vector = |of: &[S], i: usize| V3::new(of[i], of[i + 1], of[i + 2]);
+        Self {
+            position: vector(y, PLACE),
+            attitude: [0, 1, 2, 3].map(|i| y[ATTITUDE + i]),
+            velocity: vector(y, VELOCITY),
+            rate: vector(y, RATE),
+            acceleration: vector(slope, VELOCITY),
+            angular_acceleration: vector(slope, RATE),
+        }
+    }
+
     /// `world_from_hull`.
     pub fn turn(&self) -> M3<S> {
         matrix(&self.attitude)

@@ -8,7 +8,7 @@
 
 use super::effects::{EffectValues, build};
 use super::numbers::{Number, Numbers, numbers};
-use super::path::Path;
+use super::path::{Moment, Path};
 use super::real::{Dual, M3, Real, V3, constant};
 use super::rig::{Line, Rig, RigidBody, SuspensionAxis};
 use super::small::small_modes;
@@ -228,6 +228,15 @@ impl Scene {
         let step_s = self.step_s(STEPS_PER_PERIOD_OF_DERIVATIVES)?;
         let values = self.values();
         wanted.chunks(LANES).map(|lanes| self.run(seeded(&values, lanes)?, duration_s, step_s)).collect()
+    }
+
+    /// The body at the start.
+    pub fn first_moment(&self) -> Result<Moment<f64>> {
+        let (equations, start) = self.equations(self.values())?;
+        let y = started(&equations, self.hanging, &start)?;
+        let mut slope = y.clone();
+        equations.slope(&y, &mut slope);
+        Ok(Moment::new(&y, &slope))
     }
 
     pub(super) fn run<S: Real>(&self, values: Vec<S>, duration_s: f64, step_s: f64) -> Result<Path<S>> {

@@ -34,7 +34,7 @@ pub fn sit(system: &System, solution: &Solution, routes: &[RouteCalculation]) ->
 fn sway_against_tape(system: &System) -> Vec<Claim> {
     let gravity = system.layout.parameters[system.layout.gravity].prior;
     system
-        .observations
+        .periods
         .iter()
         .filter_map(|o| {
             let Observed::Period(i, ModeName::Sway) = o.what else { return None };
@@ -69,7 +69,7 @@ fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
     let mut layout = system.layout.clone();
     layout.parameters[i].prior.u = OPENED_RELATIVE_U * stated.prior.value;
     layout.parameters[i].role = Role::Unknown;
-    let opened = System { session: system.session, layout, observations: system.observations.clone() };
+    let opened = system.with(layout);
     let freed = opened.solve(&solution.x).ok()?;
     let derived = freed.derive(&opened.layout, |x| Some(x[i]))?;
     if derived.u > MOST_IMPLIED_RELATIVE_U * stated.prior.value {

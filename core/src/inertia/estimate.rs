@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::recording::{InclineAngle, ModeName, Quantity, Session};
 
 use super::parameters::{Layout, Role};
+use super::samples::Statement;
 use super::theory::{incline_angle_deg, swing_periods};
 
 /// Chance of widening the uncertainties of a consistent session by the Birge ratio.
@@ -23,6 +24,8 @@ pub enum Observed {
     Period(usize, ModeName),
     /// The angle of an incline (index), degrees.
     Incline(usize),
+    /// What the samples of a swing say of the parameters (index into the statements).
+    Statement(usize),
 }
 
 /// One observation.
@@ -46,6 +49,10 @@ pub struct System<'a> {
     pub layout: Layout,
     /// Its observations.
     pub observations: Vec<Observation>,
+    /// Rows that are linear in the parameters.
+    pub statements: Vec<Statement>,
+    /// Every small-amplitude period, those that entered through the samples too: what single routes start from.
+    pub periods: Vec<Observation>,
 }
 
 /// The solution.
@@ -67,6 +74,17 @@ pub struct Solution {
 }
 
 impl System<'_> {
+    /// The same session with other parameters' priors.
+    pub fn with(&self, layout: Layout) -> Self {
+        System {
+            session: self.session,
+            layout,
+            observations: self.observations.clone(),
+            statements: self.statements.clone(),
+            periods: self.periods.clone(),
+        }
+    }
+
     /// Predicted observations; `None` where the parameters allow no motion.
     fn predict(&self, x: &[f64]) -> Option<Vec<f64>> {
         let mut periods: Vec<Option<Vec<(ModeName, f64)>>> = vec![None; self.session.swings.len()];
@@ -80,6 +98,9 @@ impl System<'_> {
         periods: &mut [Option<Vec<(ModeName, f64)>>],
     ) -> Option<f64> {
         match observation.what {
+            Observed::Statement(i) => {
+                Some(self.statements[i].row.iter().map(|(k, slope)| slope * x[*k]).sum())
+            }
             Observed::Incline(i) => {
                 let depth = self.layout.swings.first()?.log_depth;
                 Some(incline_angle_deg(&self.layout, x, &self.session.inclines[i], depth))

@@ -12,6 +12,7 @@ mod observe;
 mod outputs;
 mod parameters;
 pub mod routes;
+mod samples;
 mod theory;
 mod traced;
 mod twin;

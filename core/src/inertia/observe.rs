@@ -110,7 +110,6 @@ pub fn observe_recording(
     if up.is_none() {
         evidence.warnings.push(name_by_hint(&mut named, swing));
     }
-    evidence.warnings.extend(hints_contradicted(&named, swing));
     Ok(Evidence { named, up, ..evidence })
 }
 
@@ -175,7 +174,7 @@ pub fn is_meant(excitation: Excitation, mode: ModeName) -> bool {
 }
 
 /// The excitation is a hint only; where the data contradict it, that is said aloud.
-fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<String> {
+pub fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<String> {
     let Some(swing) = swing else { return vec![] };
     let is_seen = |e: &Excitation| named.iter().any(|n| is_meant(*e, n.name));
     let mut said: Vec<String> = swing

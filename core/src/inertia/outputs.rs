@@ -16,6 +16,8 @@ use super::theory::hull_alone;
 const MOST_WEAK_SHARE: f64 = 0.05;
 /// … and its relative uncertainty is below this; beyond, the swings do not determine it.
 const MOST_RELATIVE_U: f64 = 0.25;
+/// A figure this certain is determined, whatever its small uncertainty comes from.
+const CERTAIN_RELATIVE_U: f64 = 0.02;
 /// The largest uncertainty at which an angle of the principal axes still says something, degrees.
 const MOST_ANGLE_U_DEG: f64 = 20.0;
 /// Two-sided 95 % of a normal distribution.
@@ -111,7 +113,7 @@ fn with_principal_axes_turned(system: &System, solution: &Solution) -> Option<So
     let u = solution.u(product);
     let mut layout = system.layout.clone();
     layout.parameters[product].prior = crate::recording::Quantity::new(solution.x[product] + u, 1e-6 * u);
-    let turned = System { session: system.session, layout, observations: system.observations.clone() };
+    let turned = system.with(layout);
     let mut start = solution.x.clone();
     start[product] += u;
     turned.solve(&start).ok()
@@ -143,11 +145,14 @@ fn has_tilted_swings(system: &System) -> bool {
 }
 
 fn is_determined(name: &str, derived: &Derived) -> bool {
-    let small = match name {
-        "psi_deg" => derived.u < MOST_ANGLE_U_DEG,
-        _ => derived.u < MOST_RELATIVE_U * derived.value.abs(),
+    let (small, certain) = match name {
+        "psi_deg" => (derived.u < MOST_ANGLE_U_DEG, false),
+        _ => {
+            let relative_u = derived.u / derived.value.abs();
+            (relative_u < MOST_RELATIVE_U, relative_u < CERTAIN_RELATIVE_U)
+        }
     };
-    small && derived.weak_share < MOST_WEAK_SHARE
+    certain || (small && derived.weak_share < MOST_WEAK_SHARE)
 }
 
 fn scalar_result(derived: &Derived) -> QuantityResult {

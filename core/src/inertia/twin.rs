@@ -151,7 +151,7 @@ fn parts(body: &RigidBody, modes: &SmallModes, swing: &Swing, result: &SwingResu
 }
 
 /// The angle that one unit of a mode's coordinate makes, by the conventions of the modes' sizes.
-fn angle_of_shape(modes: &SmallModes, i: usize, name: ModeName, unit: &Vec3) -> f64 {
+pub(super) fn angle_of_shape(modes: &SmallModes, i: usize, name: ModeName, unit: &Vec3) -> f64 {
     match name {
         ModeName::Yaw => modes.rotation(i).z.abs(),
         // |a| / g with a = ω² × displacement

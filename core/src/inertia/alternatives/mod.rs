@@ -97,7 +97,7 @@ impl<'a> Bench<'a> {
     }
 
     fn period(&self, mode: ModeName) -> Option<Traced> {
-        let found = self.system.observations.iter().find(|o| o.what == Observed::Period(self.swing, mode))?;
+        let found = self.system.periods.iter().find(|o| o.what == Observed::Period(self.swing, mode))?;
         Some(Traced::input(found.label.clone(), found.value))
     }
 

@@ -1,0 +1,85 @@
+//! The samples of a swing, ready to be compared with a motion.
+
+use std::ops::Range;
+
+use crate::frames::Vec3;
+use crate::inertia::observe::Evidence;
+
+/// Samples are averaged over blocks this long, as a share of the fastest period found, before they enter the normal equations;
+/// residuals are formed sample by sample, so nothing is shifted, and no more than (2π/16)²/24 = 0.6 % of the
+/// information of the fastest motion is lost.
+const BLOCK_OF_PERIOD: f64 = 1.0 / 16.0;
+
+/// The free span is known to a fraction of a second; so much is left out at its ends, s.
+const MARGIN_S: f64 = 0.3;
+
+/// A sensor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sensor {
+    Gyroscope,
+    Accelerometer,
+}
+
+/// One sensor's samples.
+#[derive(Debug, Clone)]
+pub struct Stream {
+    pub sensor: Sensor,
+    /// From the start of the span, s.
+    pub t_s: Vec<f64>,
+    pub values: Vec<Vec3>,
+    /// Standard deviation of the white noise by axis.
+    pub noise: Vec3,
+    pub blocks: Vec<Range<usize>>,
+}
+
+/// All samples of a swing.
+#[derive(Debug, Clone)]
+pub struct Samples {
+    pub streams: Vec<Stream>,
+    pub duration_s: f64,
+    /// The vertical in phone axes.
+    pub up: Vec3,
+}
+
+impl Samples {
+    /// From what was found in a phone's record; `None` without both sensors or without gravity in the record.
+    pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
+        let map = evidence.map;
+        if map.gravity_free {
+            return None;
+        }
+        let (up, start_s) = (evidence.up?, evidence.span.start_s + MARGIN_S);
+        let duration_s = evidence.span.end_s - MARGIN_S - start_s;
+        let block_s = fastest_period_s * BLOCK_OF_PERIOD;
+        let stream = |sensor: Sensor, first: usize| {
+            let group = evidence.groups.get(first / 3)?;
+            let axis = |c: usize| group.channels.get(c);
+            let (x, y, z) = (axis(0)?, axis(1)?, axis(2)?);
+            let noise = Vec3::from_fn(|c, _| evidence.found.noise.get(first + c).copied().unwrap_or(0.0));
+            let inside = group.t_s.partition_point(|t| *t < start_s)
+                ..group.t_s.partition_point(|t| *t <= start_s + duration_s);
+            let t_s: Vec<f64> = group.t_s.get(inside.clone())?.iter().map(|t| t - start_s).collect();
+            let values = inside.map(|i| Vec3::new(x[i], y[i], z[i])).collect();
+            let blocks = blocks(&t_s, block_s);
+            (noise.min() > 0.0).then_some(Stream { sensor, t_s, values, noise, blocks })
+        };
+        let streams = vec![
+            stream(Sensor::Gyroscope, map.gyroscope?)?,
+            stream(Sensor::Accelerometer, map.accelerometer?)?,
+        ];
+        (duration_s > 0.0).then_some(Self { streams, duration_s, up })
+    }
+}
+
+/// Runs of samples no longer than `block_s`.
+fn blocks(t_s: &[f64], block_s: f64) -> Vec<Range<usize>> {
+    let mut blocks = Vec::new();
+    let mut first = 0;
+    for i in 1..=t_s.len() {
+        if i == t_s.len() || t_s[i] - t_s[first] > block_s {
+            blocks.push(first..i);
+            first = i;
+        }
+    }
+    blocks
+}
