@@ -190,7 +190,10 @@ fn by_samples(
         })
         .collect();
     // What a swing misses from its own start, it may find from what the others say.
-    if fitted.iter().flatten().count() > 0 && fitted.len() > 1 {
+    for _ in 0..ROUNDS {
+        if fitted.len() == 1 || fitted.iter().all(Option::is_none) {
+            break;
+        }
         system.state(&[], &fitted, inclines);
         if let Ok(solution) = system.solve(&layout.start()) {
             x = solution.x;

@@ -18,8 +18,6 @@ use crate::inertia::theory::{swing_body, swing_rig};
 const HORIZONS: [f64; 5] = [1.5, 3.0, 7.0, 16.0, 40.0];
 const MOST_STEPS: usize = 25;
 const MOST_DAMPING: f64 = 1e6;
-/// Longest step of an unknown of the body, in standard deviations of its prior.
-const LONGEST_STEP: f64 = 0.25;
 /// A step that gains less than this share of what the derivatives promised asks for new ones.
 const KEPT: f64 = 0.5;
 /// A step of an early horizon that promises less than this share of χ² ends it.
@@ -94,8 +92,6 @@ struct Step {
     gained: f64,
     /// By the derivatives.
     promised: f64,
-    /// The same had it not been cut short.
-    whole: f64,
 }
 
 /// A linear statement about the session's parameters: `row · x = value`, of unit standard uncertainty.
@@ -203,7 +199,7 @@ impl SwingModel<'_> {
         for _ in 0..MOST_STEPS {
             let normal = self.normal(&at, &slopes, &free)?;
             let step = self.step(&mut at, moves, &free, &normal, &mut damping, horizon_s);
-            if enough.is(step.whole, at.cost) || (fresh && step.gained == 0.0) {
+            if enough.is(step.promised, at.cost) || (fresh && step.gained == 0.0) {
                 break;
             }
             fresh = step.gained < KEPT * step.promised;
@@ -244,14 +240,11 @@ impl SwingModel<'_> {
         (0..free.len() + OWN).filter(may).collect()
     }
 
-    /// Share of a step that moves no unknown of the body too far at once.
-    fn allowed(&self, step: &DVector<f64>, moving: &[usize], free: &[usize]) -> f64 {
-        let share = |(k, s): (&usize, &f64)| {
-            let parameter = &self.setup.layout.parameters[*free.get(*k)?];
-            let most = LONGEST_STEP * parameter.prior.u;
-            (parameter.role == Role::Unknown && s.abs() > most).then(|| most / s.abs())
-        };
-        moving.iter().zip(step.iter()).filter_map(share).fold(1.0, f64::min)
+    /// What holds an unknown of the body near where it is: a direction of which the swing says nothing is not worth a
+    /// long way.
+    fn hold(&self, place: usize, free: &[usize]) -> f64 {
+        let parameter = free.get(place).map(|i| &self.setup.layout.parameters[*i]);
+        parameter.filter(|p| p.role == Role::Unknown).map_or(0.0, |p| p.prior.u.powi(-2))
     }
 
     /// One accepted step; nothing gained where no step is downhill.
@@ -271,16 +264,13 @@ impl SwingModel<'_> {
         let mut taken = Step::default();
         while *damping < MOST_DAMPING {
             let mut damped = matrix.clone();
-            (0..size).for_each(|k| damped[(k, k)] *= 1.0 + *damping);
+            for (k, place) in moving.iter().enumerate() {
+                damped[(k, k)] = damped[(k, k)] * (1.0 + *damping) + self.hold(*place, free);
+            }
             let Some(factor) = damped.cholesky() else { break };
             let step = factor.solve(&gradient);
-            let whole = gradient.dot(&step);
-            let step = &step * self.allowed(&step, &moving, free);
-            taken = Step {
-                gained: 0.0,
-                promised: 2.0 * gradient.dot(&step) - step.dot(&(&matrix * &step)),
-                whole,
-            };
+            let promised = 2.0 * gradient.dot(&step) - step.dot(&(&matrix * &step));
+            taken = Step { gained: 0.0, promised };
             let (mut x, mut own) = (at.x.clone(), at.own.clone());
             for (k, s) in moving.iter().zip(step.iter()) {
                 match free.get(*k) {
@@ -303,32 +293,28 @@ impl SwingModel<'_> {
 
     /// The swing's own numbers fitted anew at other parameters of the session; what it leaves open stays its own.
     pub fn moved(&self, fitted: &Fit, x: &[f64]) -> Result<Fit> {
-        let there = self.beside(fitted, x, fitted.x[self.setup.layout.product_xz]);
+        let mut x = x.to_vec();
+        let product = self.setup.layout.product_xz;
+        if !self.tells_bow_from_stern() {
+            x[product] = fitted.x[product];
+        }
+        let there = Point { x, own: fitted.own.clone(), cost: f64::INFINITY };
         self.finished(self.optimised(there, Moves::Own, self.samples.duration_s, Enough::Converged)?)
     }
 
     /// The fit begun anew at other parameters of the session: the better of the two.
     pub fn again(&self, fitted: Fit, x: &[f64]) -> Result<Fit> {
         let whole_s = self.samples.duration_s;
-        let product = x[self.setup.layout.product_xz];
-        // The sign hangs on the heading: both are tried.
-        let tried = [product, -product].map(|product| {
-            self.optimised(self.beside(&fitted, x, product), Moves::Own, whole_s, Enough::Nearly)
+        // Bow and stern look alike to most of a swing: both headings are tried.
+        let tried = [fitted.own.clone(), fitted.own.turned_round()].map(|own| {
+            let there = Point { x: x.to_vec(), own, cost: f64::INFINITY };
+            self.optimised(there, Moves::Own, whole_s, Enough::Nearly)
         });
         let near =
             tried.into_iter().flatten().map(|(point, _)| point).min_by(|a, b| a.cost.total_cmp(&b.cost));
         let near = near.ok_or_else(no_start)?;
         let found = self.finished(self.optimised(near, Moves::All, whole_s, Enough::Converged)?)?;
         Ok(if found.cost < fitted.cost { found } else { fitted })
-    }
-
-    /// The swing's own numbers at other parameters of the session; a product of inertia that it leaves open, as given.
-    fn beside(&self, fitted: &Fit, x: &[f64], product: f64) -> Point {
-        let mut x = x.to_vec();
-        if !self.tells_bow_from_stern() {
-            x[self.setup.layout.product_xz] = product;
-        }
-        Point { x, own: fitted.own.clone(), cost: f64::INFINITY }
     }
 
     fn finished(&self, (mut point, slopes): (Point, Linearised)) -> Result<Fit> {
@@ -349,6 +335,13 @@ impl SwingModel<'_> {
             rms_over_noise,
             inflation,
         })
+    }
+
+    /// How far the fit pitches the hull from what was stated, in standard uncertainties.
+    pub fn pitch_pull(&self, fit: &Fit) -> f64 {
+        let prior = self.setup.layout.parameters[self.setup.index.pitch_deg].prior;
+        let pull = (fit.x[self.setup.index.pitch_deg] - prior.value).abs();
+        if prior.u > 0.0 { pull / prior.u } else { 0.0 }
     }
 
     fn tells_bow_from_stern(&self) -> bool {

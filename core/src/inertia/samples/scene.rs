@@ -135,6 +135,16 @@ impl Own {
         }
     }
 
+    /// The same motion of a hull whose bow is where its stern was.
+    pub fn turned_round(&self) -> Self {
+        const ABOUT_FACE: [usize; 8] = [0, 1, 2, 4, 5, 6, PLACE, PLACE + 1];
+        let half_turn = Rotation::from_axis_angle(&crate::frames::Vec3::z_axis(), std::f64::consts::PI);
+        let mut turned = self.clone();
+        ABOUT_FACE.iter().for_each(|i| turned.values[*i] = -turned.values[*i]);
+        turned.nominal = Rotation::new_normalize((half_turn * self.nominal).into_inner());
+        turned
+    }
+
     /// The turn taken into the nominal orientation.
     pub fn folded(mut self) -> Self {
         let turn = crate::frames::Vec3::new(self.values[TURN], self.values[TURN + 1], self.values[TURN + 2]);

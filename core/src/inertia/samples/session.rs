@@ -9,8 +9,12 @@ use crate::inertia::observe::Evidence;
 use crate::inertia::parameters::Layout;
 use crate::recording::Session;
 
-/// A fit explains a record where it leaves no more than this times what lines in the spectrum leave, or than the noise.
-const AS_GOOD: f64 = 1.1;
+/// A fit explains a record where what it leaves is white to this factor of variance …
+const WHITE: f64 = 1.5;
+/// … and the hull hangs as it was said to: a fit that tilts it by more of its stated uncertainties has lost its way …
+const MOST_PITCH_PULL: f64 = 5.0;
+/// … instead of white, it may leave so much less than lines in the spectrum do.
+const FAR_BETTER: f64 = 1.5;
 
 /// A swing whose samples the simulation explains.
 pub struct FittedSwing<'a> {
@@ -45,7 +49,9 @@ impl<'a> FittedSwing<'a> {
 
     fn explaining(model: SwingModel<'a>, fit: Fit, evidence: &Evidence) -> Option<Self> {
         let rms_over_noise = fit.rms_over_noise;
-        if rms_over_noise > AS_GOOD * evidence.found.rms_over_noise.max(1.0) {
+        let is_far_better = rms_over_noise * FAR_BETTER < evidence.found.rms_over_noise;
+        let is_tilted = model.pitch_pull(&fit) > MOST_PITCH_PULL;
+        if is_tilted || (fit.inflation > WHITE && !is_far_better) {
             return None;
         }
         let modes = fitted_modes(&model, &fit).ok()?;
