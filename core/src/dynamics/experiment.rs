@@ -1,10 +1,10 @@
 //! A swing with the phone that records it: what is simulated, as one list of named numbers.
 
 use super::numbers::{Number, Numbers};
-use super::path::{Moment, Path};
+use super::path::{Fineness, Moment, Path};
 use super::phone::{Phone, Reading};
 use super::real::{Dual, Real};
-use super::scene::{LANES, STEPS_PER_PERIOD, STEPS_PER_PERIOD_OF_DERIVATIVES, Scene, seeded};
+use super::scene::{LANES, Scene, seeded};
 use crate::error::{Error, Result};
 use crate::frames::Rotation;
 
@@ -64,7 +64,7 @@ impl Experiment {
 
     /// The record at these times, s.
     pub fn record(&self, t_s: &[f64]) -> Result<Record<f64>> {
-        self.run(self.values(), STEPS_PER_PERIOD, t_s)
+        self.run(self.values(), Fineness::FULL, t_s)
     }
 
     /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: one row per time, in it
@@ -73,7 +73,7 @@ impl Experiment {
         let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); t_s.len()];
         for lanes in wanted.chunks(LANES) {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
-            let record = self.run(values, STEPS_PER_PERIOD_OF_DERIVATIVES, t_s)?;
+            let record = self.run(values, Fineness::OF_DERIVATIVES, t_s)?;
             for (row, reading) in rows.iter_mut().zip(&record.readings) {
                 for (found, cell) in reading.six().iter().zip(row) {
                     cell.extend_from_slice(&found.slope[..lanes.len()]);
@@ -83,11 +83,11 @@ impl Experiment {
         Ok(rows)
     }
 
-    fn run<S: Real>(&self, mut values: Vec<S>, steps_per_period: f64, t_s: &[f64]) -> Result<Record<S>> {
+    fn run<S: Real>(&self, mut values: Vec<S>, fineness: Fineness, t_s: &[f64]) -> Result<Record<S>> {
         let of_phone = values.split_off(self.scene.values().len());
-        let step_s = self.scene.step_s(steps_per_period)?;
+        let step_s = self.scene.step_s(fineness.steps_per_period)?;
         let last_s = t_s.iter().fold(0.0, |last: f64, t| last.max(t - self.held_s));
-        let path = self.scene.run(values, last_s.max(step_s), step_s)?;
+        let path = self.scene.run(values, last_s.max(step_s), step_s, fineness)?;
         let count = of_phone.len();
         let phone = Phone::from_numbers(&mut of_phone.into_iter()).ok_or_else(|| too_few(count))?;
         let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);

@@ -29,7 +29,7 @@ mod trajectory;
 pub use equilibrium::{Equilibrium, Pose, equilibrium};
 pub use experiment::{Experiment, Record};
 pub use numbers::{Number, Numbers};
-pub use path::{Moment, Path, Slack};
+pub use path::{Fineness, Moment, Path, Slack};
 pub use phone::{Mounted, Phone, Reading, rotated};
 pub use real::{Dual, M3, Real, V3};
 pub use rig::{Line, Rig, RigidBody, SuspensionAxis};

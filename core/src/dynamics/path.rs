@@ -92,8 +92,28 @@ const LARGEST_ERROR: f64 = 1e-9;
 const LARGEST_ERROR_OF_MEMORY: f64 = 1e-6;
 /// The same for the derivatives by a parameter, of the largest of them.
 const LARGEST_ERROR_OF_DERIVATIVES: f64 = 1e-8;
-/// A step is halved no oftener than this.
-const MOST_HALVINGS: u32 = 10;
+
+/// How finely a motion is computed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fineness {
+    /// Steps per period of the fastest mode.
+    pub steps_per_period: f64,
+    /// A step with too large an error is halved no oftener than this.
+    pub most_halvings: u32,
+    /// A motion of more pieces is refused.
+    pub most_pieces: usize,
+}
+
+impl Fineness {
+    /// Leaves the energy of wide swings to 1e-10 over ten minutes, the periods to better than 1e-9
+    /// (`tests/simulation`). A path of more pieces would take a gigabyte.
+    pub const FULL: Self = Self { steps_per_period: 30.0, most_halvings: 10, most_pieces: 1_000_000 };
+    /// Leaves derivatives to 1e-7.
+    pub const OF_DERIVATIVES: Self = Self { steps_per_period: 14.0, ..Self::FULL };
+    /// For the comparison of smooth motions with samples: errors well below the noise of any phone, and trial bodies
+    /// on which no motion of that length can be computed are refused at once.
+    pub const OF_FITS: Self = Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 50_000 };
+}
 
 /// An integration under way.
 struct Integration<'a, S: Real> {
@@ -104,10 +124,11 @@ struct Integration<'a, S: Real> {
     end_slope: Vec<S>,
     tension_n: [f64; MOST_LINES],
     path: Path<S>,
+    fineness: Fineness,
 }
 
 impl<'a, S: Real> Integration<'a, S> {
-    fn new(equations: &'a Equations<S>, start: Vec<S>, step_s: f64) -> Self {
+    fn new(equations: &'a Equations<S>, start: Vec<S>, step_s: f64, fineness: Fineness) -> Self {
         let size = equations.size();
         let mut stepper = Stepper::new(size);
         let tension_n = equations.slope(&start, stepper.first_slope()).tension_n.map(Real::value);
@@ -121,7 +142,7 @@ impl<'a, S: Real> Integration<'a, S> {
             gravity_m_s2: equations.system.gravity_m_s2,
         };
         let zeros = || vec![S::zero(); size];
-        Self { equations, stepper, state: start, end: zeros(), end_slope: zeros(), tension_n, path }
+        Self { equations, stepper, state: start, end: zeros(), end_slope: zeros(), tension_n, path, fineness }
     }
 
     /// One piece, or two of half its length, and so on.
@@ -131,7 +152,7 @@ impl<'a, S: Real> Integration<'a, S> {
             equations.slope(y, out);
         };
         self.stepper.advance(&mut f, &self.state, piece.length_s, &mut self.end);
-        if halvings < MOST_HALVINGS && self.is_rough(piece.length_s) {
+        if halvings < self.fineness.most_halvings && self.is_rough(piece.length_s) {
             let length_s = 0.5 * piece.length_s;
             self.advance(Piece { length_s, ..piece }, halvings + 1)?;
             return self.advance(Piece { from_s: piece.from_s + length_s, length_s }, halvings + 1);
@@ -157,6 +178,9 @@ impl<'a, S: Real> Integration<'a, S> {
     }
 
     fn accept(&mut self, piece: Piece) -> Result<()> {
+        if self.path.pieces.len() == self.fineness.most_pieces {
+            return Err(too_long(self.fineness.most_pieces));
+        }
         let equations = self.equations;
         let mut f = |y: &[S], out: &mut [S]| {
             equations.slope(y, out);
@@ -177,8 +201,9 @@ impl<'a, S: Real> Integration<'a, S> {
     }
 }
 
-/// A path of more steps would take a gigabyte.
-const MOST_STEPS: f64 = 1e6;
+fn too_long(most_pieces: usize) -> Error {
+    Error::no_result("motion", format!("it takes more than {most_pieces} steps"))
+}
 
 impl<S: Real> Path<S> {
     /// Integrates from `start`, which keeps the constraints already, over `duration_s` in steps of `step_s`.
@@ -187,6 +212,7 @@ impl<S: Real> Path<S> {
         start: Vec<S>,
         duration_s: f64,
         step_s: f64,
+        fineness: Fineness,
     ) -> Result<Self> {
         for (name, value) in [("duration_s", duration_s), ("step_s", step_s)] {
             if !(value.is_finite() && value > 0.0) {
@@ -194,14 +220,11 @@ impl<S: Real> Path<S> {
             }
         }
         let steps = (duration_s / step_s).ceil();
-        if steps > MOST_STEPS {
-            return Err(Error::no_result(
-                "motion",
-                format!("{duration_s} s in steps of {step_s} s is too long"),
-            ));
+        if steps > fineness.most_pieces as f64 {
+            return Err(too_long(fineness.most_pieces));
         }
         let steps = steps as usize;
-        let mut integration = Integration::new(equations, start, step_s);
+        let mut integration = Integration::new(equations, start, step_s, fineness);
         integration.path.coefficients.reserve(steps * MEMORY);
         for n in 0..steps {
             integration.advance(Piece { from_s: n as f64 * step_s, length_s: step_s }, 0)?;

@@ -8,7 +8,7 @@
 
 use super::effects::{EffectValues, build};
 use super::numbers::{Number, Numbers, numbers};
-use super::path::{Moment, Path};
+use super::path::{Fineness, Moment, Path};
 use super::real::{Dual, M3, Real, V3, constant};
 use super::rig::{Line, Rig, RigidBody, SuspensionAxis};
 use super::small::small_modes;
@@ -151,11 +151,6 @@ pub struct Scene {
 
 /// Derivatives are computed in groups of so many parameters.
 pub const LANES: usize = 8;
-/// Steps per period of the fastest mode: leaves the energy of wide swings to 1e-10 over ten minutes, the periods to
-/// better than 1e-9 (`tests/simulation`).
-pub(super) const STEPS_PER_PERIOD: f64 = 30.0;
-/// The same where derivatives are wanted: leaves them to 1e-7.
-pub(super) const STEPS_PER_PERIOD_OF_DERIVATIVES: f64 = 14.0;
 
 impl Scene {
     /// Names and units of all its numbers; those of effects read `effect.number`, a second of the same kind
@@ -211,23 +206,25 @@ impl Scene {
 
     /// The motion.
     pub fn motion(&self, duration_s: f64) -> Result<Path<f64>> {
-        self.run(self.values(), duration_s, self.step_s(STEPS_PER_PERIOD)?)
+        self.motion_as(Fineness::FULL, duration_s)
     }
 
-    /// The motion in steps of the length given.
-    pub fn motion_in_steps(&self, duration_s: f64, step_s: f64) -> Result<Path<f64>> {
-        self.run(self.values(), duration_s, step_s)
+    /// The motion, as finely as is asked.
+    pub fn motion_as(&self, fineness: Fineness, duration_s: f64) -> Result<Path<f64>> {
+        self.run(self.values(), duration_s, self.step_s(fineness.steps_per_period)?, fineness)
     }
 
     /// The motion with its derivatives by the numbers at `wanted`, [`LANES`] of them to a path.
     pub fn motion_and_derivatives(
         &self,
         wanted: &[usize],
+        fineness: Fineness,
         duration_s: f64,
     ) -> Result<Vec<Path<Dual<LANES>>>> {
-        let step_s = self.step_s(STEPS_PER_PERIOD_OF_DERIVATIVES)?;
+        let step_s = self.step_s(fineness.steps_per_period)?;
         let values = self.values();
-        wanted.chunks(LANES).map(|lanes| self.run(seeded(&values, lanes)?, duration_s, step_s)).collect()
+        let run = |lanes: &[usize]| self.run(seeded(&values, lanes)?, duration_s, step_s, fineness);
+        wanted.chunks(LANES).map(run).collect()
     }
 
     /// The body at the start.
@@ -239,10 +236,16 @@ impl Scene {
         Ok(Moment::new(&y, &slope))
     }
 
-    pub(super) fn run<S: Real>(&self, values: Vec<S>, duration_s: f64, step_s: f64) -> Result<Path<S>> {
+    pub(super) fn run<S: Real>(
+        &self,
+        values: Vec<S>,
+        duration_s: f64,
+        step_s: f64,
+        fineness: Fineness,
+    ) -> Result<Path<S>> {
         let (equations, start) = self.equations(values)?;
         let y = started(&equations, self.hanging, &start)?;
-        Path::integrate(&equations, y, duration_s, step_s)
+        Path::integrate(&equations, y, duration_s, step_s, fineness)
     }
 
     pub(super) fn equations<S: Real>(&self, values: Vec<S>) -> Result<(Equations<S>, Start<S>)> {

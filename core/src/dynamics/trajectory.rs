@@ -5,7 +5,7 @@ use nalgebra::{Vector2, Vector6};
 use super::constraint::{excesses, jacobian, mass_matrix, reaches};
 use super::effects::{Effect, LinearDamping};
 use super::equilibrium::Pose;
-use super::path::{Moment, Path, Slack};
+use super::path::{Fineness, Moment, Path, Slack};
 use super::rig::{Rig, RigidBody};
 use super::small::{SmallModes, small_modes};
 use super::suspended::{ATTITUDE, Cord, Equations, PLACE, RATE, Suspended, VELOCITY};
@@ -210,7 +210,7 @@ pub fn simulate(
     }
     let equations = equations(rig, body, damping)?;
     let y = vector(&equations, &placed(rig, body, start)?);
-    let path = Path::integrate(&equations, y, sampling.duration_s, step_s)?;
+    let path = Path::integrate(&equations, y, sampling.duration_s, step_s, Fineness::FULL)?;
     let samples = (sampling.duration_s / sampling.interval_s * (1.0 + 1e-12)).floor() as usize + 1;
     let mut out = Trajectory {
         cm_m: body.cm_m,

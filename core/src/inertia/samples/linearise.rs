@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::record::{Samples, Sensor, Stream};
 use super::scene::{BIAS, DRIFT, LANES, OWN, Own, PLACE, SHARED_LANES, SwingSetup, TURN};
-use crate::dynamics::{self, Dual, Mounted, Path, Real};
+use crate::dynamics::{self, Dual, Fineness, Mounted, Path, Real};
 use crate::error::Result;
 use crate::frames::Vec3;
 
@@ -51,7 +51,7 @@ pub struct Simulated {
 impl Simulated {
     pub fn new(setup: &SwingSetup, x: &[f64], own: &Own, horizon_s: f64, whole_s: f64) -> Result<Self> {
         let own = own.clone().folded();
-        let path = setup.scene(x, &own)?.motion(horizon_s)?;
+        let path = setup.scene(x, &own)?.motion_as(Fineness::OF_FITS, horizon_s)?;
         let mounted = own.phone().mounted(&own.nominal, &path.cm_m, path.gravity_m_s2);
         Ok(Self { path, mounted, own, clock: x[setup.layout.clock], middle_s: 0.5 * whole_s })
     }
@@ -123,7 +123,7 @@ impl Linearised {
     ) -> Result<Self> {
         let scene = setup.scene(x, own)?;
         let simulated = Simulated::new(setup, x, own, horizon_s, samples.duration_s)?;
-        let paths = scene.motion_and_derivatives(&LANES, horizon_s)?;
+        let paths = scene.motion_and_derivatives(&LANES, Fineness::OF_FITS, horizon_s)?;
         let phone = own.phone().map(Dual::constant);
         let mounted: Vec<Mounted<Dual<{ dynamics::LANES }>>> =
             paths.iter().map(|p| phone.mounted(&own.nominal, &p.cm_m, p.gravity_m_s2)).collect();
