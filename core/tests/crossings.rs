@@ -4,11 +4,12 @@
 
 #![allow(clippy::unwrap_used, clippy::needless_range_loop)]
 
+use gyradius_core::inertia::routes::beat::period_ratio;
 use gyradius_core::recording::{GateEvents, PeriodList};
 use gyradius_core::signal::{
     ChannelGroup, PeriodLaw, Pole, SpanNoteKind, WindowPoint, WindowedMode, against_amplitude, beat_count,
     crossing_periods, fit_period_trend, free_swing_span, gate_periods, period_from_crossings,
-    period_from_list, ratio_of_beat, small_amplitude_limit, zero_crossings,
+    period_from_list, small_amplitude_limit, zero_crossings,
 };
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
@@ -328,7 +329,7 @@ fn the_beat_count_gives_the_ratio_of_the_periods() {
             })
             .collect();
         let count = beat_count(&t, &x).unwrap();
-        let ratio = ratio_of_beat(count.n, true);
+        let ratio = period_ratio(count.n, true).unwrap();
         assert!((count.beat_s - 30.0).abs() < 0.6, "{balance:.2} {strong}: {count:?}");
         assert!(
             (count.n - 7.339).abs() < 4.0 * count.n_u && count.n_u < 0.5,

@@ -85,6 +85,19 @@ impl System<'_> {
         }
     }
 
+    /// The system as it would be were the solution the truth: every stated figure, every period and every angle with the
+    /// value that the solution has for it.
+    pub fn as_solved(&self, solution: &Solution) -> Option<Self> {
+        let mut layout = self.layout.clone();
+        layout.parameters.iter_mut().zip(&solution.x).for_each(|(p, x)| p.prior.value = *x);
+        let mut ideal = self.with(layout);
+        let mut seen = vec![None; self.session.swings.len()];
+        for observation in ideal.periods.iter_mut().chain(&mut ideal.observations) {
+            observation.value.value = self.predict_one(observation, &solution.x, &mut seen)?;
+        }
+        Some(ideal)
+    }
+
     /// Predicted observations; `None` where the parameters allow no motion.
     fn predict(&self, x: &[f64]) -> Option<Vec<f64>> {
         let mut periods: Vec<Option<Vec<(ModeName, f64)>>> = vec![None; self.session.swings.len()];

@@ -57,6 +57,11 @@ impl Hull<'_> {
     }
 }
 
+/// A quantity of the hull alone at parameters of the session.
+pub fn hull_scalar(system: &System, name: &str, x: &[f64]) -> Option<f64> {
+    Hull { session: system.session, system, level_depth: level_depth(system) }.scalar(name, x)
+}
+
 /// Angle from the hull's x axis up to the principal x axis, positive bow up, rad. Eqs. (3), (4) in tensor form:
 /// tan 2ψ = 2 I_xz / (I_xx − I_zz) with the tensor's own I_xz = −∫ x z dm.
 fn psi_rad(inertia: &Mat3) -> f64 {
@@ -108,7 +113,7 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
 
 /// The same session with its unknown product of inertia one standard uncertainty off: its effect on a roll is of the
 /// second order, which no linear propagation sees.
-fn with_principal_axes_turned(system: &System, solution: &Solution) -> Option<Solution> {
+pub fn with_principal_axes_turned(system: &System, solution: &Solution) -> Option<Solution> {
     let product = system.layout.product_xz;
     let u = solution.u(product);
     let mut layout = system.layout.clone();

@@ -1,5 +1,5 @@
 //! The beat count, eqs. (9)–(13): yaw and sway of about equal size at one point beat, and the number n of
-//! oscillations per beat gives the ratio of the two periods without a clock.
+//! oscillations per beat gives the ratio of the two periods without a clock (what follows from n: `inertia::routes::beat`).
 
 use std::f64::consts::TAU;
 
@@ -9,39 +9,6 @@ use crate::error::{Error, Result};
 
 use super::crossings::median;
 use super::marquardt::linear;
-
-/// Average and beat of two oscillations.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeatNumbers {
-    /// T_a, s.
-    pub average_s: f64,
-    /// T_b, s.
-    pub beat_s: f64,
-    /// n, oscillations per beat.
-    pub n: f64,
-}
-
-/// Average, beat and count of two periods: eqs. (10), (11), (12).
-pub fn beat_of_periods(one_s: f64, other_s: f64) -> BeatNumbers {
-    let average_s = 2.0 * one_s * other_s / (one_s + other_s); // eq. (10)
-    let beat_s = one_s * other_s / (one_s - other_s).abs(); // eq. (11)
-    BeatNumbers { average_s, beat_s, n: beat_s / average_s } // eq. (12)
-}
-
-/// T_y/T_s from n: eq. (12) solved, both branches.
-///
-/// # Conventions
-/// `yaw_slower` is k_y > d (T_y > T_s), the usual case with suspension points at the sheer.
-pub fn ratio_of_beat(n: f64, yaw_slower: bool) -> f64 {
-    let ratio = (2.0 * n + 1.0) / (2.0 * n - 1.0); // eq. (13)
-    if yaw_slower { ratio } else { 1.0 / ratio }
-}
-
-/// Standard uncertainty of [`ratio_of_beat`] from that of n.
-pub fn ratio_u_of_beat(n: f64, n_u: f64, yaw_slower: bool) -> f64 {
-    let slope = if yaw_slower { 2.0 * n - 1.0 } else { 2.0 * n + 1.0 };
-    4.0 * n_u / (slope * slope) // derivative of eq. (13)
-}
 
 /// A beat counted in a record.
 #[derive(Debug, Clone, PartialEq)]
@@ -214,26 +181,6 @@ fn lobes(envelope: &Envelope, minima: &[f64]) -> Option<Lobes> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn figure_3_of_the_paper() {
-        let beat = beat_of_periods(4.39, 3.83);
-        assert!((beat.average_s - 4.09).abs() < 0.005 && (beat.beat_s - 30.0).abs() < 0.05);
-        assert!((beat.n - 7.33).abs() < 0.015, "{}", beat.n);
-        assert_eq!(format!("{:.3} {:.3}", ratio_of_beat(7.5, true), ratio_of_beat(7.0, true)), "1.143 1.154");
-        assert_eq!(format!("{:.2}", ratio_of_beat(25.0, true)), "1.04");
-        // Exactly: n of the two periods gives their ratio back, on both branches.
-        assert!((ratio_of_beat(beat.n, true) - 4.39 / 3.83).abs() < 1e-12);
-        assert!((ratio_of_beat(beat.n, false) - 3.83 / 4.39).abs() < 1e-12);
-    }
-
-    #[test]
-    fn the_uncertainty_is_the_slope() {
-        for slower in [true, false] {
-            let slope = (ratio_of_beat(7.0 + 1e-5, slower) - ratio_of_beat(7.0 - 1e-5, slower)) / 2e-5;
-            assert!((ratio_u_of_beat(7.0, 1.0, slower) - slope.abs()).abs() < 1e-8);
-        }
-    }
 
     #[test]
     fn silence_is_refused() {

@@ -28,7 +28,7 @@ mod types;
 mod uncertainty;
 
 pub use amplitude::{Pole, WindowPoint, WindowedMode, against_amplitude};
-pub use beat::{BeatCount, BeatNumbers, beat_count, beat_of_periods, ratio_of_beat, ratio_u_of_beat};
+pub use beat::{BeatCount, beat_count};
 pub use crossings::{
     Crossing, CrossingPeriod, PeriodSeries, crossing_periods, period_from_crossings, zero_crossings,
 };

@@ -6,6 +6,7 @@
 
 mod heights;
 mod inclines;
+mod simplified;
 mod swings;
 mod tilts;
 
@@ -58,6 +59,13 @@ impl RouteCalculation {
 
 /// All single routes that a session's observations allow; `beats` are those counted in the swings' records.
 pub fn routes(system: &System, solution: &Solution, beats: &[Option<CountedBeat>]) -> Vec<RouteCalculation> {
+    let mut found = of_figures(system, solution, beats);
+    simplified::widen(system, solution, &mut found);
+    found
+}
+
+/// The routes on the figures as they stand in the system.
+fn of_figures(system: &System, solution: &Solution, beats: &[Option<CountedBeat>]) -> Vec<RouteCalculation> {
     let benches: Vec<Bench> =
         (0..system.session.swings.len()).filter_map(|i| Bench::of(system, solution, i)).collect();
     let mut found: Vec<RouteCalculation> =
