@@ -24,7 +24,7 @@ from .measurement import (
     Verdict,
 )
 from .session import Session, load, shipped_session, shipped_sessions
-from .simulation import Rig, Simulation, read_rig, simulate
+from .simulation import Rig, Simulation, read_rig, shipped_rigs, simulate
 
 __all__ = [
     "AmplitudePoint",
@@ -52,6 +52,7 @@ __all__ = [
     "load",
     "read_rig",
     "routes",
+    "shipped_rigs",
     "shipped_session",
     "shipped_sessions",
     "simulate",

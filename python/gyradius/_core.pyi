@@ -82,7 +82,9 @@ class Rig:
         values: list[tuple[str, float]],
         derivatives: list[str],
         t_s: NDArray[np.float64] | None,
+        seed: int | None,
     ) -> Simulation: ...
+    def write(self, folder: str, truth_file: str, seed: int, replace: bool) -> None: ...
 
 @final
 class Simulation:

@@ -19,6 +19,7 @@ from .measurement import Measurement
 from .outcome import BAD_INPUT, reported, write_json
 from .progress import working
 from .session import load, shipped_sessions
+from .simulation import read_rig
 from .tables import show
 
 app = typer.Typer(
@@ -143,6 +144,29 @@ def import_(
 
 
 @app.command()
+def simulate(
+    rig: Annotated[str, typer.Argument(metavar="RIG", help="Rig file: a session's keys, [truth] and [[effect]].")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The session folder to write.")],
+    seed: Annotated[int | None, typer.Option(metavar="N", min=0, max=2**64 - 1, help="Of all chance.")] = None,
+    truth: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="What is true; DIR.truth.json where it is left out.")
+    ] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
+    json: Json = None,
+) -> None:
+    """Write a session that was never swung, and beside it what is true."""
+    with reported(_errors(), json):
+        with working(_errors(), f"simulating {rig}"):
+            file, drawn = read_rig(rig).write(output, truth=truth, seed=seed, replace=replace)
+        if json is not None:
+            found = {"session": str(output), "truth": str(file), "seed": drawn}
+            write_json(dumps(found, ensure_ascii=False, indent=2), json)
+        console = _console(json)
+        for name, value in (("Seed", drawn), ("Truth", file), ("Session", output)):
+            console.print(f"{name}: {value}", soft_wrap=True, highlight=False, markup=False)
+
+
+@app.command()
 def routes(json: Json = None) -> None:
     """List the paper's equations and what each needs."""
     with reported(_errors(), json):
@@ -169,7 +193,7 @@ def _later(name: str) -> None:
     app.command(name, hidden=True, context_settings=settings, add_help_option=False)(command)
 
 
-for _name in ("critique", "simulate", "plan"):
+for _name in ("critique", "plan"):
     _later(_name)
 
 

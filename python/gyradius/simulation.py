@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -78,15 +81,17 @@ class Rig:
         values: Mapping[str, float] | None = None,
         derivatives: Sequence[str] = (),
         t_s: ArrayLike | None = None,
+        seed: int | None = None,
     ) -> Simulation:
-        """Simulate one swing, as the phone samples it or at the times given.
+        """Simulate one swing, as the phone samples it or at the times given, on the phone's clock.
 
-        ``values`` replace numbers by name; ``derivatives`` names the numbers to differentiate the readings by.
+        ``values`` replace numbers by name; ``derivatives`` names the numbers to differentiate the readings by. Chance
+        (noise, jitter, lost samples) comes from ``seed``; without one there is none.
         """
         swing = self._one(swing)
         replaced = {name: float(value) for name, value in (values or {}).items()}
         times = None if t_s is None else np.ascontiguousarray(t_s, dtype=np.float64)
-        core = self._core.simulate(swing, list(replaced.items()), list(derivatives), times)
+        core = self._core.simulate(swing, list(replaced.items()), list(derivatives), times, seed)
         numbers = self._core.numbers(swing)
         return Simulation(
             swing=swing,
@@ -105,6 +110,24 @@ class Rig:
             derivatives=core.derivatives,
             slack=core.slack,
         )
+
+    def write(
+        self,
+        folder: str | os.PathLike[str],
+        *,
+        truth: str | os.PathLike[str] | None = None,
+        seed: int | None = None,
+        replace: bool = False,
+    ) -> tuple[Path, int]:
+        """Simulate every swing and write the session into a folder; returns the truth file and the seed.
+
+        What is true goes to ``truth``, next to the folder where nothing else is said, never into it: the session can be
+        handed over blind. Without a ``seed`` one is drawn. The same seed gives the same files.
+        """
+        drawn = secrets.randbits(53) if seed is None else seed
+        file = Path(f"{os.path.normpath(folder)}.truth.json") if truth is None else Path(truth)
+        self._core.write(os.fspath(folder), os.fspath(file), drawn, replace)
+        return file, drawn
 
     def _one(self, swing: str | None) -> str:
         if swing is not None:
@@ -128,9 +151,16 @@ def simulate(
     values: Mapping[str, float] | None = None,
     derivatives: Sequence[str] = (),
     t_s: ArrayLike | None = None,
+    seed: int | None = None,
 ) -> Simulation:
     """Simulate a swing of a rig file, or of a mapping with its keys; arguments as of :meth:`Rig.simulate`."""
-    return read_rig(rig).simulate(swing, values=values, derivatives=derivatives, t_s=t_s)
+    return read_rig(rig).simulate(swing, values=values, derivatives=derivatives, t_s=t_s, seed=seed)
+
+
+def shipped_rigs() -> dict[str, Path]:
+    """The rig files that come with the package, by name."""
+    folder = Path(str(resources.files("gyradius"))) / "rigs"
+    return {path.stem: path for path in sorted(folder.glob("*.toml"))}
 
 
 def _toml(rig: Mapping[str, Any]) -> str:

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use gyradius_core::dynamics::{Moment, Slack};
 use gyradius_core::practice::{self, RigFile, RiggedSwing};
+use gyradius_core::recording::Overwrite;
 use gyradius_core::{Error, Result};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, ToPyArray};
 use pyo3::prelude::*;
@@ -46,7 +47,23 @@ impl Rig {
         Ok(named.map(|((name, unit), value)| (name, value, unit)).collect())
     }
 
-    /// Simulate a swing with other values of some numbers, at these times or as its phone samples.
+    /// Simulate all swings and write the session, and beside it what is true.
+    fn write(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        truth_file: PathBuf,
+        seed: u64,
+        replace: bool,
+    ) -> PyResult<()> {
+        let overwrite = if replace { Overwrite::Replace } else { Overwrite::Refuse };
+        detached(py, || {
+            practice::save_practised(&practice::practise(&self.inner, seed)?, folder, truth_file, overwrite)
+        })
+    }
+
+    /// Simulate a swing with other values of some numbers, at these times or as its phone samples; without a seed there is
+    /// no chance in it.
     fn simulate(
         &self,
         py: Python<'_>,
@@ -54,9 +71,10 @@ impl Rig {
         values: Vec<(String, f64)>,
         derivatives: Vec<String>,
         t_s: Option<PyReadonlyArray1<'_, f64>>,
+        seed: Option<u64>,
     ) -> PyResult<Simulation> {
         let times = t_s.map(|t| t.as_slice().map(<[f64]>::to_vec)).transpose()?;
-        detached(py, || Simulation::of(self.swing(swing)?, &values, &derivatives, times))
+        detached(py, || Simulation::of(self.swing(swing)?, &values, &derivatives, times, seed))
     }
 }
 
@@ -85,6 +103,7 @@ impl Simulation {
         values: &[(String, f64)],
         derivatives: &[String],
         times: Option<Vec<f64>>,
+        seed: Option<u64>,
     ) -> Result<Self> {
         let mut numbers = swing.experiment.values();
         for (name, value) in values {
@@ -93,14 +112,16 @@ impl Simulation {
         let experiment = swing.experiment.with_values(&numbers)?;
         let wanted = derivatives.iter().map(|name| experiment.index(name)).collect::<Result<Vec<_>>>()?;
         let t_s = times.unwrap_or_else(|| swing.sampling.times_s());
-        let record = experiment.record(&t_s)?;
+        let draws = swing.draws(seed, t_s.len())?;
+        let record = experiment.record(&t_s, &draws)?;
+        let slopes = experiment.derivatives(&wanted, &t_s, &draws)?;
         Ok(Self {
             readings: record.readings.iter().map(|reading| reading.six()).collect(),
             moments: record.moments,
             slack: record.path.slack,
-            derivatives: experiment.derivatives(&wanted, &t_s)?.into_iter().flatten().flatten().collect(),
+            derivatives: slopes.into_iter().flatten().flatten().collect(),
             parameters: wanted.len(),
-            t_s,
+            t_s: record.t_s,
         })
     }
 

@@ -43,7 +43,7 @@ def test_help_names_the_commands() -> None:
     assert "critique" not in done.stdout
 
 
-@pytest.mark.parametrize("command", ["critique", "simulate", "plan"])
+@pytest.mark.parametrize("command", ["critique", "plan"])
 def test_what_comes_later_says_so(command: str) -> None:
     assert_refused(run(command, "something", "-o", "x"), 2, "later version")
 

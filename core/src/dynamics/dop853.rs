@@ -103,6 +103,19 @@ pub(super) fn between<S: Real>(coefficients: &[S; COEFFICIENTS], x: f64) -> (S, 
     (coefficients[0] + y, slope)
 }
 
+/// The same where the fraction has derivatives of its own.
+pub(super) fn between_moving<S: Real>(coefficients: &[S; COEFFICIENTS], x: S) -> (S, S) {
+    let (mut y, mut slope) = (S::zero(), S::zero());
+    for (i, coefficient) in coefficients[1..].iter().enumerate().rev() {
+        y += *coefficient;
+        let (factor, by_x) = if i % 2 == 0 { (x, 1.0) } else { (S::one() - x, -1.0) };
+        slope *= factor;
+        slope.add_scaled(by_x, y);
+        y *= factor;
+    }
+    (coefficients[0] + y, slope)
+}
+
 fn combine<S: Real>(row: &[(usize, f64)], slopes: &[Vec<S>], start: &[S], h: f64, out: &mut [S]) {
     out.copy_from_slice(start);
     for &(stage, weight) in row {

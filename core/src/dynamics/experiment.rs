@@ -1,10 +1,12 @@
 //! A swing with the phone that records it: what is simulated, as one list of named numbers.
 
+use super::effects::EffectValues;
 use super::numbers::{Number, Numbers};
 use super::path::{Fineness, Moment, Path};
-use super::phone::{Phone, Reading};
-use super::real::{Dual, Real};
-use super::scene::{LANES, Scene, seeded};
+use super::phone::{Mounted, Phone, Reading};
+use super::real::{Dual, Real, V3};
+use super::scene::{LANES, Scene, effect_names, seeded};
+use super::sensors::{OwnMotion, Ride, Sensor, SensorEffect, build};
 use crate::error::{Error, Result};
 use crate::frames::Rotation;
 
@@ -17,43 +19,59 @@ pub struct Experiment {
     pub hull_from_phone: Rotation,
     /// The phone.
     pub phone: Phone,
+    /// What its sensors do to what they feel.
+    pub sensors: Vec<EffectValues>,
     /// So long the hull is held at its start before it is let go, s.
     pub held_s: f64,
 }
 
-/// The motion and what the phone says of it.
+/// Standard normal numbers for each effect of the sensors, so many for each sample as it takes, sample after sample.
+/// Without any, the sensors are what they are on average.
+pub type Draws = Vec<Vec<f64>>;
+
+/// The motion and what the phone says of it. Lost samples are left out.
 #[derive(Debug, Clone)]
 pub struct Record<S: Real> {
     /// The motion from the release on.
     pub path: Path<S>,
-    /// Where the hull was at each time.
+    /// Time stamps, s.
+    pub t_s: Vec<f64>,
+    /// Where the hull was at each reading.
     pub moments: Vec<Moment<S>>,
     /// What the phone said.
     pub readings: Vec<Reading<S>>,
 }
 
+type Laws<S> = Vec<Box<dyn SensorEffect<S>>>;
+
 impl Experiment {
-    /// Names and units of all its numbers: those of the scene, then those of the phone as `phone.position_x_m`.
+    /// Names and units of all its numbers: those of the scene, those of the phone as `phone.position_x_m`, those of the
+    /// sensors' effects as the scene's.
     pub fn names(&self) -> Vec<(String, &'static str)> {
         let of_phone = <Phone as Numbers<f64>>::NUMBERS.iter();
         let mut names = self.scene.names();
         names.extend(of_phone.map(|n: &Number| (format!("phone.{}", n.name), n.unit)));
+        names.extend(effect_names(&self.sensors));
         names
     }
 
     /// All its numbers, in the order of [`Experiment::names`].
     pub fn values(&self) -> Vec<f64> {
-        [self.scene.values(), self.phone.to_numbers()].concat()
+        let of_sensors = self.sensors.iter().flat_map(|e| e.values.clone()).collect();
+        [self.scene.values(), self.phone.to_numbers(), of_sensors].concat()
     }
 
     /// The experiment with other numbers, in the order of [`Experiment::names`].
     pub fn with_values(&self, values: &[f64]) -> Result<Self> {
-        let (of_scene, rest) = values.split_at(self.scene.values().len().min(values.len()));
-        Ok(Self {
-            scene: self.scene.with_values(of_scene)?,
-            phone: Phone::from_numbers(&mut rest.iter().copied()).ok_or_else(|| too_few(values.len()))?,
-            ..self.clone()
-        })
+        let few = || too_few(values.len());
+        let (of_scene, rest) = values.split_at_checked(self.scene.values().len()).ok_or_else(few)?;
+        let mut rest = rest.iter().copied();
+        let mut other = Self { scene: self.scene.with_values(of_scene)?, ..self.clone() };
+        other.phone = Phone::from_numbers(&mut rest).ok_or_else(few)?;
+        for value in other.sensors.iter_mut().flat_map(|e| &mut e.values) {
+            *value = rest.next().ok_or_else(few)?;
+        }
+        Ok(other)
     }
 
     /// Place of a number in [`Experiment::names`].
@@ -62,18 +80,24 @@ impl Experiment {
         found.ok_or_else(|| Error::argument("number", "a number of the simulation", name))
     }
 
-    /// The record at these times, s.
-    pub fn record(&self, t_s: &[f64]) -> Result<Record<f64>> {
-        self.run(self.values(), Fineness::FULL, t_s)
+    /// How many standard normal numbers each effect of the sensors takes for a sample.
+    pub fn draws_per_sample(&self) -> Result<Vec<usize>> {
+        Ok(self.laws::<f64>(&mut self.sensor_values())?.iter().map(|law| law.draws()).collect())
     }
 
-    /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: one row per time, in it
-    /// the six readings, in each the derivatives.
-    pub fn derivatives(&self, wanted: &[usize], t_s: &[f64]) -> Result<Vec<[Vec<f64>; 6]>> {
-        let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); t_s.len()];
+    /// The record of samples taken at these times on the phone's clock, s.
+    pub fn record(&self, t_s: &[f64], draws: &Draws) -> Result<Record<f64>> {
+        self.run(self.values(), Fineness::FULL, t_s, draws)
+    }
+
+    /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: one row for each sample of
+    /// [`Experiment::record`], in it the six readings, in each the derivatives.
+    pub fn derivatives(&self, wanted: &[usize], t_s: &[f64], draws: &Draws) -> Result<Vec<[Vec<f64>; 6]>> {
+        let count = self.kept(&self.laws(&mut self.sensor_values())?, t_s, draws).len();
+        let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); count];
         for lanes in wanted.chunks(LANES) {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
-            let record = self.run(values, Fineness::OF_DERIVATIVES, t_s)?;
+            let record = self.run(values, Fineness::OF_DERIVATIVES, t_s, draws)?;
             for (row, reading) in rows.iter_mut().zip(&record.readings) {
                 for (found, cell) in reading.six().iter().zip(row) {
                     cell.extend_from_slice(&found.slope[..lanes.len()]);
@@ -83,17 +107,62 @@ impl Experiment {
         Ok(rows)
     }
 
-    fn run<S: Real>(&self, mut values: Vec<S>, fineness: Fineness, t_s: &[f64]) -> Result<Record<S>> {
-        let of_phone = values.split_off(self.scene.values().len());
+    fn sensor_values(&self) -> impl Iterator<Item = f64> {
+        self.sensors.iter().flat_map(|e| e.values.iter().copied())
+    }
+
+    fn laws<S: Real>(&self, values: &mut dyn Iterator<Item = S>) -> Result<Laws<S>> {
+        let law = |e: &EffectValues| {
+            let law = build(e.kind.id, values).ok_or_else(|| too_few(0))?;
+            law.check().map(|()| law)
+        };
+        self.sensors.iter().map(law).collect()
+    }
+
+    fn run<S: Real>(
+        &self,
+        mut values: Vec<S>,
+        fineness: Fineness,
+        t_s: &[f64],
+        draws: &Draws,
+    ) -> Result<Record<S>> {
+        let mut rest = values.split_off(self.scene.values().len()).into_iter();
+        let phone = Phone::from_numbers(&mut rest).ok_or_else(|| too_few(values.len()))?;
+        let laws = self.laws(&mut rest)?;
         let step_s = self.scene.step_s(fineness.steps_per_period)?;
-        let last_s = t_s.iter().fold(0.0, |last: f64, t| last.max(t - self.held_s));
-        let path = self.scene.run(values, last_s.max(step_s), step_s, fineness)?;
-        let count = of_phone.len();
-        let phone = Phone::from_numbers(&mut of_phone.into_iter()).ok_or_else(|| too_few(count))?;
+        let last_s = t_s.iter().fold(0.0, |last: f64, t| last.max(*t)) + step_s;
+        let path = self.scene.run(values, (last_s - self.held_s).max(step_s), step_s, fineness)?;
         let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
-        let moments: Vec<Moment<S>> = t_s.iter().map(|t| held(&path, t - self.held_s)).collect();
-        let readings = moments.iter().map(|moment| mounted.read(moment)).collect();
-        Ok(Record { path, moments, readings })
+        let bends = laws.iter().any(|law| law.bends_time());
+        let (stamps, moments, readings) = {
+            let hull = |t_s: S| self.hull_at(&path, bends, t_s);
+            let ride = Ride { hull: &hull, mounted: &mounted, from_s: self.held_s, to_s: last_s };
+            Sampler::new(&laws, &ride, draws)?.sample(&self.kept(&laws, t_s, draws))
+        };
+        Ok(Record { t_s: stamps, moments, readings, path })
+    }
+
+    /// The samples that are not lost, with their places among all.
+    fn kept<S: Real>(&self, laws: &Laws<S>, t_s: &[f64], draws: &Draws) -> Vec<(usize, f64)> {
+        let drawn = Drawn::new(laws, draws);
+        let lost =
+            |&(n, t_s): &(usize, f64)| laws.iter().enumerate().any(|(i, law)| law.loses(t_s, drawn.of(i, n)));
+        t_s.iter().copied().enumerate().filter(|sample| !lost(sample)).collect()
+    }
+
+    /// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving already: one step of
+    /// the path is continued backwards, and there it stays.
+    fn hull_at<S: Real>(&self, path: &Path<S>, bends: bool, t_s: S) -> Moment<S> {
+        let since_s = t_s.value() - self.held_s;
+        if since_s < 0.0 && self.held_s > 0.0 {
+            path.at(0.0).stopped()
+        } else if since_s < -path.step_s() {
+            path.at(-path.step_s())
+        } else if bends {
+            path.at_time(t_s - S::constant(self.held_s))
+        } else {
+            path.at(since_s)
+        }
     }
 }
 
@@ -101,7 +170,119 @@ fn too_few(count: usize) -> Error {
     Error::argument("values", "as many as the simulation has numbers", count)
 }
 
-/// The hull at a time from the release on; before it the hull is held where it starts.
-fn held<S: Real>(path: &Path<S>, t_s: f64) -> Moment<S> {
-    if t_s >= 0.0 { path.at(t_s) } else { path.at(0.0).stopped() }
+/// The numbers drawn for each law and sample; zeros where none were handed in.
+struct Drawn<'a> {
+    draws: &'a Draws,
+    per_sample: Vec<usize>,
+    none: Vec<f64>,
+}
+
+impl<'a> Drawn<'a> {
+    fn new<S: Real>(laws: &Laws<S>, draws: &'a Draws) -> Self {
+        let per_sample: Vec<usize> = laws.iter().map(|law| law.draws()).collect();
+        let none = vec![0.0; per_sample.iter().copied().max().unwrap_or(0)];
+        Self { draws, per_sample, none }
+    }
+
+    fn of(&self, law: usize, sample: usize) -> &[f64] {
+        let count = self.per_sample[law];
+        let drawn = self.draws.get(law).and_then(|all| all.get(sample * count..(sample + 1) * count));
+        drawn.unwrap_or(&self.none[..count])
+    }
+}
+
+/// Reads the phone sample by sample.
+struct Sampler<'a, S: Real> {
+    laws: &'a Laws<S>,
+    ride: &'a Ride<'a, S>,
+    own_motions: Vec<OwnMotion<'a, S>>,
+    /// What gyroscope and accelerometer remember.
+    memories: [Vec<(S, f64)>; 2],
+    drawn: Drawn<'a>,
+}
+
+impl<'a, S: Real> Sampler<'a, S> {
+    fn new(laws: &'a Laws<S>, ride: &'a Ride<'a, S>, draws: &'a Draws) -> Result<Self> {
+        let mut own_motions = Vec::new();
+        for law in laws {
+            own_motions.extend(law.own_motion(ride)?);
+        }
+        let memories = [Sensor::Gyroscope, Sensor::Accelerometer].map(|sensor| memory(laws, sensor));
+        Ok(Self { laws, ride, own_motions, memories, drawn: Drawn::new(laws, draws) })
+    }
+
+    fn sample(&self, samples: &[(usize, f64)]) -> (Vec<f64>, Vec<Moment<S>>, Vec<Reading<S>>) {
+        let mut states: Vec<Vec<S>> =
+            self.laws.iter().map(|law| vec![S::zero(); law.noise_states()]).collect();
+        let (mut stamps, mut moments, mut readings) = (Vec::new(), Vec::new(), Vec::new());
+        let mut before_s = None;
+        for &(n, clock_s) in samples {
+            let mut stamp_s = clock_s;
+            let mut true_s = S::constant(clock_s);
+            for (i, law) in self.laws.iter().enumerate() {
+                stamp_s += law.stamp_error_s(self.drawn.of(i, n));
+                law.bend(&mut true_s, self.drawn.of(i, n));
+            }
+            let mut reading = self.remembered(true_s);
+            let since_s = before_s.map(|before_s| clock_s - before_s);
+            self.spoil((n, clock_s, since_s), &mut states, &mut reading);
+            before_s = Some(clock_s);
+            stamps.push(stamp_s);
+            moments.push((self.ride.hull)(true_s));
+            readings.push(reading);
+        }
+        (stamps, moments, readings)
+    }
+
+    /// Errors, noise and conversion, in this order.
+    fn spoil(
+        &self,
+        (n, clock_s, since_s): (usize, f64, Option<f64>),
+        states: &mut [Vec<S>],
+        reading: &mut Reading<S>,
+    ) {
+        self.laws.iter().for_each(|law| law.distort(S::constant(clock_s), reading));
+        for (i, (law, states)) in self.laws.iter().zip(states).enumerate() {
+            law.add_noise(since_s, self.drawn.of(i, n), states, reading);
+        }
+        self.laws.iter().for_each(|law| law.convert(reading));
+    }
+
+    /// What the sensors say of what they felt until now.
+    fn remembered(&self, t_s: S) -> Reading<S> {
+        let [gyro, acc] = &self.memories;
+        let sum = |memory: &[(S, f64)]| {
+            let mut sum = Reading { gyro: V3::zeros(), force: V3::zeros() };
+            for (ago_s, weight) in memory {
+                let felt = self.felt(t_s - *ago_s);
+                sum.gyro += felt.gyro.map(|x| x.scale(*weight));
+                sum.force += felt.force.map(|x| x.scale(*weight));
+            }
+            sum
+        };
+        let heard = sum(gyro);
+        if gyro == acc { heard } else { Reading { force: sum(acc).force, ..heard } }
+    }
+
+    fn felt(&self, t_s: S) -> Reading<S> {
+        let moment = (self.ride.hull)(t_s);
+        let mounted: &Mounted<S> = self.ride.mounted;
+        if self.own_motions.is_empty() {
+            return mounted.read(&moment);
+        }
+        let offsets: Vec<_> = self.own_motions.iter().map(|motion| motion(t_s)).collect();
+        mounted.read_moving(&moment, &offsets)
+    }
+}
+
+/// What a sensor remembers through one law after the other.
+fn memory<S: Real>(laws: &Laws<S>, sensor: Sensor) -> Vec<(S, f64)> {
+    let through = |before: Vec<(S, f64)>, law: &Box<dyn SensorEffect<S>>| {
+        let more = law.memory_of(sensor);
+        let later = |(ago_s, weight): &(S, f64)| {
+            more.iter().map(|(more_s, share)| (*ago_s + *more_s, weight * share)).collect::<Vec<_>>()
+        };
+        before.iter().flat_map(later).collect()
+    };
+    laws.iter().fold(vec![(S::zero(), 1.0)], through)
 }

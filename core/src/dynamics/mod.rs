@@ -21,13 +21,14 @@ mod real;
 mod rig;
 mod scene;
 mod sensor;
+pub mod sensors;
 mod small;
 mod start;
 mod suspended;
 mod trajectory;
 
 pub use equilibrium::{Equilibrium, Pose, equilibrium};
-pub use experiment::{Experiment, Record};
+pub use experiment::{Draws, Experiment, Record};
 pub use numbers::{Number, Numbers};
 pub use path::{Fineness, Moment, Path, Slack};
 pub use phone::{Mounted, Phone, Reading, rotated};

@@ -1,6 +1,6 @@
 //! The motion in time, as a curve that can be read at any time.
 
-use super::dop853::{COEFFICIENTS, Stepper, between};
+use super::dop853::{COEFFICIENTS, Stepper, between, between_moving};
 use super::effects::matrix;
 use super::real::{M3, Real, V3};
 use super::suspended::{ATTITUDE, Equations, MEMORY, MOST_LINES, PLACE, RATE, VELOCITY};
@@ -106,8 +106,8 @@ pub struct Fineness {
 
 impl Fineness {
     /// Leaves the energy of wide swings to 1e-10 over ten minutes, the periods to better than 1e-9
-    /// (`tests/simulation`). A path of more pieces would take a gigabyte.
-    pub const FULL: Self = Self { steps_per_period: 30.0, most_halvings: 10, most_pieces: 1_000_000 };
+    /// (`tests/simulation`). A path of more pieces would take hundreds of megabytes, with derivatives gigabytes.
+    pub const FULL: Self = Self { steps_per_period: 30.0, most_halvings: 10, most_pieces: 200_000 };
     /// Leaves derivatives to 1e-7.
     pub const OF_DERIVATIVES: Self = Self { steps_per_period: 14.0, ..Self::FULL };
     /// For the comparison of smooth motions with samples: errors well below the noise of any phone, and trial bodies
@@ -258,6 +258,13 @@ impl<S: Real> Path<S> {
         self.moment(n, |parts| between(parts, x))
     }
 
+    /// The same at a time that has derivatives of its own.
+    pub fn at_time(&self, t_s: S) -> Moment<S> {
+        let n = self.piece_at(t_s.value());
+        let x = (t_s - S::constant(self.pieces[n].from_s)).scale(1.0 / self.pieces[n].length_s);
+        self.moment(n, |parts| between_moving(parts, x))
+    }
+
     fn piece_at(&self, t_s: f64) -> usize {
         let step = ((t_s / self.step_s) as usize).min(self.first.len() - 2);
         let mut n = self.first[step];
@@ -280,6 +287,11 @@ impl<S: Real> Path<S> {
             acceleration: vector(VELOCITY, &slope),
             angular_acceleration: vector(RATE, &slope),
         }
+    }
+
+    /// Length of the first piece, s: so far the path can be continued backwards.
+    pub(super) fn first_piece_s(&self) -> f64 {
+        self.pieces[0].length_s
     }
 
     /// The state at the end of step `n`, without the effects' memories.

@@ -4,6 +4,7 @@ use super::effects::matrix;
 use super::numbers::numbers;
 use super::path::Moment;
 use super::real::{M3, Real, V3, constant};
+use super::sensors::Offset;
 use crate::frames::Rotation;
 
 numbers! {
@@ -84,15 +85,46 @@ impl<S: Real> Phone<S> {
 impl<S: Real> Mounted<S> {
     /// Readings while the body moves so.
     pub fn read(&self, moment: &Moment<S>) -> Reading<S> {
-        let (rate, angular) = (&moment.rate, &moment.angular_acceleration);
-        let up = V3::new(S::zero(), S::zero(), self.gravity);
-        let centre = moment.turn().tr_mul(&(moment.acceleration + up));
-        let force = centre + angular.cross(&self.arm) + rate.cross(&rate.cross(&self.arm));
         Reading {
-            gyro: self.phone_from_hull * rate + self.gyro_bias,
-            force: self.phone_from_hull * force + self.acc_bias,
+            gyro: self.phone_from_hull * moment.rate + self.gyro_bias,
+            force: self.phone_from_hull * self.force_at_place(moment) + self.acc_bias,
         }
     }
+
+    /// Readings while the phone moves against the hull as well, by several motions one upon the other.
+    pub fn read_moving(&self, moment: &Moment<S>, offsets: &[Offset<S>]) -> Reading<S> {
+        let mut arm = self.arm;
+        let mut own = V3::zeros();
+        for offset in offsets {
+            arm += offset.shift;
+            own += moment.rate.cross(&offset.shift_rate).map(|x| x.scale(2.0)) + offset.shift_acceleration;
+        }
+        let mut gyro = self.phone_from_hull * moment.rate;
+        let mut force = self.phone_from_hull * (force_at(moment, &arm, self.gravity) + own);
+        for offset in offsets {
+            let turn = rotation(&offset.turn);
+            gyro = turn.tr_mul(&gyro) + offset.turn_rate;
+            force = turn.tr_mul(&force);
+        }
+        Reading { gyro: gyro + self.gyro_bias, force: force + self.acc_bias }
+    }
+
+    /// Specific force where the phone sits, hull axes, m/s².
+    pub(super) fn force_at_place(&self, moment: &Moment<S>) -> V3<S> {
+        force_at(moment, &self.arm, self.gravity)
+    }
+
+    pub(super) fn phone_from_hull(&self) -> &M3<S> {
+        &self.phone_from_hull
+    }
+}
+
+/// Specific force at a place so far from the centre of mass, both in hull axes.
+fn force_at<S: Real>(moment: &Moment<S>, arm: &V3<S>, gravity: S) -> V3<S> {
+    let (rate, angular) = (&moment.rate, &moment.angular_acceleration);
+    let up = V3::new(S::zero(), S::zero(), gravity);
+    let centre = moment.turn().tr_mul(&(moment.acceleration + up));
+    centre + angular.cross(arm) + rate.cross(&rate.cross(arm))
 }
 
 /// Rotation matrix of a rotation vector.

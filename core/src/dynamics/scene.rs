@@ -163,13 +163,7 @@ impl Scene {
         ];
         let mut names: Vec<(String, &'static str)> =
             own.concat().iter().map(|n: &Number| (n.name.to_owned(), n.unit)).collect();
-        for (i, effect) in self.effects.iter().enumerate() {
-            let before = self.effects[..i].iter().filter(|e| e.kind.id == effect.kind.id).count();
-            let count = if before > 0 { format!("#{}", before + 1) } else { String::new() };
-            names.extend(
-                effect.kind.numbers.iter().map(|n| (format!("{}{count}.{}", effect.kind.id, n.name), n.unit)),
-            );
-        }
+        names.extend(effect_names(&self.effects));
         names
     }
 
@@ -282,6 +276,19 @@ impl Scene {
         let (equations, _) = self.equations(self.values())?;
         Ok(std::f64::consts::TAU / fastest_rad_s(self.hanging, &equations)? / per_period)
     }
+}
+
+/// Names and units of the numbers of effects.
+pub(super) fn effect_names(effects: &[EffectValues]) -> Vec<(String, &'static str)> {
+    let mut names = Vec::new();
+    for (i, effect) in effects.iter().enumerate() {
+        let before = effects[..i].iter().filter(|e| e.kind.id == effect.kind.id).count();
+        let count = if before > 0 { format!("#{}", before + 1) } else { String::new() };
+        names.extend(
+            effect.kind.numbers.iter().map(|n| (format!("{}{count}.{}", effect.kind.id, n.name), n.unit)),
+        );
+    }
+    names
 }
 
 /// The numbers, those at `lanes` as parameters in this order.

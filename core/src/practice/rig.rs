@@ -1,9 +1,10 @@
 //! The text of a rig file read into the session that it states and the swings that are simulated.
 
 use crate::dynamics::Experiment;
-use crate::dynamics::effects::{EffectKind, EffectValues, catalogue};
+use crate::dynamics::effects::{self, EffectKind, EffectValues};
+use crate::dynamics::sensors;
 use crate::error::{Error, Result};
-use crate::recording::{Domain, ROOT, SWING, Session, Swing, SwingData, Table, session, utf8, with_root};
+use crate::recording::{Domain, ROOT, SWING, Session, SwingData, Table, session, utf8, with_root};
 
 use super::truth::{Truth, experiment, keys};
 
@@ -20,6 +21,8 @@ const MOST_SAMPLES: f64 = 5e6;
 pub struct RigFile {
     /// What is stated: the session that is handed over.
     pub session: Session,
+    /// What is told of every swing.
+    pub truth: Truth,
     /// What is true of each swing, in the order of the session.
     pub swings: Vec<RiggedSwing>,
 }
@@ -29,12 +32,16 @@ pub struct RigFile {
 pub struct RiggedSwing {
     /// The swing's id.
     pub id: String,
+    /// Its place among the swings.
+    pub place: usize,
     /// Name of the recording in the session.
     pub file: String,
     /// Body, rig, start, effects and phone.
     pub experiment: Experiment,
     /// When the phone reads its sensors.
     pub sampling: Sampling,
+    /// What is told of it.
+    pub truth: Truth,
 }
 
 /// When the phone reads its sensors.
@@ -70,38 +77,40 @@ fn rig(root: &Table<'_>) -> Result<RigFile> {
     let parsed = session(root, &of_swing)?.session;
     let everywhere = truth(root, &Truth::default())?;
     let ids: Vec<&str> = parsed.swings.iter().map(|swing| swing.id.as_str()).collect();
-    let effects = effects(root, &ids)?;
+    let effects = switched(root, &ids)?;
     let mut swings = Vec::new();
     for (table, swing) in root.open_tables("swing")?.iter().zip(&parsed.swings) {
         let truth = truth(table, &everywhere)?;
         let mine = effects.iter().filter(|e| e.swing.as_ref().is_none_or(|id| *id == swing.id));
-        let mine = mine.map(|e| e.values.clone()).collect();
-        swings.push(rigged(table, &parsed, swing, &truth, mine)?);
+        let (of_sensors, of_hull) = mine.map(|e| e.values.clone()).partition(is_of_sensors);
+        swings.push(rigged(table, &parsed, swings.len(), &truth, [of_hull, of_sensors])?);
     }
     if swings.is_empty() {
         return Err(root.error("at least one [[swing]]", "none"));
     }
-    Ok(RigFile { session: parsed, swings })
+    Ok(RigFile { session: parsed, truth: everywhere, swings })
 }
 
 fn rigged(
     table: &Table<'_>,
     session: &Session,
-    swing: &Swing,
+    place: usize,
     truth: &Truth,
-    effects: Vec<EffectValues>,
+    effects: [Vec<EffectValues>; 2],
 ) -> Result<RiggedSwing> {
+    let swing = &session.swings[place];
     let SwingData::Recording(file) = &swing.data else {
         return Err(table.error(
             format!("`{}`: only these are simulated", table.path_of("recording")),
             "another kind of data",
         ));
     };
-    let place = |error: Error| match error {
+    let at_table = |error: Error| match error {
         Error::Argument { expected, found, name } => table.error(format!("`{name}`: {expected}"), found),
         other => other,
     };
-    let experiment = experiment(session, swing, truth, effects).map_err(place)?;
+    let experiment = experiment(session, swing, truth, effects).map_err(at_table)?;
+    experiment.draws_per_sample().map_err(at_table)?;
     let sampling = truth.sampling();
     if sampling.duration_s * sampling.rate_hz > MOST_SAMPLES {
         return Err(table.error(
@@ -109,7 +118,14 @@ fn rigged(
             format!("{} s at {} Hz", sampling.duration_s, sampling.rate_hz),
         ));
     }
-    Ok(RiggedSwing { id: swing.id.clone(), file: file.clone(), experiment, sampling })
+    Ok(RiggedSwing {
+        id: swing.id.clone(),
+        place,
+        file: file.clone(),
+        experiment,
+        sampling,
+        truth: truth.clone(),
+    })
 }
 
 /// `[truth]` of a table, on top of what is true everywhere.
@@ -129,9 +145,14 @@ struct Switched {
     values: EffectValues,
 }
 
-fn effects(root: &Table<'_>, swings: &[&str]) -> Result<Vec<Switched>> {
-    let kinds: Vec<(&str, EffectKind)> = catalogue().into_iter().map(|kind| (kind.id, kind)).collect();
+fn switched(root: &Table<'_>, swings: &[&str]) -> Result<Vec<Switched>> {
+    let all = effects::catalogue().into_iter().chain(sensors::catalogue());
+    let kinds: Vec<(&str, EffectKind)> = all.map(|kind| (kind.id, kind)).collect();
     root.open_tables("effect")?.iter().map(|table| effect(table, &kinds, swings)).collect()
+}
+
+fn is_of_sensors(effect: &EffectValues) -> bool {
+    sensors::catalogue().iter().any(|kind| kind.id == effect.kind.id)
 }
 
 fn effect(table: &Table<'_>, kinds: &[(&str, EffectKind)], swings: &[&str]) -> Result<Switched> {

@@ -85,7 +85,12 @@ pub fn keys() -> Vec<(&'static str, Key)> {
 pub struct Truth(BTreeMap<&'static str, f64>);
 
 impl Truth {
-    pub fn set(&mut self, name: &'static str, value: f64) {
+    /// All that is told, by name.
+    pub fn all(&self) -> &BTreeMap<&'static str, f64> {
+        &self.0
+    }
+
+    pub(super) fn set(&mut self, name: &'static str, value: f64) {
         self.0.insert(name, value);
     }
 
@@ -118,12 +123,12 @@ impl Truth {
     }
 }
 
-/// The experiment of a swing. What is neither told nor stated is an [`Error::Argument`] that names the key.
+/// The experiment of a swing with the effects on the hull and on the sensors. What is neither told nor stated is an [`Error::Argument`] that names the key.
 pub fn experiment(
     session: &Session,
     swing: &Swing,
     truth: &Truth,
-    effects: Vec<EffectValues>,
+    [effects, sensors]: [Vec<EffectValues>; 2],
 ) -> Result<Experiment> {
     let level = rigid(&truth.told(numbers(&hull(session, truth)?.with(&session.attachments))));
     let pitch_deg = truth.or_stated("hull_pitch_deg", swing.suspension.hull_pitch_deg).unwrap_or(0.0);
@@ -149,7 +154,7 @@ pub fn experiment(
     let place = hung.origin_m + hung.hanging_from_hull * place;
     (phone.position_x_m, phone.position_y_m, phone.position_z_m) = (place.x, place.y, place.z);
     let held_s = truth.get("held_s").unwrap_or(0.0);
-    Ok(Experiment { scene, hull_from_phone: hung.hanging_from_hull, phone, held_s })
+    Ok(Experiment { scene, hull_from_phone: hung.hanging_from_hull, phone, sensors, held_s })
 }
 
 fn hull(session: &Session, truth: &Truth) -> Result<Hull> {

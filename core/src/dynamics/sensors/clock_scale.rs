@@ -1,0 +1,27 @@
+//! A clock that runs fast or slow.
+
+use super::{SensorDescribed, SensorEffect};
+use crate::dynamics::numbers::numbers;
+use crate::dynamics::real::Real;
+
+numbers! {
+    /// The phone's clock shows (1 + e) t at the true time t.
+    pub struct ClockScale {
+        /// e.
+        error: "1",
+    }
+}
+
+impl<S> SensorDescribed for ClockScale<S> {
+    const ID: &'static str = "clock_scale";
+    const SENTENCE: &'static str = "the phone's clock runs fast or slow";
+}
+
+impl<S: Real> SensorEffect<S> for ClockScale<S> {
+    fn bends_time(&self) -> bool {
+        true
+    }
+    fn bend(&self, t_s: &mut S, _draws: &[f64]) {
+        *t_s /= S::one() + self.error;
+    }
+}

@@ -1,0 +1,94 @@
+//! A damped oscillator that follows a given drive: ẍ + 2 ζ ω ẋ + ω² x = u(t), three axes alike.
+//!
+//! The solution by its impulse response h(t) = e^{−ζωt} sin(ω_d t) / ω_d, ω_d = ω √(1 − ζ²), stepped on a grid of its own
+//! that is fine against ω; within a step ∫ h(t − s) u(s) ds by Gauss and Legendre. A constant drive is met exactly.
+
+use crate::dynamics::real::{Real, V3};
+use crate::error::{Error, Result};
+
+/// ω times the length of a step.
+const STEP: f64 = 0.5;
+/// More steps than these are a slip of the pen.
+const MOST_STEPS: f64 = 5e6;
+/// Nodes and weights on 0 … 1 (order 6): the error of a step is STEP⁷/2e6 of the drive's.
+const LEGENDRE: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+
+/// Place and velocity.
+type State<S> = (V3<S>, V3<S>);
+
+/// The oscillator along a drive.
+pub struct Driven<S: Real, D> {
+    drive: D,
+    omega: S,
+    zeta: S,
+    from_s: f64,
+    step_s: f64,
+    knots: Vec<State<S>>,
+}
+
+impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
+    /// Follows the drive from rest at `from_s`, before which the drive is constant.
+    pub fn new((omega, zeta): (S, S), (from_s, to_s): (f64, f64), drive: D) -> Result<Self> {
+        let step_s = STEP / omega.value();
+        let count = ((to_s - from_s) / step_s).ceil().max(1.0);
+        if count > MOST_STEPS {
+            return Err(Error::argument(
+                "phone_mount_resonance",
+                "a frequency that can be followed",
+                omega.value(),
+            ));
+        }
+        let mut driven = Self { drive, omega, zeta, from_s, step_s, knots: Vec::new() };
+        let mut state = driven.steady(S::constant(from_s));
+        for n in 0..count as usize {
+            driven.knots.push(state);
+            state = driven.after(n, S::constant(step_s));
+        }
+        Ok(driven)
+    }
+
+    fn steady(&self, t_s: S) -> State<S> {
+        ((self.drive)(t_s) / (self.omega * self.omega), V3::zeros())
+    }
+
+    /// The state so long after knot `n`.
+    fn after(&self, n: usize, time: S) -> State<S> {
+        let begin = S::constant(self.from_s + n as f64 * self.step_s);
+        let (x, v) = self.knots[n];
+        let [response, rate] = self.impulse(time);
+        // The free motion is x (h' + 2 ζ ω h) + v h; its derivative uses h'' = −2 ζ ω h' − ω² h.
+        let damping = (self.zeta * self.omega).scale(2.0);
+        let mut place = x * (rate + damping * response) + v * response;
+        let mut velocity = v * rate - x * (self.omega * self.omega * response);
+        for (node, weight) in LEGENDRE {
+            let drive = (self.drive)(begin + time.scale(node)) * time.scale(weight);
+            let [response, rate] = self.impulse(time.scale(1.0 - node));
+            place += drive * response;
+            velocity += drive * rate;
+        }
+        (place, velocity)
+    }
+
+    /// h and its derivative.
+    fn impulse(&self, time: S) -> [S; 2] {
+        let ringing = self.omega * (S::one() - self.zeta * self.zeta).sqrt();
+        let decay = self.zeta * self.omega;
+        let left = (-(decay * time)).exp();
+        let (sin, cos) = ((ringing * time).sin(), (ringing * time).cos());
+        [left * sin / ringing, left * (cos - decay * sin / ringing)]
+    }
+
+    /// Place, velocity, acceleration.
+    pub fn at(&self, t_s: S) -> [V3<S>; 3] {
+        let since = t_s.value() - self.from_s;
+        if since <= 0.0 {
+            let (x, v) = self.steady(t_s);
+            return [x, v, V3::zeros()];
+        }
+        let n = ((since / self.step_s) as usize).min(self.knots.len() - 1);
+        let (x, v) = self.after(n, t_s - S::constant(self.from_s + n as f64 * self.step_s));
+        let damping = (self.zeta * self.omega).scale(2.0);
+        [x, v, (self.drive)(t_s) - v * damping - x * (self.omega * self.omega)]
+    }
+}
