@@ -198,15 +198,17 @@ fn a_slip_turns_shifts_and_is_felt() {
     // On a hull that is held, the gyroscope's integral is the turn and the accelerometer's double integral the shift.
     let shift_only = [("at_s", 2.0), ("over_s", 0.5), ("shift_x_m", 0.05)];
     let turn_only = [("at_s", 2.0), ("over_s", 0.5), ("turn_z_rad", 0.3)];
+    // Finely, because the acceleration begins and ends with a bend.
+    let fine: Vec<f64> = (0..6000).map(|i| 1.95 + f64::from(i) / 1e4).collect();
     let held = |numbers: &[(&str, f64)]| {
         let mut experiment = swing(Start::default(), &[("phone_slip", numbers)]);
         (experiment.phone, experiment.held_s) = (Phone::default(), 10.0);
-        six(&experiment.record(&t_s, &Draws::new()).unwrap())
+        six(&experiment.record(&fine, &Draws::new()).unwrap())
     };
-    let turned: f64 = held(&turn_only).iter().map(|r| r[2] * 0.01).sum();
+    let turned: f64 = held(&turn_only).iter().map(|r| r[2] * 1e-4).sum();
     assert!((turned - 0.3).abs() < 1e-6, "{turned}");
     // Without rate at the end, ∬ a = −∫ t a.
-    let shifted: f64 = held(&shift_only).iter().zip(&t_s).map(|(r, t)| -t * r[3] * 0.01).sum();
+    let shifted: f64 = held(&shift_only).iter().zip(&fine).map(|(r, t)| -t * r[3] * 1e-4).sum();
     assert!((shifted - 0.05).abs() < 1e-6, "{shifted}");
 }
 
@@ -241,18 +243,18 @@ fn conversion_clips_and_steps() {
     let t_s = times(300, 30.0);
     let numbers: &[(&str, &[(&str, f64)])] = &[
         ("quantisation", &[("gyro_rad_s", 1e-3), ("acc_m_s2", 0.01)]),
-        ("saturation", &[("gyro_rad_s", 0.1), ("acc_m_s2", 9.6)]),
+        ("saturation", &[("gyro_rad_s", 0.1), ("acc_m_s2", 9.3)]),
     ];
     let ideal = read(&[], &t_s);
     let clipped = |x: f64, limit: f64| x.clamp(-limit, limit);
     for (found, ideal) in read(numbers, &t_s).iter().zip(&ideal) {
         for k in 0..6 {
-            let (limit, step) = if k < 3 { (0.1, 1e-3) } else { (9.6, 0.01) };
+            let (limit, step) = if k < 3 { (0.1, 1e-3) } else { (9.3, 0.01) };
             assert!((found[k] / step - (found[k] / step).round()).abs() < 1e-9);
             assert!((found[k] - clipped(ideal[k], limit)).abs() <= 0.5 * step * (1.0 + 1e-9), "{k}");
         }
     }
-    assert!(ideal.iter().any(|r| r[5] > 9.6) && ideal.iter().any(|r| r[2].abs() > 0.1));
+    assert!(ideal.iter().any(|r| r[5] > 9.3) && ideal.iter().any(|r| r[2].abs() > 0.1));
     // Derivatives: the limit's own where it is reached, as without steps elsewhere.
     let (plain, converted) = (swing(lively(), &[]), swing(lively(), numbers));
     let by =
@@ -265,7 +267,7 @@ fn conversion_clips_and_steps() {
             continue;
         }
         let beyond = ideal[2].abs() > 0.1;
-        assert_eq!(stopped[n][2][0], if beyond { 0.0 } else { free[n][2][0] });
+        assert!((stopped[n][2][0] - if beyond { 0.0 } else { free[n][2][0] }).abs() < 1e-6);
         assert_eq!(limit[n][2][0], if beyond { ideal[2].signum() } else { 0.0 });
     }
 }
@@ -288,7 +290,7 @@ fn white_noise_adds_the_draws() {
 #[test]
 fn coloured_noise_has_the_spectrum_b_squared_over_f() {
     // One draw at the first sample shows a process: its size σ and, by its decay, its time constant.
-    let (b, interval_s, per_sample) = (0.03, 0.05, 54);
+    let (b, interval_s, per_sample) = (0.03, 0.05, 66);
     let t_s = [0.0, interval_s];
     let ideal = read(&[], &t_s);
     let process = |k: usize| {
@@ -300,13 +302,13 @@ fn coloured_noise_has_the_spectrum_b_squared_over_f() {
         let (first, second) = (found[0][0] - ideal[0][0], found[1][0] - ideal[1][0]);
         (first, -interval_s / (second / first).ln())
     };
-    let processes: Vec<(f64, f64)> = (0..9).map(process).collect();
+    let processes: Vec<(f64, f64)> = (0..11).map(process).collect();
     for exponent in -30..=0 {
         let f = 10f64.powf(f64::from(exponent) / 10.0);
         // One-sided spectral density of a first-order Gauss–Markov process.
         let density: f64 =
             processes.iter().map(|(s, tau)| 4.0 * s * s * tau / (1.0 + (TAU * f * tau).powi(2))).sum();
-        assert!((density * f / (b * b) - 1.0).abs() < 0.15, "{f} Hz: {density}");
+        assert!((density * f / (b * b) - 1.0).abs() < 0.1, "{f} Hz: {density}");
     }
     // What a second draw adds keeps the variance: 1 − e^{−2Δ/τ}.
     let mut draws = vec![0.0; 2 * per_sample];

@@ -94,10 +94,12 @@ impl Experiment {
     /// [`Experiment::record`], in it the six readings, in each the derivatives.
     pub fn derivatives(&self, wanted: &[usize], t_s: &[f64], draws: &Draws) -> Result<Vec<[Vec<f64>; 6]>> {
         let count = self.kept(&self.laws(&mut self.sensor_values())?, t_s, draws).len();
+        // The effects of the sensors differentiate the motion by time, or drive something with it.
+        let fineness = if self.sensors.is_empty() { Fineness::OF_DERIVATIVES } else { Fineness::FULL };
         let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); count];
         for lanes in wanted.chunks(LANES) {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
-            let record = self.run(values, Fineness::OF_DERIVATIVES, t_s, draws)?;
+            let record = self.run(values, fineness, t_s, draws)?;
             for (row, reading) in rows.iter_mut().zip(&record.readings) {
                 for (found, cell) in reading.six().iter().zip(row) {
                     cell.extend_from_slice(&found.slope[..lanes.len()]);
@@ -150,14 +152,14 @@ impl Experiment {
         t_s.iter().copied().enumerate().filter(|sample| !lost(sample)).collect()
     }
 
-    /// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving already: one step of
+    /// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving already: one piece of
     /// the path is continued backwards, and there it stays.
     fn hull_at<S: Real>(&self, path: &Path<S>, bends: bool, t_s: S) -> Moment<S> {
         let since_s = t_s.value() - self.held_s;
         if since_s < 0.0 && self.held_s > 0.0 {
             path.at(0.0).stopped()
-        } else if since_s < -path.step_s() {
-            path.at(-path.step_s())
+        } else if since_s < -path.first_piece_s() {
+            path.at(-path.first_piece_s())
         } else if bends {
             path.at_time(t_s - S::constant(self.held_s))
         } else {

@@ -6,7 +6,7 @@ use crate::dynamics::phone::Reading;
 use crate::dynamics::real::Real;
 
 numbers! {
-    /// One-sided spectral density S(f) = B²/f from 1 mHz to 1 Hz (IEEE Std 952, bias instability B), as the sum of
+    /// One-sided spectral density S(f) = B²/f within 10 % from 1 mHz to 1 Hz (IEEE Std 952, bias instability B), as the sum of
     /// first-order Gauss–Markov processes whose time constants τ stand in a constant ratio ρ: each has the variance
     /// B² ln ρ, because the integral of 4 τ / (1 + (2π f τ)²) over ln τ is 1/f. Each begins in its steady state.
     pub struct ColouredNoise {
@@ -23,8 +23,8 @@ impl<S> SensorDescribed for ColouredNoise<S> {
 }
 
 /// Time constants τ: from [`SHORTEST_S`] on, each [`RATIO`] times the one before.
-const PROCESSES: usize = 9;
-const SHORTEST_S: f64 = 0.1;
+const PROCESSES: usize = 11;
+const SHORTEST_S: f64 = 0.01;
 const RATIO: f64 = 3.162_277_660_168_379_5;
 
 impl<S: Real> SensorEffect<S> for ColouredNoise<S> {

@@ -160,6 +160,8 @@ macro_rules! registry {
                 id: $effect::<f64>::ID,
                 sentence: $effect::<f64>::SENTENCE,
                 numbers: <$effect<f64> as Numbers<f64>>::NUMBERS,
+                // Each law checks its own numbers.
+                positive: &[],
             }),*]
         }
 

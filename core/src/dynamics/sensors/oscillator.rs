@@ -10,9 +10,13 @@ use crate::error::{Error, Result};
 const STEP: f64 = 0.5;
 /// More steps than these are a slip of the pen.
 const MOST_STEPS: f64 = 5e6;
-/// Nodes and weights on 0 … 1 (order 6): the error of a step is STEP⁷/2e6 of the drive's.
-const LEGENDRE: [(f64, f64); 3] =
-    [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+/// Nodes and weights on 0 … 1 (order 8): the error of a step is STEP⁹/2e9 of the drive's.
+const LEGENDRE: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
 
 /// Place and velocity.
 type State<S> = (V3<S>, V3<S>);
