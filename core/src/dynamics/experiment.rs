@@ -279,12 +279,11 @@ impl<'a, S: Real> Sampler<'a, S> {
 
 /// What a sensor remembers through one law after the other.
 fn memory<S: Real>(laws: &Laws<S>, sensor: Sensor) -> Vec<(S, f64)> {
-    let through = |before: Vec<(S, f64)>, law: &Box<dyn SensorEffect<S>>| {
-        let more = law.memory_of(sensor);
-        let later = |(ago_s, weight): &(S, f64)| {
-            more.iter().map(|(more_s, share)| (*ago_s + *more_s, weight * share)).collect::<Vec<_>>()
+    let through = |before: Vec<(S, f64)>, more: Vec<(S, f64)>| {
+        let later = |(ago_s, weight): (S, f64)| {
+            more.iter().map(|(more_s, share)| (ago_s + *more_s, weight * share)).collect::<Vec<_>>()
         };
-        before.iter().flat_map(later).collect()
+        before.into_iter().flat_map(later).collect()
     };
-    laws.iter().fold(vec![(S::zero(), 1.0)], through)
+    laws.iter().map(|law| law.memory_of(sensor)).fold(vec![(S::zero(), 1.0)], through)
 }
