@@ -124,8 +124,7 @@ impl System<'_> {
                     periods[i] = swing_periods(&self.layout, x, &self.session.swings[i], index).ok();
                 }
                 let (_, period_s) = periods[i].as_ref()?.iter().find(|(name, _)| *name == mode)?;
-                let clock = if index.phone_clock { 1.0 + x[self.layout.clock] } else { 1.0 };
-                Some(period_s * clock)
+                Some(period_s * (1.0 + self.layout.clock_error(x, index)))
             }
         }
     }

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use crate::error::{Error, Result};
 use crate::frames::Vec3;
-use crate::modes::{Hanging, NamedMode, tilt_between_rad};
+use crate::modes::{Hanging, tilt_between_rad};
 use crate::recording::{
     Incline, InclineAngle, LoadedData, LoadedSession, ModeName, PeriodList, Quantity, Recording, Session,
     Swing, SwingData,
@@ -18,6 +18,7 @@ use crate::signal::{
 
 use super::alternatives::{RouteCalculation, routes};
 use super::beats;
+use super::by_samples::by_samples;
 use super::court;
 use super::estimate::{Observation, Observed, Solution, System, incline_observations};
 use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
@@ -27,7 +28,6 @@ use super::observe::{
 use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
-use super::samples::FittedSwing;
 use super::twin::{Correction, corrections};
 use super::words::mode_text;
 
@@ -41,15 +41,12 @@ const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 
 /// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger motion drives them
 /// off their own period.
-const WEAKEST_DB: f64 = -16.0;
+pub(super) const WEAKEST_DB: f64 = -16.0;
 
 /// A mode weaker than this in a record whose residual exceeds its noise by this factor may be part of the misfit: strong
 /// motions that are no damped lines leave such traces beside them.
 const DOUBTFUL_DB: f64 = -40.0;
 const DOUBTFUL_MISFIT: f64 = 1.5;
-
-/// A line of a spectrum belongs to a small oscillation whose period is this near: finite amplitudes shift it.
-const SAME_LINE: f64 = 0.02;
 
 /// A roll gyradius of which weak priors decide less than this share is measured.
 const ROLL_WEAK_SHARE: f64 = 0.05;
@@ -71,11 +68,11 @@ pub struct Analysis {
 }
 
 /// One swing on its way to the estimate.
-struct SwingWork {
-    result: SwingResult,
-    evidence: Option<Evidence>,
+pub(super) struct SwingWork {
+    pub(super) result: SwingResult,
+    pub(super) evidence: Option<Evidence>,
     /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
-    periods: Vec<(usize, Quantity)>,
+    pub(super) periods: Vec<(usize, Quantity)>,
 }
 
 /// Measures a session.
@@ -164,156 +161,6 @@ impl System<'_> {
         self.observations = periods.clone();
         self.observations.extend(incline_observations(self.session, inclines));
         self.periods = periods;
-    }
-}
-
-/// Times that swings and session are brought to each other: the statements are linear, the motion nearly so.
-const ROUNDS: usize = 2;
-
-/// The estimate from the samples of all swings that the simulation explains, and the periods of the others.
-fn by_samples(
-    system: &mut System,
-    works: &mut [SwingWork],
-    inclines: &[Option<Quantity>],
-    by_periods: Result<Solution>,
-) -> Result<Solution> {
-    let (session, layout) = (system.session, system.layout.clone());
-    let mut x = by_periods.as_ref().map_or_else(|_| layout.start(), |s| s.x.clone());
-    let fitted_from = |i: usize, starts: &[Vec<f64>]| {
-        FittedSwing::of(session, &layout, i, starts, works[i].evidence.as_ref()?)
-    };
-    let mut fitted: Vec<Option<FittedSwing>> = (0..works.len())
-        .map(|i| {
-            let mut starts = vec![x.clone(), layout.start()];
-            starts.extend(system.by_one_swing(i));
-            fitted_from(i, &starts)
-        })
-        .collect();
-    // What a swing misses from its own start, it may find from what the others say.
-    for _ in 0..ROUNDS {
-        if fitted.len() == 1 || fitted.iter().all(Option::is_none) {
-            break;
-        }
-        system.state(&[], &fitted, inclines);
-        if let Ok(solution) = system.solve(&layout.start()) {
-            x = solution.x;
-            fitted = (0..fitted.len())
-                .zip(fitted)
-                .map(|(i, swing)| match swing {
-                    Some(swing) => swing.again(&x, works[i].evidence.as_ref()?),
-                    None => fitted_from(i, std::slice::from_ref(&x)),
-                })
-                .collect();
-        }
-    }
-    if fitted.iter().all(Option::is_none) {
-        return by_periods;
-    }
-    for (i, swing) in fitted.iter().enumerate() {
-        if let Some(swing) = swing {
-            works[i].take_modes(swing, &session.swings[i]);
-        }
-    }
-    let is_fitted: Vec<bool> = fitted.iter().map(Option::is_some).collect();
-    system.periods.retain(|o| !matches!(o.what, Observed::Period(i, _) if is_fitted[i]));
-    let others = system.periods.clone();
-    system.periods.extend(
-        fitted
-            .iter()
-            .enumerate()
-            .filter_map(|(i, f)| Some(fitted_periods(i, f.as_ref()?, &session.swings[i])))
-            .flatten(),
-    );
-    for round in 0..=ROUNDS {
-        system.state(&others, &fitted, inclines);
-        let solution = system.solve(&x)?;
-        if round == ROUNDS {
-            return Ok(solution);
-        }
-        x = solution.x;
-        fitted.iter_mut().flatten().for_each(|swing| swing.move_to(&x));
-    }
-    by_periods
-}
-
-fn fitted_periods(i: usize, swing: &FittedSwing, stated: &Swing) -> Vec<Observation> {
-    let observation = |mode: &ModeResult| Observation {
-        what: Observed::Period(i, mode.mode),
-        value: Quantity::new(mode.period_s, mode.period_se_s),
-        u_amplitude: 0.0,
-        label: format!("{} period of {}", mode_text(mode.mode), stated.id),
-    };
-    swing.modes.iter().filter(|m| m.relative_db > WEAKEST_DB).map(observation).collect()
-}
-
-impl System<'_> {
-    /// Parameters from the periods of one swing alone.
-    fn by_one_swing(&self, i: usize) -> Option<Vec<f64>> {
-        let mut alone = self.with(self.layout.clone());
-        alone.observations.retain(|o| matches!(o.what, Observed::Period(j, _) if i == j));
-        Some(alone.solve(&self.layout.start()).ok()?.x)
-    }
-
-    /// Takes in what the fitted swings say, the periods of the others and the inclines.
-    fn state(
-        &mut self,
-        others: &[Observation],
-        fitted: &[Option<FittedSwing>],
-        inclines: &[Option<Quantity>],
-    ) {
-        self.observations = others.to_vec();
-        self.observations.extend(incline_observations(self.session, inclines));
-        self.statements.clear();
-        for (i, swing) in fitted.iter().enumerate() {
-            for statement in swing.iter().flat_map(FittedSwing::statements) {
-                self.observations.push(Observation {
-                    what: Observed::Statement(self.statements.len()),
-                    value: Quantity::new(statement.value, 1.0),
-                    u_amplitude: 0.0,
-                    label: format!("samples of {}", self.session.swings[i].id),
-                });
-                self.statements.push(statement);
-            }
-        }
-    }
-}
-
-impl SwingWork {
-    /// The modes of the simulation in place of lines in the spectrum; those lines take their names.
-    fn take_modes(&mut self, swing: &FittedSwing, stated: &Swing) {
-        let Some(evidence) = self.evidence.as_mut() else { return };
-        let mut modes = swing.modes.clone();
-        for (line, named) in evidence.found.modes.iter().zip(&mut evidence.named) {
-            let near = modes.iter().find(|m| (line.period_s() / m.period_s - 1.0).abs() < SAME_LINE);
-            named.name = near.map_or(ModeName::Other, |m| m.mode);
-        }
-        for mode in &mut modes {
-            let of_line = |l: &&ModeResult| (l.period_observed_s / mode.period_s - 1.0).abs() < SAME_LINE;
-            if let Some(line) = self
-                .result
-                .modes
-                .iter()
-                .filter(of_line)
-                .max_by(|a, b| a.relative_db.total_cmp(&b.relative_db))
-            {
-                mode.period_observed_s = line.period_observed_s;
-                mode.against_amplitude = line.against_amplitude.clone();
-            }
-        }
-        let named: Vec<NamedMode> =
-            modes.iter().map(|m| NamedMode { name: m.mode, angle_rad: m.amplitude }).collect();
-        let mut warnings = evidence.warnings.clone();
-        warnings.extend(hints_contradicted(&named, Some(stated)));
-        for (mode, (db, parasitic)) in modes.iter_mut().zip(parasites(&named, Some(stated), &mut warnings)) {
-            (mode.relative_db, mode.parasitic) = (db, parasitic);
-        }
-        self.periods = vec![];
-        self.result = SwingResult {
-            modes,
-            warnings,
-            rms_over_noise: Some(swing.rms_over_noise),
-            ..std::mem::take(&mut self.result)
-        };
     }
 }
 

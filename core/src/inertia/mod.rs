@@ -4,6 +4,7 @@
 
 mod alternatives;
 mod beats;
+mod by_samples;
 mod court;
 mod estimate;
 mod measure;

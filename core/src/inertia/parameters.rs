@@ -8,7 +8,9 @@
 //! own centre of mass, hull axes. Gyradii enter as logarithms (that about x relative to that about z), the product of inertia as I_xz / M in m² with
 //! I_xz = −∫ x z dm (the tensor's own off-diagonal element).
 
-use crate::constants::{PHONE_CLOCK_U_RELATIVE, STANDARD_GRAVITY_M_S2};
+use crate::constants::{
+    PHONE_CLOCK_BETWEEN_SWINGS_U_RELATIVE, PHONE_CLOCK_U_RELATIVE, STANDARD_GRAVITY_M_S2,
+};
 use crate::error::Result;
 use crate::recording::{Quantity, Session, SwingData};
 
@@ -31,6 +33,9 @@ const WEAK_PRODUCT: f64 = 0.12;
 /// it, as a logarithm.
 const ROLL_SHARE: f64 = 0.52;
 const ROLL_SHARE_LOG_U: f64 = 0.3;
+
+/// Step of numerical derivatives by a clock's error.
+const CLOCK_STEP: f64 = 1e-6;
 
 /// What a parameter is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,8 +74,8 @@ pub struct SwingIndex {
     pub log_depth: usize,
     /// Height of a compound pendulum's axis.
     pub axis_height: Option<usize>,
-    /// True where the period was read from a phone's clock.
-    pub phone_clock: bool,
+    /// Relative error of the phone's clock in this swing beyond that in all; none where no phone told the time.
+    pub clock: Option<usize>,
 }
 
 /// All parameters and where to find them.
@@ -80,7 +85,7 @@ pub struct Layout {
     pub parameters: Vec<Parameter>,
     /// Gravity with buoyancy taken off, m/s².
     pub gravity: usize,
-    /// Relative error of the phone's clock.
+    /// Relative error of the phones' clocks, what all swings share of it.
     pub clock: usize,
     /// Total mass, kg.
     pub mass: usize,
@@ -106,7 +111,8 @@ impl Layout {
     ) -> Self {
         let mut builder = Builder::default();
         let gravity = builder.stated("gravity", gravity);
-        let clock = builder.stated_with_step("phone_clock", Quantity::new(0.0, PHONE_CLOCK_U_RELATIVE), 1e-6);
+        let clock = Quantity::new(0.0, PHONE_CLOCK_U_RELATIVE);
+        let clock = builder.stated_with_step("phone_clock", clock, CLOCK_STEP);
         let mass = builder.stated("mass", session.body.mass_kg.unwrap_or(Quantity::exact(1.0)));
         let scale_m = length_scale_m(session, builder.value(gravity), yaw_periods_s);
         let log_roll_share = builder.unknown("gyradius", ROLL_SHARE.ln(), ROLL_SHARE_LOG_U, 1e-6);
@@ -132,6 +138,11 @@ impl Layout {
             attachment_masses,
             swings,
         }
+    }
+
+    /// Relative error of the clock that a swing was timed with.
+    pub fn clock_error(&self, x: &[f64], swing: &SwingIndex) -> f64 {
+        swing.clock.map_or(0.0, |own| x[self.clock] + x[own])
     }
 
     /// Prior values, the point from which the solution starts.
@@ -188,8 +199,13 @@ impl Builder {
             pitch_deg: self.stated_with_step("hull_pitch", pitch, 1e-3),
             log_depth: self.depth(hung.hull_pitch_deg.map_or(pitch.value, |q| q.value), scale_m),
             axis_height: hung.axis_height_m.map(|q| self.stated("axis_height", q)),
-            phone_clock: matches!(swing.data, SwingData::Recording(_)),
+            clock: matches!(swing.data, SwingData::Recording(_)).then(|| self.clock_of_swing()),
         }
+    }
+
+    fn clock_of_swing(&mut self) -> usize {
+        let u = PHONE_CLOCK_BETWEEN_SWINGS_U_RELATIVE;
+        self.push("phone_clock", Role::Stated, Quantity::new(0.0, u), CLOCK_STEP)
     }
 
     fn depth(&mut self, pitch_deg: f64, scale_m: f64) -> usize {

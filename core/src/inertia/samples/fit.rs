@@ -1,29 +1,21 @@
-//! The fit of one swing: Levenberg and Marquardt over growing horizons, from rest.
+//! The fit of one swing over growing horizons, from rest; and of all swings of a session together.
 
 use std::f64::consts::FRAC_PI_4;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::linearise::{Linearised, Simulated};
+use super::marquardt::{Enough, Fitting, Moves, Point, free};
 use super::record::{Samples, Stream};
 use super::scene::{OWN, Own, SwingSetup};
 use crate::dynamics::small_modes;
 use crate::error::{Error, Result};
 use crate::frames::{Mat3, Rotation, Vec3};
-use crate::inertia::parameters::Role;
 use crate::inertia::theory::{swing_body, swing_rig};
 
 /// Horizons in periods of the slowest mode. A phase known over one horizon stays within a quarter of a cycle over the
 /// next; the session's parameters move from the second on.
 const HORIZONS: [f64; 5] = [1.5, 3.0, 7.0, 16.0, 40.0];
-const MOST_STEPS: usize = 25;
-const MOST_DAMPING: f64 = 1e6;
-/// A step that gains less than this share of what the derivatives promised asks for new ones.
-const KEPT: f64 = 0.5;
-/// A step of an early horizon that promises less than this share of χ² ends it.
-const ENOUGH: f64 = 1e-2;
-/// Over the whole record a step that promises less of χ² ends the fit: a hundredth of a standard deviation, squared.
-const CONVERGED: f64 = 1e-4;
 /// Information below this share of a prior's own is left out of the joint estimate's rows.
 const LEAST_INFORMATION: f64 = 0.1;
 /// A hull pitched by more tells bow from stern, degrees.
@@ -46,52 +38,12 @@ pub struct Fit {
     /// Of the normal equations without priors: session's free parameters first, then the swing's own.
     pub matrix: DMatrix<f64>,
     pub gradient: DVector<f64>,
-    /// χ² of samples and priors.
-    cost: f64,
+    /// χ² of samples, priors and what was known.
+    pub cost: f64,
     /// Residual over noise, sample by sample.
     pub rms_over_noise: f64,
     /// Factor on the variance of everything: what is left is not white.
     pub inflation: f64,
-}
-
-/// When to stop.
-#[derive(Debug, Clone, Copy)]
-enum Enough {
-    Nearly,
-    Converged,
-}
-
-impl Enough {
-    fn is(self, promised: f64, cost: f64) -> bool {
-        match self {
-            Enough::Nearly => promised < ENOUGH * cost,
-            Enough::Converged => promised < CONVERGED,
-        }
-    }
-}
-
-/// What a fit may move.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Moves {
-    /// The swing's own numbers, the session's held.
-    Own,
-    /// And the body's, the stated dimensions held: a short record says little of them.
-    Body,
-    All,
-}
-
-struct Point {
-    x: Vec<f64>,
-    own: Own,
-    cost: f64,
-}
-
-/// What a step did to χ².
-#[derive(Debug, Clone, Copy, Default)]
-struct Step {
-    gained: f64,
-    /// By the derivatives.
-    promised: f64,
 }
 
 /// A linear statement about the session's parameters: `row · x = value`, of unit standard uncertainty.
@@ -101,45 +53,102 @@ pub struct Statement {
     pub value: f64,
 }
 
-/// Fits a swing, from rest and from the best of several sets of the session's parameters; over the short horizons only
-/// what `early` says moves.
-pub fn fit(model: &SwingModel, starts: &[Vec<f64>], early: Moves) -> Result<Fit> {
+impl Statement {
+    /// How far parameters are from what is stated, in standard uncertainties.
+    pub fn misfit(&self, x: &[f64]) -> f64 {
+        self.value - self.row.iter().map(|(i, slope)| slope * x[*i]).sum::<f64>()
+    }
+
+    /// The row by places among the free parameters.
+    pub fn by_place(&self, free: &[usize]) -> Vec<(usize, f64)> {
+        let place = |i: &usize| free.iter().position(|f| f == i);
+        self.row.iter().filter_map(|(i, slope)| Some((place(i)?, *slope))).collect()
+    }
+}
+
+/// Fits a swing, from rest and from the best of several sets of the session's parameters, beside what is `known` of them;
+/// over the short horizons only what `early` says moves.
+pub fn fit(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement], early: Moves) -> Result<Fit> {
+    let fitting = Fitting { models: vec![model], known };
     let whole_s = model.samples.duration_s;
     let begun = starts.iter().map(|x| -> Result<(Point, f64)> {
         let slowest_s = model.slowest_s(x)?;
-        Ok((model.first(x, (HORIZONS[0] * slowest_s).min(whole_s))?, slowest_s))
+        Ok((model.first(&fitting, x, (HORIZONS[0] * slowest_s).min(whole_s))?, slowest_s))
     });
-    let best = begun.flatten().min_by(|(a, _): &(Point, f64), (b, _)| a.cost.total_cmp(&b.cost));
-    let (mut point, slowest_s) = best.ok_or_else(no_start)?;
-    for horizon in HORIZONS[1..].iter().map(|h| h * slowest_s).take_while(|h| *h < whole_s) {
-        point = model.optimised(point, early, horizon, Enough::Nearly)?.0;
+    // Horizons differ: what counts is the cost of each second.
+    let per_s = |(point, slowest_s): &(Point, f64)| point.cost / slowest_s;
+    let best = begun.flatten().min_by(|a: &(Point, f64), b| per_s(a).total_cmp(&per_s(b)));
+    let (point, slowest_s) = best.ok_or_else(no_start)?;
+    let grown = |point: Point| model.grown(&fitting, point, slowest_s, early);
+    if !model.tells_bow_from_stern() {
+        return grown(point);
     }
-    model.finished(model.optimised(point, Moves::All, whole_s, Enough::Converged)?)
+    // Over a short horizon a tilted hull looks much the same from its other end.
+    let turned = Point::new(&point.x, point.owns.iter().map(Own::turned_round).collect());
+    let ends = [point, turned].map(grown).into_iter().flatten();
+    ends.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
+}
+
+/// Fits several swings together from parameters of the session and what each swing had for its own. Bow and stern look alike
+/// to most of a level swing: both headings are tried.
+pub fn fit_together(models: &[&SwingModel], x: &[f64], owns: &[Own]) -> Result<Vec<Fit>> {
+    let near =
+        models.iter().zip(owns).map(|(model, own)| model.headed(x, own)).collect::<Result<Vec<Own>>>()?;
+    let fitting = Fitting { models: models.to_vec(), known: &[] };
+    fitting.all_finished(fitting.optimised(
+        Point::new(x, near),
+        Moves::All,
+        f64::INFINITY,
+        Enough::Converged,
+    )?)
 }
 
 fn no_start() -> Error {
     Error::no_result("fit of the motion", "it cannot be begun")
 }
 
-impl SwingModel<'_> {
-    fn free(&self) -> Vec<usize> {
-        let parameters = &self.setup.layout.parameters;
-        (0..parameters.len()).filter(|i| parameters[*i].prior.u > 0.0).collect()
+impl Fitting<'_> {
+    fn all_finished(&self, (point, slopes): (Point, Vec<Linearised>)) -> Result<Vec<Fit>> {
+        let each = self.models.iter().zip(&point.owns).zip(slopes);
+        each.map(|((model, own), slopes)| model.finished(&point, own, slopes)).collect()
     }
+}
 
+impl SwingModel<'_> {
     fn slowest_s(&self, x: &[f64]) -> Result<f64> {
         let SwingSetup { layout, swing, index } = self.setup;
         let body = swing_body(layout, x, swing, index)?;
         Ok(small_modes(&swing_rig(layout, x, swing, index)?, &body)?.period_s(0))
     }
 
+    /// A start followed over longer and longer horizons.
+    fn grown(&self, fitting: &Fitting, mut point: Point, slowest_s: f64, early: Moves) -> Result<Fit> {
+        let whole_s = self.samples.duration_s;
+        for horizon in HORIZONS[1..].iter().map(|h| h * slowest_s).take_while(|h| *h < whole_s) {
+            point = fitting.optimised(point, early, horizon, Enough::Nearly)?.0;
+        }
+        let there = fitting.optimised(point, Moves::All, whole_s, Enough::Converged)?;
+        fitting.all_finished(there)?.pop().ok_or_else(no_start)
+    }
+
     /// The best start over the headings that the phone may have.
-    fn first(&self, x: &[f64], horizon_s: f64) -> Result<Point> {
+    fn first(&self, fitting: &Fitting, x: &[f64], horizon_s: f64) -> Result<Point> {
         let tried = self.headings().into_iter().map(|nominal| -> Result<Point> {
-            let start = Point { x: x.to_vec(), own: Own::at_rest(nominal), cost: f64::INFINITY };
-            Ok(self.optimised(start, Moves::Own, horizon_s, Enough::Nearly)?.0)
+            let start = Point::new(x, vec![Own::at_rest(nominal)]);
+            Ok(fitting.optimised(start, Moves::Own, horizon_s, Enough::Nearly)?.0)
         });
         tried.flatten().min_by(|a: &Point, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
+    }
+
+    /// The swing's own numbers at other parameters of the session, with the better of both headings.
+    fn headed(&self, x: &[f64], own: &Own) -> Result<Own> {
+        let fitting = Fitting { models: vec![self], known: &[] };
+        let whole_s = self.samples.duration_s;
+        let tried = [own.clone(), own.turned_round()]
+            .map(|own| fitting.optimised(Point::new(x, vec![own]), Moves::Own, whole_s, Enough::Nearly));
+        let best = tried.into_iter().flatten().map(|(point, _)| point);
+        let best = best.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)?;
+        best.owns.into_iter().next().ok_or_else(no_start)
     }
 
     /// `hanging_from_phone` for the vertical seen, with headings all round.
@@ -157,18 +166,14 @@ impl SwingModel<'_> {
         (0..8).map(turned).collect()
     }
 
-    fn cost(&self, x: &[f64], own: &Own, horizon_s: f64) -> f64 {
-        match Simulated::new(&self.setup, x, own, horizon_s, self.samples.duration_s) {
-            Ok(simulated) => simulated.chi2(&self.samples, horizon_s) + self.prior_cost(x, own),
+    /// χ² of the swing's samples up to a horizon, with the priors of its own numbers.
+    pub fn own_cost(&self, x: &[f64], own: &Own, horizon_s: f64) -> f64 {
+        let (horizon_s, whole_s) = (horizon_s.min(self.samples.duration_s), self.samples.duration_s);
+        let priors: f64 = own.values.iter().zip(Own::prior_u()).map(|(v, u)| (v / u).powi(2)).sum();
+        match Simulated::new(&self.setup, x, own, horizon_s, whole_s) {
+            Ok(simulated) => simulated.chi2(&self.samples, horizon_s) + priors,
             Err(_) => f64::INFINITY,
         }
-    }
-
-    fn prior_cost(&self, x: &[f64], own: &Own) -> f64 {
-        let session = self.setup.layout.parameters.iter().zip(x).filter(|(p, _)| p.prior.u > 0.0);
-        let session: f64 = session.map(|(p, x)| ((x - p.prior.value) / p.prior.u).powi(2)).sum();
-        let own: f64 = own.values.iter().zip(Own::prior_u()).map(|(v, u)| (v / u).powi(2)).sum();
-        session + own
     }
 
     /// Information and gradient of the priors, session's free parameters first.
@@ -183,157 +188,18 @@ impl SwingModel<'_> {
         (column(|p| p.0), column(|p| p.1))
     }
 
-    /// Levenberg–Marquardt. The derivatives are kept while the steps they give do what they promise: they cost some
-    /// thirty times what a motion does.
-    fn optimised(
-        &self,
-        mut at: Point,
-        moves: Moves,
-        horizon_s: f64,
-        enough: Enough,
-    ) -> Result<(Point, Linearised)> {
-        let free = self.free();
-        at.cost = self.cost(&at.x, &at.own, horizon_s);
-        let mut slopes = self.linearised(&mut at, &free, horizon_s)?;
-        let (mut fresh, mut damping) = (true, 1e-3);
-        for _ in 0..MOST_STEPS {
-            let normal = self.normal(&at, &slopes, &free)?;
-            let step = self.step(&mut at, moves, &free, &normal, &mut damping, horizon_s);
-            if enough.is(step.promised, at.cost) || (fresh && step.gained == 0.0) {
-                break;
-            }
-            fresh = step.gained < KEPT * step.promised;
-            if fresh {
-                slopes = self.linearised(&mut at, &free, horizon_s)?;
-            }
-        }
-        Ok((at, slopes))
-    }
-
-    fn linearised(&self, at: &mut Point, free: &[usize], horizon_s: f64) -> Result<Linearised> {
-        at.own = at.own.clone().folded();
-        Linearised::at(&self.setup, (&at.x, &at.own), free, &self.samples, horizon_s)
-    }
-
-    /// Matrix and gradient with the priors in them.
-    fn normal(
-        &self,
-        at: &Point,
-        slopes: &Linearised,
-        free: &[usize],
-    ) -> Result<(DMatrix<f64>, DVector<f64>)> {
-        let simulated =
-            Simulated::new(&self.setup, &at.x, &at.own, slopes.horizon_s, self.samples.duration_s)?;
-        let (information, pull) = self.priors(&at.x, &at.own, free);
-        let gradient = slopes.gradient(&simulated, &self.samples) + pull;
-        Ok((&slopes.matrix + DMatrix::from_diagonal(&information), gradient))
-    }
-
-    /// Places of what may move: session's free parameters first, then the swing's own.
-    fn moving(&self, moves: Moves, free: &[usize]) -> Vec<usize> {
-        let parameters = &self.setup.layout.parameters;
-        let may = |k: &usize| match (moves, free.get(*k)) {
-            (Moves::All, _) | (_, None) => true,
-            (Moves::Body, Some(i)) => parameters[*i].role == Role::Unknown,
-            (Moves::Own, Some(_)) => false,
-        };
-        (0..free.len() + OWN).filter(may).collect()
-    }
-
-    /// What holds an unknown of the body near where it is: a direction of which the swing says nothing is not worth a
-    /// long way.
-    fn hold(&self, place: usize, free: &[usize]) -> f64 {
-        let parameter = free.get(place).map(|i| &self.setup.layout.parameters[*i]);
-        parameter.filter(|p| p.role == Role::Unknown).map_or(0.0, |p| p.prior.u.powi(-2))
-    }
-
-    /// One accepted step; nothing gained where no step is downhill.
-    fn step(
-        &self,
-        at: &mut Point,
-        moves: Moves,
-        free: &[usize],
-        (matrix, gradient): &(DMatrix<f64>, DVector<f64>),
-        damping: &mut f64,
-        horizon_s: f64,
-    ) -> Step {
-        let moving = self.moving(moves, free);
-        let size = moving.len();
-        let matrix = DMatrix::from_fn(size, size, |i, j| matrix[(moving[i], moving[j])]);
-        let gradient = DVector::from_fn(size, |i, _| gradient[moving[i]]);
-        let mut taken = Step::default();
-        while *damping < MOST_DAMPING {
-            let mut damped = matrix.clone();
-            for (k, place) in moving.iter().enumerate() {
-                damped[(k, k)] = damped[(k, k)] * (1.0 + *damping) + self.hold(*place, free);
-            }
-            let Some(factor) = damped.cholesky() else { break };
-            let step = factor.solve(&gradient);
-            let promised = 2.0 * gradient.dot(&step) - step.dot(&(&matrix * &step));
-            taken = Step { gained: 0.0, promised };
-            let (mut x, mut own) = (at.x.clone(), at.own.clone());
-            for (k, s) in moving.iter().zip(step.iter()) {
-                match free.get(*k) {
-                    Some(i) => x[*i] += s,
-                    None => own.values[k - free.len()] += s,
-                }
-            }
-            let cost = self.cost(&x, &own, horizon_s);
-            if cost <= at.cost {
-                let gained = at.cost - cost;
-                *at = Point { x, own, cost };
-                *damping = (*damping * 0.1).max(1e-9);
-                return Step { gained, ..taken };
-            }
-            *damping *= 10.0;
-        }
-        *damping = 1e-3;
-        taken
-    }
-
-    /// The swing's own numbers fitted anew at other parameters of the session; what it leaves open stays its own.
-    pub fn moved(&self, fitted: &Fit, x: &[f64]) -> Result<Fit> {
-        let mut x = x.to_vec();
-        let product = self.setup.layout.product_xz;
-        if !self.tells_bow_from_stern() {
-            x[product] = fitted.x[product];
-        }
-        let there = Point { x, own: fitted.own.clone(), cost: f64::INFINITY };
-        self.finished(self.optimised(there, Moves::Own, self.samples.duration_s, Enough::Converged)?)
-    }
-
-    /// The fit begun anew at other parameters of the session: the better of the two.
-    pub fn again(&self, fitted: Fit, x: &[f64]) -> Result<Fit> {
+    fn finished(&self, point: &Point, own: &Own, slopes: Linearised) -> Result<Fit> {
         let whole_s = self.samples.duration_s;
-        // Bow and stern look alike to most of a swing: both headings are tried.
-        let tried = [fitted.own.clone(), fitted.own.turned_round()].map(|own| {
-            let there = Point { x: x.to_vec(), own, cost: f64::INFINITY };
-            self.optimised(there, Moves::Own, whole_s, Enough::Nearly)
-        });
-        let near =
-            tried.into_iter().flatten().map(|(point, _)| point).min_by(|a, b| a.cost.total_cmp(&b.cost));
-        let near = near.ok_or_else(no_start)?;
-        let found = self.finished(self.optimised(near, Moves::All, whole_s, Enough::Converged)?)?;
-        Ok(if found.cost < fitted.cost { found } else { fitted })
-    }
-
-    fn finished(&self, (mut point, slopes): (Point, Linearised)) -> Result<Fit> {
-        let free = self.free();
-        let whole_s = self.samples.duration_s;
-        let simulated = Simulated::new(&self.setup, &point.x, &point.own, whole_s, whole_s)?;
-        let gradient = slopes.gradient(&simulated, &self.samples);
-        point.own = point.own.folded();
-        let rms_over_noise = rms(&simulated, &self.samples);
-        let inflation = inflation(&simulated, &self.samples);
+        let simulated = Simulated::new(&self.setup, &point.x, own, whole_s, whole_s)?;
         Ok(Fit {
             cost: point.cost,
-            x: point.x,
-            own: point.own,
-            free,
+            x: point.x.clone(),
+            own: own.clone().folded(),
+            free: free(self.setup.layout),
+            gradient: slopes.gradient(&simulated, &self.samples),
+            rms_over_noise: rms(&simulated, &self.samples),
+            inflation: inflation(&simulated, &self.samples),
             matrix: slopes.matrix,
-            gradient,
-            rms_over_noise,
-            inflation,
         })
     }
 
@@ -344,19 +210,17 @@ impl SwingModel<'_> {
         if prior.u > 0.0 { pull / prior.u } else { 0.0 }
     }
 
-    fn tells_bow_from_stern(&self) -> bool {
+    pub fn tells_bow_from_stern(&self) -> bool {
         self.setup.layout.parameters[self.setup.index.pitch_deg].prior.value.abs() > TELLING_PITCH_DEG
     }
 
-    /// What the swing says of the session's parameters, its own numbers left open.
-    ///
-    /// A level hull looks the same from both ends, so the sign of its product of inertia hangs on a heading that
-    /// nobody knows: there the product is left open too.
-    pub fn statements(&self, fit: &Fit) -> Option<Vec<Statement>> {
+    /// What the swing says of the session's parameters, its own numbers left open, and the product of inertia where that
+    /// is asked.
+    pub fn statements(&self, fit: &Fit, product_is_open: bool) -> Option<Vec<Statement>> {
         let (information, pull) = self.priors(&fit.x, &fit.own, &fit.free);
-        let tells = self.tells_bow_from_stern();
-        let is_open =
-            |k: usize| k >= fit.free.len() || (fit.free[k] == self.setup.layout.product_xz && !tells);
+        let is_open = |k: usize| {
+            k >= fit.free.len() || (fit.free[k] == self.setup.layout.product_xz && product_is_open)
+        };
         let all = fit.free.len() + OWN;
         let (open, kept): (Vec<usize>, Vec<usize>) = (0..all).partition(|k| is_open(*k));
         let part = |rows: &[usize], columns: &[usize]| {
@@ -384,6 +248,12 @@ impl SwingModel<'_> {
         };
         let telling = (0..kept.len()).filter(|k| eigen.eigenvalues[*k] > LEAST_INFORMATION);
         Some(telling.map(statement).collect())
+    }
+
+    /// Standard uncertainty of a parameter of the session by this swing alone.
+    pub fn u(&self, fit: &Fit, parameter: usize) -> Option<f64> {
+        let place = fit.free.iter().position(|i| *i == parameter)?;
+        Some(self.covariance(fit)?[(place, place)].sqrt())
     }
 
     /// Covariance of the session's free parameters and the swing's own, priors included.

@@ -53,7 +53,13 @@ impl Simulated {
         let own = own.clone().folded();
         let path = setup.scene(x, &own)?.motion_as(Fineness::OF_FITS, horizon_s)?;
         let mounted = own.phone().mounted(&own.nominal, &path.cm_m, path.gravity_m_s2);
-        Ok(Self { path, mounted, own, clock: x[setup.layout.clock], middle_s: 0.5 * whole_s })
+        Ok(Self {
+            path,
+            mounted,
+            own,
+            clock: setup.layout.clock_error(x, setup.index),
+            middle_s: 0.5 * whole_s,
+        })
     }
 
     /// The reading at a time of the phone's clock.
@@ -121,6 +127,7 @@ impl Linearised {
         samples: &Samples,
         horizon_s: f64,
     ) -> Result<Self> {
+        let horizon_s = horizon_s.min(samples.duration_s);
         let scene = setup.scene(x, own)?;
         let simulated = Simulated::new(setup, x, own, horizon_s, samples.duration_s)?;
         let paths = scene.motion_and_derivatives(&LANES, Fineness::OF_FITS, horizon_s)?;
@@ -218,7 +225,8 @@ fn combination(
 ) -> Result<DMatrix<f64>> {
     let mut combine = DMatrix::zeros(COLUMNS, free.len() + OWN);
     combine.view_mut((0, 0), (SHARED_LANES, free.len())).copy_from(&setup.shared_slopes(x, own, free)?);
-    if let Some(column) = free.iter().position(|i| *i == setup.layout.clock) {
+    let is_clock = |i: &usize| *i == setup.layout.clock || Some(*i) == setup.index.clock;
+    for (column, _) in free.iter().enumerate().filter(|(_, i)| is_clock(i)) {
         combine[(RAW_CLOCK, column)] = 1.0;
     }
     let first = free.len();

@@ -11,6 +11,7 @@
 
 mod fit;
 mod linearise;
+mod marquardt;
 mod modes;
 mod record;
 mod scene;

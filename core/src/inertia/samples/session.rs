@@ -1,9 +1,11 @@
-//! The fits of a session's swings, and their part in the joint estimate.
+//! The fits of a session's swings.
 
-use super::fit::{Fit, Moves, Statement, SwingModel, fit};
+use super::fit::{Fit, Statement, SwingModel, fit, fit_together};
+use super::marquardt::Moves;
 use super::modes::fitted_modes;
 use super::record::Samples;
-use super::scene::SwingSetup;
+use super::scene::{Own, SwingSetup};
+use crate::error::Result;
 use crate::inertia::measurement::ModeResult;
 use crate::inertia::observe::Evidence;
 use crate::inertia::parameters::Layout;
@@ -20,20 +22,18 @@ const FAR_BETTER: f64 = 1.5;
 pub struct FittedSwing<'a> {
     model: SwingModel<'a>,
     fit: Fit,
-    /// Its modes.
-    pub modes: Vec<ModeResult>,
-    /// Residual over noise.
-    pub rms_over_noise: f64,
+    /// What lines in the spectrum leave over noise.
+    lines_rms_over_noise: f64,
 }
 
 impl<'a> FittedSwing<'a> {
-    /// Fits swing `i` from the best of several sets of the session's parameters; `None` where it is no bifilar swing with a phone on it, and
-    /// where the simulation does not explain the record: then the lines in its spectrum stand.
+    /// Fits swing `i` from the best of several sets of the session's parameters, beside what is `known` of them; `None`
+    /// where it is no bifilar swing with a phone on it, and where the simulation does not explain the record: then the
+    /// lines in its spectrum stand.
     pub fn of(
-        session: &'a Session,
-        layout: &'a Layout,
-        i: usize,
+        (session, layout, i): (&'a Session, &'a Layout, usize),
         starts: &[Vec<f64>],
+        known: &[Statement],
         evidence: &Evidence,
     ) -> Option<Self> {
         let (swing, index) = (&session.swings[i], &layout.swings[i]);
@@ -42,37 +42,69 @@ impl<'a> FittedSwing<'a> {
         // Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold.
         [Moves::Body, Moves::All].into_iter().find_map(|early| {
             let model = SwingModel { setup, samples: Samples::of(evidence, fastest_s)? };
-            let fit = fit(&model, starts, early).ok()?;
-            Self::explaining(model, fit, evidence)
+            let fit = fit(&model, starts, known, early).ok()?;
+            let fitted = Self { model, fit, lines_rms_over_noise: evidence.found.rms_over_noise };
+            fitted.explains().then_some(fitted)
         })
     }
 
-    fn explaining(model: SwingModel<'a>, fit: Fit, evidence: &Evidence) -> Option<Self> {
-        let rms_over_noise = fit.rms_over_noise;
-        let is_far_better = rms_over_noise * FAR_BETTER < evidence.found.rms_over_noise;
-        let is_tilted = model.pitch_pull(&fit) > MOST_PITCH_PULL;
-        if is_tilted || (fit.inflation > WHITE && !is_far_better) {
-            return None;
+    fn explains(&self) -> bool {
+        let is_far_better = self.fit.rms_over_noise * FAR_BETTER < self.lines_rms_over_noise;
+        let is_tilted = self.model.pitch_pull(&self.fit) > MOST_PITCH_PULL;
+        !is_tilted && (self.fit.inflation <= WHITE || is_far_better)
+    }
+
+    /// Fits swings together from parameters of the session. Where that leaves one of them unexplained, none is changed: the
+    /// swings contradict each other.
+    pub fn fit_together(swings: &mut [&mut Self], x: &[f64]) -> Result<()> {
+        let models: Vec<&SwingModel> = swings.iter().map(|s| &s.model).collect();
+        let owns: Vec<Own> = swings.iter().map(|s| s.fit.own.clone()).collect();
+        let fits = fit_together(&models, x, &owns)?;
+        let before: Vec<Fit> = swings.iter().map(|s| s.fit.clone()).collect();
+        swings.iter_mut().zip(fits).for_each(|(swing, fit)| swing.fit = fit);
+        if !swings.iter().all(|s| s.explains()) {
+            swings.iter_mut().zip(before).for_each(|(swing, fit)| swing.fit = fit);
         }
-        let modes = fitted_modes(&model, &fit).ok()?;
-        Some(Self { model, fit, modes, rms_over_noise })
+        Ok(())
     }
 
-    /// Begins the fit anew at other parameters of the session, and keeps what is better.
-    pub fn again(self, x: &[f64], evidence: &Evidence) -> Option<Self> {
-        let fit = self.model.again(self.fit.clone(), x).unwrap_or(self.fit);
-        Self::explaining(self.model, fit, evidence)
+    /// Whether it hangs so far from level that bow and stern differ.
+    pub fn tells_bow_from_stern(&self) -> bool {
+        self.model.tells_bow_from_stern()
     }
 
-    /// What the swing says of the session's parameters.
-    pub fn statements(&self) -> Vec<Statement> {
-        self.model.statements(&self.fit).unwrap_or_default()
+    /// χ² of the fit, what was known beside it included.
+    pub fn cost(&self) -> f64 {
+        self.fit.cost
     }
 
-    /// Moves the fit to other parameters of the session, its own numbers fitted anew.
-    pub fn move_to(&mut self, x: &[f64]) {
-        if let Ok(moved) = self.model.moved(&self.fit, x) {
-            self.fit = moved;
-        }
+    /// The session's parameters as this swing has them.
+    pub fn x(&self) -> &[f64] {
+        &self.fit.x
+    }
+
+    /// The product of inertia by this swing alone, and the information it has on it.
+    pub fn product(&self) -> (f64, f64) {
+        let place = self.model.setup.layout.product_xz;
+        let u = self.model.u(&self.fit, place).unwrap_or(f64::INFINITY);
+        (self.fit.x[place], u.powi(-2))
+    }
+
+    /// What the swing says of the session's parameters. A level hull looks the same from both ends, so the sign of its
+    /// product of inertia hangs on a heading that nobody knows: unless the swings were fitted together, the product is left
+    /// open.
+    pub fn statements(&self, together: bool) -> Vec<Statement> {
+        let product_is_open = !together && !self.tells_bow_from_stern();
+        self.model.statements(&self.fit, product_is_open).unwrap_or_default()
+    }
+
+    /// Its modes.
+    pub fn modes(&self) -> Result<Vec<ModeResult>> {
+        fitted_modes(&self.model, &self.fit)
+    }
+
+    /// Residual over noise.
+    pub fn rms_over_noise(&self) -> f64 {
+        self.fit.rms_over_noise
     }
 }

@@ -1,0 +1,317 @@
+//! The estimate from the samples of all swings that the simulation explains, and the periods of the others.
+//!
+//! Level swings are fitted each by itself, tilted ones beside what the level ones say (a tilted hull seen from its other end
+//! is another hull), swings that contradict the rest once more beside the rest; in the end all of them together.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use crate::error::Result;
+use crate::modes::NamedMode;
+use crate::recording::{ModeName, Quantity, Session, Swing};
+
+use super::estimate::{Observation, Observed, Solution, System, incline_observations};
+use super::measure::{SwingWork, WEAKEST_DB};
+use super::measurement::{ModeResult, SwingResult};
+use super::observe::{Evidence, hints_contradicted, parasites};
+use super::parameters::Layout;
+use super::samples::{FittedSwing, Statement};
+use super::words::mode_text;
+
+/// A swing contradicts the others where leaving it out takes more off χ²: chance takes 30 of some ten figures once in a
+/// thousand times (χ² of 10 degrees of freedom).
+const CONTRADICTION: f64 = 30.0;
+/// Of swings that contradict each other, those that take off so much of the most may be the one that is wrong.
+const ALIKE: f64 = 0.5;
+/// Pitch of a hanging that counts as level, degrees.
+const LEVEL_DEG: f64 = 3.0;
+/// A line in the spectrum this near to a simulated period is that mode, relative.
+const SAME_LINE: f64 = 0.02;
+
+/// What is fitted, and the swings' evidence.
+struct Samples<'a> {
+    session: &'a Session,
+    layout: &'a Layout,
+    evidence: Vec<Option<&'a Evidence>>,
+}
+
+type Fits<'a> = Vec<Option<FittedSwing<'a>>>;
+
+/// From the estimate by periods to that by samples, which takes the place of the periods of every swing that it explains.
+pub fn by_samples(
+    system: &mut System,
+    works: &mut [SwingWork],
+    inclines: &[Option<Quantity>],
+    by_periods: Result<Solution>,
+) -> Result<Solution> {
+    let (session, layout) = (system.session, system.layout.clone());
+    let x = by_periods.as_ref().map_or_else(|_| layout.start(), |s| s.x.clone());
+    let evidence = works.iter().map(|w| w.evidence.as_ref()).collect();
+    let samples = Samples { session, layout: &layout, evidence };
+    let mut fits = samples.fitted(system, &x, inclines);
+    if fits.iter().all(Option::is_none) {
+        return by_periods;
+    }
+    let x = samples.together(system, &mut fits, inclines).unwrap_or(x);
+    let modes: Vec<Option<Vec<ModeResult>>> =
+        fits.iter().map(|fit| fit.as_ref().and_then(|fit| fit.modes().ok())).collect();
+    fits.iter_mut().zip(&modes).filter(|(_, modes)| modes.is_none()).for_each(|(fit, _)| *fit = None);
+    let rms: Vec<Option<f64>> =
+        fits.iter().map(|fit| fit.as_ref().map(FittedSwing::rms_over_noise)).collect();
+    let others: Vec<Observation> = system.periods.iter().filter(|o| !is_of(o, &fits)).cloned().collect();
+    system.state(&others, &statements(&fits, true), inclines);
+    system.periods = others;
+    for (i, modes) in modes.iter().enumerate() {
+        let observed = modes.iter().flat_map(|modes| periods(i, modes, &session.swings[i]));
+        system.periods.extend(observed);
+    }
+    for (work, (modes, (rms, stated))) in
+        works.iter_mut().zip(modes.into_iter().zip(rms.into_iter().zip(&session.swings)))
+    {
+        if let (Some(modes), Some(rms)) = (modes, rms) {
+            work.take_modes(modes, rms, stated);
+        }
+    }
+    system.solve(&x)
+}
+
+fn is_of(observation: &Observation, fits: &Fits) -> bool {
+    matches!(observation.what, Observed::Period(i, _) if fits[i].is_some())
+}
+
+/// What each swing says.
+fn statements(fits: &Fits, together: bool) -> Vec<Vec<Statement>> {
+    fits.iter().map(|fit| fit.as_ref().map_or(vec![], |fit| fit.statements(together))).collect()
+}
+
+impl<'a> Samples<'a> {
+    /// The swings fitted, each as well as what the others say allows.
+    fn fitted(&self, system: &mut System, x: &[f64], inclines: &[Option<Quantity>]) -> Fits<'a> {
+        let mut fits = self.each(system, x, &|i| self.is_level(i), &[]);
+        let level = statements(&fits, false).concat();
+        let x = system.agreed(&statements(&fits, false), inclines).unwrap_or_else(|| x.to_vec());
+        let tilted = self.each(system, &x, &|i| !self.is_level(i), &level);
+        fits.iter_mut()
+            .zip(tilted)
+            .filter(|(_, tilted)| tilted.is_some())
+            .for_each(|(fit, tilted)| *fit = tilted);
+        for _ in 0..fits.len() {
+            let Some((i, fit)) = self.mended(system, &fits, inclines) else { break };
+            fits[i] = Some(fit);
+        }
+        self.fill(system, &mut fits, inclines);
+        fits
+    }
+
+    fn is_level(&self, i: usize) -> bool {
+        self.layout.parameters[self.layout.swings[i].pitch_deg].prior.value.abs() < LEVEL_DEG
+    }
+
+    fn fit(&self, i: usize, starts: &[Vec<f64>], known: &[Statement]) -> Option<FittedSwing<'a>> {
+        FittedSwing::of((self.session, self.layout, i), starts, known, self.evidence[i]?)
+    }
+
+    /// Each of the swings wanted, side by side.
+    fn each(
+        &self,
+        system: &System,
+        x: &[f64],
+        wanted: &(dyn Fn(usize) -> bool + Sync),
+        known: &[Statement],
+    ) -> Fits<'a> {
+        let one = |i: usize| {
+            if !wanted(i) || self.evidence[i].is_none() {
+                return None;
+            }
+            self.fit(i, &self.starts(system, x, i), known)
+        };
+        in_parallel(self.evidence.len(), one)
+    }
+
+    /// Sets of the session's parameters to begin with: those of all periods, those stated, those of this swing's periods;
+    /// a hull whose yaw gyradius is that in pitch, as hulls nearly have it; and a tilted hull hung from other points of the
+    /// same deck, whose centre of mass then lies deeper by 1/cos of the tilt.
+    fn starts(&self, system: &System, x: &[f64], i: usize) -> Vec<Vec<f64>> {
+        let [_, pitch, yaw] = self.layout.log_gyradii;
+        let mut alike = x.to_vec();
+        alike[yaw] = x[pitch];
+        let mut starts = vec![x.to_vec(), self.layout.start(), alike];
+        if let Some(level) =
+            (0..self.layout.swings.len()).find(|i| self.is_level(*i)).filter(|_| !self.is_level(i))
+        {
+            let (index, level) = (&self.layout.swings[i], &self.layout.swings[level]);
+            let mut deeper = x.to_vec();
+            deeper[index.log_depth] = x[level.log_depth] - x[index.pitch_deg].to_radians().cos().ln();
+            starts.insert(0, deeper);
+        }
+        starts.extend(system.by_one_swing(i));
+        starts
+    }
+
+    /// The swing that contradicts the others most, fitted beside what they say, where that serves all better.
+    fn mended(
+        &self,
+        system: &System,
+        fits: &Fits<'a>,
+        inclines: &[Option<Quantity>],
+    ) -> Option<(usize, FittedSwing<'a>)> {
+        let said = statements(fits, false);
+        let all = system.agreement(&said, inclines)?;
+        let without = |i: usize| {
+            let mut others = said.clone();
+            others[i].clear();
+            let rest = system.agreement(&others, inclines)?;
+            Some((i, all.chi2 - rest.chi2, rest.x, others.concat()))
+        };
+        let taken: Vec<_> = (0..fits.len()).filter(|i| fits[*i].is_some()).filter_map(without).collect();
+        let most = taken.iter().map(|t| t.1).fold(0.0, f64::max);
+        if most < CONTRADICTION {
+            return None;
+        }
+        let suspects: Vec<_> = taken.into_iter().filter(|t| t.1 > ALIKE * most).collect();
+        let again = in_parallel(suspects.len(), |k| {
+            let (i, _, x, known) = &suspects[k];
+            let fit = self.fit(*i, std::slice::from_ref(x), known)?;
+            let before = fits[*i].as_ref()?;
+            let misfit: f64 = known.iter().map(|s| s.misfit(before.x()).powi(2)).sum();
+            let gain = before.cost() + misfit - fit.cost();
+            (gain > CONTRADICTION).then_some((gain, *i, fit))
+        });
+        let best = again.into_iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((best.1, best.2))
+    }
+
+    /// What a swing misses from its own start, it may find from what the others say.
+    fn fill(&self, system: &System, fits: &mut Fits<'a>, inclines: &[Option<Quantity>]) {
+        let said = statements(fits, false);
+        let Some(agreed) = system.agreed(&said, inclines) else { return };
+        let known = said.concat();
+        let found = self.each(system, &agreed, &|i| fits[i].is_none(), &known);
+        fits.iter_mut().zip(found).filter(|(fit, _)| fit.is_none()).for_each(|(fit, found)| *fit = found);
+    }
+
+    /// One body for all swings; the parameters they agree on.
+    fn together(
+        &self,
+        system: &mut System,
+        fits: &mut Fits<'a>,
+        inclines: &[Option<Quantity>],
+    ) -> Option<Vec<f64>> {
+        let mut x = system.agreed(&statements(fits, false), inclines)?;
+        let product = self.layout.product_xz;
+        if !fits.iter().flatten().any(FittedSwing::tells_bow_from_stern) {
+            // The swing that is surest of it; its sign hangs on a heading that nobody knows.
+            let of = |fit: &FittedSwing<'a>| fit.product();
+            let surest = fits.iter().flatten().map(of).max_by(|a, b| a.1.total_cmp(&b.1))?;
+            x[product] = surest.0;
+        }
+        let mut fitted: Vec<&mut FittedSwing> = fits.iter_mut().flatten().collect();
+        FittedSwing::fit_together(&mut fitted, &x).ok()?;
+        Some(x)
+    }
+}
+
+fn periods(i: usize, modes: &[ModeResult], stated: &Swing) -> Vec<Observation> {
+    let observation = |mode: &ModeResult| Observation {
+        what: Observed::Period(i, mode.mode),
+        value: Quantity::new(mode.period_s, mode.period_se_s),
+        u_amplitude: 0.0,
+        label: format!("{} period of {}", mode_text(mode.mode), stated.id),
+    };
+    modes.iter().filter(|m| m.relative_db > WEAKEST_DB).map(observation).collect()
+}
+
+impl System<'_> {
+    /// Parameters from the periods of one swing alone.
+    fn by_one_swing(&self, i: usize) -> Option<Vec<f64>> {
+        let mut alone = self.with(self.layout.clone());
+        alone.observations.retain(|o| matches!(o.what, Observed::Period(j, _) if i == j));
+        Some(alone.solve(&self.layout.start()).ok()?.x)
+    }
+
+    /// What the swings agree on by their samples.
+    fn agreement(&self, said: &[Vec<Statement>], inclines: &[Option<Quantity>]) -> Option<Solution> {
+        let mut system = self.with(self.layout.clone());
+        system.state(&[], said, inclines);
+        system.solve(&self.layout.start()).ok()
+    }
+
+    fn agreed(&self, said: &[Vec<Statement>], inclines: &[Option<Quantity>]) -> Option<Vec<f64>> {
+        Some(self.agreement(said, inclines)?.x)
+    }
+
+    /// Takes in what the fitted swings say, the periods of the others and the inclines.
+    fn state(&mut self, others: &[Observation], said: &[Vec<Statement>], inclines: &[Option<Quantity>]) {
+        self.observations = others.to_vec();
+        self.observations.extend(incline_observations(self.session, inclines));
+        self.statements.clear();
+        for (i, statements) in said.iter().enumerate() {
+            for statement in statements {
+                self.observations.push(Observation {
+                    what: Observed::Statement(self.statements.len()),
+                    value: Quantity::new(statement.value, 1.0),
+                    u_amplitude: 0.0,
+                    label: format!("samples of {}", self.session.swings[i].id),
+                });
+                self.statements.push(statement.clone());
+            }
+        }
+    }
+}
+
+impl SwingWork {
+    /// The modes of the simulation in place of lines in the spectrum; those lines take their names.
+    fn take_modes(&mut self, mut modes: Vec<ModeResult>, rms_over_noise: f64, stated: &Swing) {
+        let Some(evidence) = self.evidence.as_mut() else { return };
+        for (line, named) in evidence.found.modes.iter().zip(&mut evidence.named) {
+            let near = modes.iter().find(|m| (line.period_s() / m.period_s - 1.0).abs() < SAME_LINE);
+            named.name = near.map_or(ModeName::Other, |m| m.mode);
+        }
+        for mode in &mut modes {
+            let of_line = |l: &&ModeResult| (l.period_observed_s / mode.period_s - 1.0).abs() < SAME_LINE;
+            if let Some(line) = self
+                .result
+                .modes
+                .iter()
+                .filter(of_line)
+                .max_by(|a, b| a.relative_db.total_cmp(&b.relative_db))
+            {
+                mode.period_observed_s = line.period_observed_s;
+                mode.against_amplitude = line.against_amplitude.clone();
+            }
+        }
+        let named: Vec<NamedMode> =
+            modes.iter().map(|m| NamedMode { name: m.mode, angle_rad: m.amplitude }).collect();
+        let mut warnings = evidence.warnings.clone();
+        warnings.extend(hints_contradicted(&named, Some(stated)));
+        for (mode, (db, parasitic)) in modes.iter_mut().zip(parasites(&named, Some(stated), &mut warnings)) {
+            (mode.relative_db, mode.parasitic) = (db, parasitic);
+        }
+        self.periods = vec![];
+        self.result = SwingResult {
+            modes,
+            warnings,
+            rms_over_noise: Some(rms_over_noise),
+            ..std::mem::take(&mut self.result)
+        };
+    }
+}
+
+/// `f(0)`, `f(1)`, … on as many threads as the machine has cores.
+fn in_parallel<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let (next, f) = (AtomicUsize::new(0), &f);
+    let work = || {
+        let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);
+        std::iter::from_fn(take).map(|i| (i, f(i))).collect::<Vec<_>>()
+    };
+    let cores = thread::available_parallelism().map_or(1, |n| n.get()).min(count);
+    let mut found = thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        let join = |w: thread::ScopedJoinHandle<Vec<(usize, T)>>| {
+            w.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        workers.into_iter().flat_map(join).collect::<Vec<_>>()
+    });
+    found.sort_by_key(|(i, _)| *i);
+    found.into_iter().map(|(_, value)| value).collect()
+}
