@@ -52,31 +52,31 @@ pub fn by_samples(
     if fits.iter().all(Option::is_none) {
         return by_periods;
     }
-    let x = samples.together(system, &mut fits, inclines).unwrap_or(x);
-    let modes: Vec<Option<Vec<ModeResult>>> =
-        fits.iter().map(|fit| fit.as_ref().and_then(|fit| fit.modes().ok())).collect();
-    fits.iter_mut().zip(&modes).filter(|(_, modes)| modes.is_none()).for_each(|(fit, _)| *fit = None);
-    let rms: Vec<Option<f64>> =
-        fits.iter().map(|fit| fit.as_ref().map(FittedSwing::rms_over_noise)).collect();
-    let others: Vec<Observation> = system.periods.iter().filter(|o| !is_of(o, &fits)).cloned().collect();
-    system.state(&others, &statements(&fits, true), inclines);
-    system.periods = others;
-    for (i, modes) in modes.iter().enumerate() {
-        let observed = modes.iter().flat_map(|modes| periods(i, modes, &session.swings[i]));
-        system.periods.extend(observed);
-    }
-    for (work, (modes, (rms, stated))) in
-        works.iter_mut().zip(modes.into_iter().zip(rms.into_iter().zip(&session.swings)))
-    {
-        if let (Some(modes), Some(rms)) = (modes, rms) {
-            work.take_modes(modes, rms, stated);
-        }
+    let (x, together) = samples.together(system, &mut fits, inclines).unwrap_or((x, false));
+    let found: Vec<Option<Found>> = fits.iter().map(|fit| fit.as_ref().and_then(Found::of)).collect();
+    let mut said = statements(&fits, together);
+    said.iter_mut().zip(&found).filter(|(_, found)| found.is_none()).for_each(|(said, _)| said.clear());
+    let is_other = |o: &Observation| !matches!(o.what, Observed::Period(i, _) if found[i].is_some());
+    system.periods.retain(is_other);
+    let others = system.periods.clone();
+    system.state(&others, &said, inclines);
+    for (i, found) in found.into_iter().enumerate().filter_map(|(i, found)| Some((i, found?))) {
+        system.periods.extend(periods(i, &found.modes, &session.swings[i]));
+        works[i].take_modes(found, &session.swings[i]);
     }
     system.solve(&x)
 }
 
-fn is_of(observation: &Observation, fits: &Fits) -> bool {
-    matches!(observation.what, Observed::Period(i, _) if fits[i].is_some())
+/// What the simulation found in a swing.
+struct Found {
+    modes: Vec<ModeResult>,
+    rms_over_noise: f64,
+}
+
+impl Found {
+    fn of(fit: &FittedSwing) -> Option<Self> {
+        Some(Self { modes: fit.modes().ok()?, rms_over_noise: fit.rms_over_noise() })
+    }
 }
 
 /// What each swing says.
@@ -190,13 +190,13 @@ impl<'a> Samples<'a> {
         fits.iter_mut().zip(found).filter(|(fit, _)| fit.is_none()).for_each(|(fit, found)| *fit = found);
     }
 
-    /// One body for all swings; the parameters they agree on.
+    /// One body for all swings: the parameters they agree on, and whether they do.
     fn together(
         &self,
         system: &mut System,
         fits: &mut Fits<'a>,
         inclines: &[Option<Quantity>],
-    ) -> Option<Vec<f64>> {
+    ) -> Option<(Vec<f64>, bool)> {
         let mut x = system.agreed(&statements(fits, false), inclines)?;
         let product = self.layout.product_xz;
         if !fits.iter().flatten().any(FittedSwing::tells_bow_from_stern) {
@@ -206,8 +206,8 @@ impl<'a> Samples<'a> {
             x[product] = surest.0;
         }
         let mut fitted: Vec<&mut FittedSwing> = fits.iter_mut().flatten().collect();
-        FittedSwing::fit_together(&mut fitted, &x).ok()?;
-        Some(x)
+        let agree = FittedSwing::fit_together(&mut fitted, &x).unwrap_or(false);
+        Some((x, agree))
     }
 }
 
@@ -261,7 +261,8 @@ impl System<'_> {
 
 impl SwingWork {
     /// The modes of the simulation in place of lines in the spectrum; those lines take their names.
-    fn take_modes(&mut self, mut modes: Vec<ModeResult>, rms_over_noise: f64, stated: &Swing) {
+    fn take_modes(&mut self, found: Found, stated: &Swing) {
+        let Found { mut modes, rms_over_noise } = found;
         let Some(evidence) = self.evidence.as_mut() else { return };
         for (line, named) in evidence.found.modes.iter().zip(&mut evidence.named) {
             let near = modes.iter().find(|m| (line.period_s() / m.period_s - 1.0).abs() < SAME_LINE);

@@ -55,17 +55,18 @@ impl<'a> FittedSwing<'a> {
     }
 
     /// Fits swings together from parameters of the session. Where that leaves one of them unexplained, none is changed: the
-    /// swings contradict each other.
-    pub fn fit_together(swings: &mut [&mut Self], x: &[f64]) -> Result<()> {
+    /// swings contradict each other, and the answer is no.
+    pub fn fit_together(swings: &mut [&mut Self], x: &[f64]) -> Result<bool> {
         let models: Vec<&SwingModel> = swings.iter().map(|s| &s.model).collect();
         let owns: Vec<Own> = swings.iter().map(|s| s.fit.own.clone()).collect();
         let fits = fit_together(&models, x, &owns)?;
         let before: Vec<Fit> = swings.iter().map(|s| s.fit.clone()).collect();
         swings.iter_mut().zip(fits).for_each(|(swing, fit)| swing.fit = fit);
-        if !swings.iter().all(|s| s.explains()) {
+        let agree = swings.iter().all(|s| s.explains());
+        if !agree {
             swings.iter_mut().zip(before).for_each(|(swing, fit)| swing.fit = fit);
         }
-        Ok(())
+        Ok(agree)
     }
 
     /// Whether it hangs so far from level that bow and stern differ.
