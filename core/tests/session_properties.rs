@@ -83,14 +83,15 @@ fn orientation() -> impl Strategy<Value = Orientation> {
 
 fn bifilar() -> impl Strategy<Value = Suspension> {
     let lengths = (quantity(2.0..50.0), quantity(0.1..3.0), of(quantity(0.1..3.0)));
-    (orientation(), lengths, of(quantity(-90.0..90.0))).prop_map(
-        |(orientation, (line, spacing, top), pitch)| Suspension {
+    (orientation(), lengths, of(quantity(-90.0..90.0)), of(quantity(-3.0..3.0))).prop_map(
+        |(orientation, (line, spacing, top), pitch, moved)| Suspension {
             kind: SuspensionKind::Bifilar,
             orientation,
             line_length_m: Some(line),
             spacing_m: Some(spacing),
             top_spacing_m: top,
             hull_pitch_deg: pitch,
+            points_moved_m: moved,
             axis_height_m: None,
         },
     )
@@ -105,6 +106,7 @@ fn compound() -> impl Strategy<Value = Suspension> {
             spacing_m: None,
             top_spacing_m: None,
             hull_pitch_deg: pitch,
+            points_moved_m: None,
             axis_height_m: Some(height),
         },
     )

@@ -62,6 +62,30 @@ fn double_pendulum(k: f64, l1: f64) -> [f64; 2] {
     [-1.0, 1.0].map(|sign| TAU / (GRAVITY * (sum + sign * root) / (2.0 * l1 * k2)).sqrt())
 }
 
+/// Somebody hung the hull level, moved the suspension points forward and read the tilt: the depth is Δ/tan φ, its uncertainty
+/// that of both readings; the law of propagation by hand.
+#[test]
+fn moved_suspension_points_give_the_depth() {
+    let (tilt_deg, u_deg, u_m) = (20.0_f64, 0.2_f64, 0.001);
+    let (sin, tan) = (tilt_deg.to_radians().sin(), tilt_deg.to_radians().tan());
+    let moved_m = DEPTH_M * tan;
+    let yaw = swing("level", "athwartships", LEVEL_M, &[("yaw", 2.0)]);
+    let tilted = swing("tilted", "athwartships", LEVEL_M, &[("yaw", 1.9)]).replace(
+        "hull_pitch_deg = 0.0",
+        &format!(
+            "hull_pitch_deg = {{ value = {tilt_deg}, u = {u_deg} }}\npoints_moved = {{ value = {moved_m:?}, u = {u_m} }}"
+        ),
+    );
+    let result = measured_text(&(yaw + &tilted));
+    let u = (u_m / tan).hypot(moved_m / (sin * sin) * u_deg.to_radians());
+    let depth = &result.quantities["cm_depth_m"];
+    assert!((depth.value.as_f64().unwrap() - DEPTH_M).abs() < 0.02 * u, "{depth:?}");
+    // The yaw of a tilted hull says a little of its tilt, too, and the unknown axes take a little away.
+    assert!((depth.u.as_f64().unwrap() / u - 1.0).abs() < 0.1, "{depth:?} {u}");
+    let route = result.alternatives["cm_depth_m"].iter().find(|r| r.method == "points_moved").unwrap();
+    assert!((route.value - DEPTH_M).abs() < 1e-9 && (route.u / u - 1.0).abs() < 0.02, "{route:?} {u}");
+}
+
 fn swing(id: &str, orientation: &str, (length_m, spacing_m): (f64, f64), periods: &[(&str, f64)]) -> String {
     let typed: Vec<String> =
         periods.iter().map(|(mode, t)| format!("{mode} = {{ value = {t:?}, u = 0.0002 }}")).collect();
@@ -84,11 +108,16 @@ fn measured(psi_rad: f64) -> Measurement {
     let names = ["yaw", "sway", "pitch_in_phase", "pitch_out_of_phase"];
     let of_level: Vec<(&str, f64)> = names.into_iter().zip(level).collect();
     let of_roll: Vec<(&str, f64)> = ["roll_in_phase", "roll_out_of_phase"].into_iter().zip(roll).collect();
-    let head =
-        format!("format = \"gyradius-session/1\"\n[body]\nmass = {MASS_KG}\n[site]\ngravity = {GRAVITY}\n");
-    let text = head
-        + &swing("level", "athwartships", LEVEL_M, &of_level)
-        + &swing("roll", "fore_and_aft", ROLL_M, &of_roll);
+    measured_text(
+        &(swing("level", "athwartships", LEVEL_M, &of_level)
+            + &swing("roll", "fore_and_aft", ROLL_M, &of_roll)),
+    )
+}
+
+fn measured_text(swings: &str) -> Measurement {
+    let text = format!(
+        "format = \"gyradius-session/1\"\n[body]\nmass = {MASS_KG}\n[site]\ngravity = {GRAVITY}\n{swings}"
+    );
     let session = read_session(&text, "session.toml").unwrap();
     let typed = |swing: &Swing| LoadedSwing { id: swing.id.clone(), data: LoadedData::Typed };
     let data = session.swings.iter().map(typed).collect();

@@ -201,6 +201,7 @@ impl Plan {
             spacing_m: quantity(self.spacing),
             top_spacing_m: quantity(self.top_spacing),
             hull_pitch_deg: quantity(self.hull_pitch),
+            points_moved_m: None,
             axis_height_m: quantity(self.axis_height),
         })
     }

@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::modes::NamedMode;
 use crate::recording::{ModeName, Quantity, Session, Swing};
 
-use super::estimate::{Observation, Observed, Solution, System, incline_observations};
+use super::estimate::{Observation, Observed, Solution, System};
 use super::measure::{SwingWork, WEAKEST_DB};
 use super::measurement::{ModeResult, SwingResult};
 use super::observe::{Evidence, hints_contradicted, parasites};
@@ -243,7 +243,8 @@ impl System<'_> {
     /// Takes in what the fitted swings say, the periods of the others and the inclines.
     fn state(&mut self, others: &[Observation], said: &[Vec<Statement>], inclines: &[Option<Quantity>]) {
         self.observations = others.to_vec();
-        self.observations.extend(incline_observations(self.session, inclines));
+        let beside = self.beside_swings(inclines);
+        self.observations.extend(beside);
         self.statements.clear();
         for (i, statements) in said.iter().enumerate() {
             for statement in statements {

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::error::{Error, Result};
-use crate::recording::{InclineAngle, ModeName, Quantity, Session};
+use crate::recording::{InclineAngle, ModeName, Quantity, Session, Swing};
 
 use super::parameters::{Layout, Role};
 use super::samples::Statement;
@@ -16,6 +16,8 @@ use super::theory::{incline_angle_deg, swing_periods};
 /// Chance of widening the uncertainties of a consistent session by the Birge ratio.
 const BIRGE_FALSE_ALARM: f64 = 1e-3;
 const MAX_ITERATIONS: usize = 60;
+/// A shift stated as exact is good to this, m: the thickness of a line.
+const LEAST_MOVED_U_M: f64 = 1e-4;
 
 /// What was observed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +26,8 @@ pub enum Observed {
     Period(usize, ModeName),
     /// The angle of an incline (index), degrees.
     Incline(usize),
+    /// How far the suspension points of a swing (index) were moved along the deck, m.
+    Moved(usize),
     /// What the samples of a swing say of the parameters (index into the statements).
     Statement(usize),
 }
@@ -98,6 +102,15 @@ impl System<'_> {
         Some(ideal)
     }
 
+    /// What stands beside the swings: inclines, and how far suspension points were moved to tilt the hull.
+    pub fn beside_swings(&self, inclines: &[Option<Quantity>]) -> Vec<Observation> {
+        let mut observations = incline_observations(self.session, inclines);
+        if self.layout.level_depth().is_some() {
+            observations.extend(self.session.swings.iter().enumerate().filter_map(moved_points));
+        }
+        observations
+    }
+
     /// Predicted observations; `None` where the parameters allow no motion.
     fn predict(&self, x: &[f64]) -> Option<Vec<f64>> {
         let mut periods: Vec<Option<Vec<(ModeName, f64)>>> = vec![None; self.session.swings.len()];
@@ -117,6 +130,11 @@ impl System<'_> {
             Observed::Incline(i) => {
                 let depth = self.layout.swings.first()?.log_depth;
                 Some(incline_angle_deg(&self.layout, x, &self.session.inclines[i], depth))
+            }
+            Observed::Moved(i) => {
+                let depth_m = x[self.layout.level_depth()?].exp();
+                // l2 = Δ / tan φ
+                Some(depth_m * x[self.layout.swings[i].pitch_deg].to_radians().tan())
             }
             Observed::Period(i, mode) => {
                 let index = &self.layout.swings[i];
@@ -279,7 +297,7 @@ impl Derived {
 }
 
 /// The observations that stated incline angles make.
-pub fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) -> Vec<Observation> {
+fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) -> Vec<Observation> {
     let angle = |i: usize| match session.inclines[i].angle {
         InclineAngle::Stated(angle) => Some(angle),
         InclineAngle::Recording(_) => recorded_deg.get(i).copied().flatten(),
@@ -307,4 +325,14 @@ pub fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]
             })
         })
         .collect()
+}
+
+fn moved_points((i, swing): (usize, &Swing)) -> Option<Observation> {
+    let moved_m = swing.suspension.points_moved_m?;
+    Some(Observation {
+        what: Observed::Moved(i),
+        value: Quantity::new(moved_m.value, moved_m.u.max(LEAST_MOVED_U_M)),
+        u_amplitude: 0.0,
+        label: format!("suspension points of {}", swing.id),
+    })
 }

@@ -20,7 +20,7 @@ use super::alternatives::{RouteCalculation, routes};
 use super::beats;
 use super::by_samples::by_samples;
 use super::court;
-use super::estimate::{Observation, Observed, Solution, System, incline_observations};
+use super::estimate::{Observation, Observed, Solution, System};
 use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
 use super::observe::{
     Evidence, hints_contradicted, names_by_period, observe_recording, observe_track, parasites,
@@ -159,7 +159,8 @@ fn estimate(
 impl System<'_> {
     fn observe(&mut self, periods: Vec<Observation>, inclines: &[Option<Quantity>]) {
         self.observations = periods.clone();
-        self.observations.extend(incline_observations(self.session, inclines));
+        let beside = self.beside_swings(inclines);
+        self.observations.extend(beside);
         self.periods = periods;
     }
 }

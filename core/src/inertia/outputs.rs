@@ -24,8 +24,6 @@ const MOST_ANGLE_U_DEG: f64 = 20.0;
 pub const COVERAGE_95: f64 = 1.959_963_984_540_054;
 /// A hanging tilted by less says nothing of the principal axes, degrees.
 const LEAST_TILT_DEG: f64 = 5.0;
-/// Pitch of a hanging that counts as level, degrees.
-const LEVEL_DEG: f64 = 2.0;
 
 /// Scalar quantities by name: `(name, unit is degrees)`.
 const SCALARS: [&str; 5] = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"];
@@ -59,7 +57,7 @@ impl Hull<'_> {
 
 /// A quantity of the hull alone at parameters of the session.
 pub fn hull_scalar(system: &System, name: &str, x: &[f64]) -> Option<f64> {
-    Hull { session: system.session, system, level_depth: level_depth(system) }.scalar(name, x)
+    Hull { session: system.session, system, level_depth: system.layout.level_depth() }.scalar(name, x)
 }
 
 /// Angle from the hull's x axis up to the principal x axis, positive bow up, rad. Eqs. (3), (4) in tensor form:
@@ -81,7 +79,7 @@ fn principal_gyradii_m(body: &RigidBody) -> [f64; 3] {
 
 /// Fills in quantities, budget and correlations.
 pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measurement) {
-    let level_depth = level_depth(system);
+    let level_depth = system.layout.level_depth();
     let hull = Hull { session: system.session, system, level_depth };
     let tilted = with_principal_axes_turned(system, solution);
     let mut determined: Vec<(&str, Derived)> = Vec::new();
@@ -211,15 +209,6 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
     let entry =
         QuantityResult { value: json!(values), u: json!(us), interval_95: None, method: method.into() };
     result.quantities.insert("inertia_kg_m2".into(), entry);
-}
-
-fn level_depth(system: &System) -> Option<usize> {
-    system
-        .layout
-        .swings
-        .iter()
-        .find(|s| system.layout.parameters[s.pitch_deg].prior.value.abs() < LEVEL_DEG)
-        .map(|s| s.log_depth)
 }
 
 /// Contributions by input, largest first; rows with the same name add in quadrature.

@@ -34,6 +34,8 @@ const WEAK_PRODUCT: f64 = 0.12;
 const ROLL_SHARE: f64 = 0.52;
 const ROLL_SHARE_LOG_U: f64 = 0.3;
 
+/// Pitch of a hanging that counts as level, degrees.
+pub const LEVEL_DEG: f64 = 2.0;
 /// Step of numerical derivatives by a clock's error.
 const CLOCK_STEP: f64 = 1e-6;
 
@@ -138,6 +140,12 @@ impl Layout {
             attachment_masses,
             swings,
         }
+    }
+
+    /// Logarithm of the depth in a level hanging, where there is one.
+    pub fn level_depth(&self) -> Option<usize> {
+        let level = |s: &&SwingIndex| self.parameters[s.pitch_deg].prior.value.abs() < LEVEL_DEG;
+        self.swings.iter().find(level).map(|s| s.log_depth)
     }
 
     /// Relative error of the clock that a swing was timed with.

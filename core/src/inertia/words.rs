@@ -93,6 +93,7 @@ pub fn route(method: &str) -> String {
         "tilted_yaw_right_angle" => "yaw level and at two tilts a right angle apart",
         "one_tilt" => "roll, yaw and one tilted yaw",
         "tilt_fit" => "yaw at all tilts by least squares",
+        "points_moved" => "moving the suspension points and the tilt that follows",
         "incline_both_ends" => "inclining at bow and stern",
         "joint_estimate" => "joint estimate from everything in the session",
         other => return spaced(other),

@@ -175,6 +175,8 @@ pub struct Suspension {
     pub top_spacing_m: Option<Quantity>,
     /// Bow-up angle, degrees.
     pub hull_pitch_deg: Option<Quantity>,
+    /// How far forward along the deck the suspension points are of those of a level hanging, Δ, m.
+    pub points_moved_m: Option<Quantity>,
     /// Compound: height l0 of the swing axis above the hull's suspension points, m.
     pub axis_height_m: Option<Quantity>,
 }

@@ -21,8 +21,16 @@ pub(crate) const SWING: &[&str] = &[
     "added_mass",
     "suspension",
 ];
-const SUSPENSION: &[&str] =
-    &["kind", "orientation", "line_length", "spacing", "top_spacing", "hull_pitch_deg", "axis_height"];
+const SUSPENSION: &[&str] = &[
+    "kind",
+    "orientation",
+    "line_length",
+    "spacing",
+    "top_spacing",
+    "hull_pitch_deg",
+    "points_moved",
+    "axis_height",
+];
 const ADDED_MASS: &[&str] = &["mass", "position"];
 const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
 
@@ -140,6 +148,7 @@ fn suspension(table: &Table<'_>) -> Result<Suspension> {
         spacing_m: table.quantity("spacing", Domain::LENGTH)?,
         top_spacing_m: table.quantity("top_spacing", Domain::LENGTH)?,
         hull_pitch_deg: table.quantity("hull_pitch_deg", Domain::PITCH)?,
+        points_moved_m: table.quantity("points_moved", Domain::COORDINATE)?,
         axis_height_m: table.quantity("axis_height", Domain::LENGTH)?,
     };
     refuse_lines_too_short(table, &suspension)?;

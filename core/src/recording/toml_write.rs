@@ -138,6 +138,7 @@ fn suspension(text: &mut Lines, suspension: &Suspension) {
     text.key_if("spacing", suspension.spacing_m, quantity);
     text.key_if("top_spacing", suspension.top_spacing_m, quantity);
     text.key_if("hull_pitch_deg", suspension.hull_pitch_deg, quantity);
+    text.key_if("points_moved", suspension.points_moved_m, quantity);
     text.key_if("axis_height", suspension.axis_height_m, quantity);
 }
 

@@ -49,6 +49,7 @@ fn stated(session: &Session) -> Vec<StatedFigure> {
         list.add("spacing above", hung.top_spacing_m, "m", id);
         list.add("height of the swing axis", hung.axis_height_m, "m", id);
         list.add("hull pitch, bow up", hung.hull_pitch_deg, "°", id);
+        list.add("suspension points moved forward", hung.points_moved_m, "m", id);
         swing.added_masses.iter().for_each(|mass| list.add("added mass", Some(mass.mass_kg), "kg", id));
     }
     for attachment in &session.attachments {

@@ -1,7 +1,9 @@
-//! Depth of the centre of mass by weights hung from the ends.
+//! Depth of the centre of mass by weights hung from the ends, and by moving the suspension points.
 
 use crate::inertia::estimate::{Observation, Observed, Solution, System};
-use crate::inertia::routes::incline::{BothEnds, Weight, cm_depth_from_both_ends_m, cm_depth_m};
+use crate::inertia::routes::incline::{
+    BothEnds, Weight, cm_depth_from_both_ends_m, cm_depth_from_shift_m, cm_depth_m,
+};
 use crate::inertia::theory::hull_alone;
 use crate::inertia::traced::Traced;
 use crate::recording::End;
@@ -12,7 +14,8 @@ use super::{RouteCalculation, stated};
 pub fn routes(system: &System, solution: &Solution) -> Vec<RouteCalculation> {
     let Some(depth_shift_m) = hull_above_hanging_m(system, solution) else { return vec![] };
     let ends = system.observations.iter().filter_map(|o| one_end(system, o, depth_shift_m));
-    ends.chain(both_ends(system, depth_shift_m)).collect()
+    let moved = system.observations.iter().filter_map(|o| moved_points(system, o, depth_shift_m));
+    ends.chain(moved).chain(both_ends(system, depth_shift_m)).collect()
 }
 
 /// How much deeper the hull's own centre lies than that of everything that hangs, m.
@@ -40,6 +43,24 @@ fn one_end(system: &System, observed: &Observation, depth_shift_m: f64) -> Optio
         method: "incline",
         equation: "(20)",
         from: vec![observed.label.clone()],
+        figure: figure.ok()?,
+        interval_95: None,
+    })
+}
+
+/// Suspension points moved along the deck, and the tilt that follows.
+fn moved_points(system: &System, observed: &Observation, depth_shift_m: f64) -> Option<RouteCalculation> {
+    let Observed::Moved(i) = observed.what else { return None };
+    let moved_m = Traced::input(observed.label.clone(), observed.value);
+    let pitch_deg = stated(system, system.layout.swings[i].pitch_deg);
+    let figure = Traced::combine(&[&moved_m, &pitch_deg], |v| {
+        Ok(cm_depth_from_shift_m(v[0], v[1].to_radians())? + depth_shift_m)
+    });
+    Some(RouteCalculation {
+        quantity: "cm_depth_m",
+        method: "points_moved",
+        equation: "Δ / tan φ",
+        from: vec![system.session.swings[i].id.clone()],
         figure: figure.ok()?,
         interval_95: None,
     })

@@ -18,11 +18,9 @@ use super::beats::CountedBeat;
 use super::estimate::{Observed, Solution, System};
 use super::measurement::Route;
 use super::outputs::COVERAGE_95;
+use super::parameters::LEVEL_DEG;
 use super::theory::{hull_alone, swing_body};
 use super::traced::Traced;
-
-/// Pitch of a hanging that counts as level, degrees.
-const LEVEL_DEG: f64 = 2.0;
 
 /// One route and what it gives.
 pub struct RouteCalculation {
