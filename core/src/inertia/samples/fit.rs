@@ -95,12 +95,28 @@ pub fn fit_together(models: &[&SwingModel], x: &[f64], owns: &[Own]) -> Result<V
     let near =
         models.iter().zip(owns).map(|(model, own)| model.headed(x, own)).collect::<Result<Vec<Own>>>()?;
     let fitting = Fitting { models: models.to_vec(), known: &[] };
-    fitting.all_finished(fitting.optimised(
-        Point::new(x, near),
-        Moves::All,
-        f64::INFINITY,
-        Enough::Converged,
-    )?)
+    let starts = [vec![Point::new(x, near.clone())], other_ends(models, x, &near)].concat();
+    let ends = starts.into_iter().map(|p| fitting.optimised(p, Moves::All, f64::INFINITY, Enough::Converged));
+    let best = ends.flatten().min_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
+    fitting.all_finished(best.ok_or_else(no_start)?)
+}
+
+/// Other starts where masses were added at unlike distances: seen from its other end such a hull is another hull, and which way
+/// the product of inertia points is no longer a matter of heading alone.
+fn other_ends(models: &[&SwingModel], x: &[f64], owns: &[Own]) -> Vec<Point> {
+    let is_lopsided = |i: &usize| !models[*i].setup.swing.added_masses.is_empty();
+    let Some(lopsided) = (0..models.len()).find(is_lopsided) else { return vec![] };
+    let turned = |which: &dyn Fn(usize) -> bool| -> Vec<Own> {
+        let each = owns.iter().enumerate();
+        each.map(|(i, own)| if which(i) { own.turned_round() } else { own.clone() }).collect()
+    };
+    let mut mirrored = x.to_vec();
+    mirrored[models[0].setup.layout.product_xz] *= -1.0;
+    vec![
+        Point::new(x, turned(&|i| i == lopsided)),
+        Point::new(&mirrored, turned(&|i| i != lopsided)),
+        Point::new(&mirrored, turned(&|_| true)),
+    ]
 }
 
 fn no_start() -> Error {
