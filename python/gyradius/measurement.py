@@ -75,6 +75,7 @@ class SwingResult:
     warnings: tuple[str, ...]
     span_s: tuple[float, float] | None
     rms_over_noise: float | None
+    simulated: bool
 
 
 @dataclass(frozen=True, slots=True)

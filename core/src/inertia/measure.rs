@@ -279,6 +279,7 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         repairs: evidence.repairs.clone(),
         warnings,
         rms_over_noise: Some(evidence.found.rms_over_noise),
+        simulated: false,
     };
     SwingWork { result, evidence: Some(evidence), periods }
 }

@@ -46,8 +46,11 @@ pub struct SwingResult {
     pub repairs: Vec<Repair>,
     /// What a reader must know of this swing.
     pub warnings: Vec<String>,
-    /// Residual over noise: 1 where damped oscillations explain everything.
+    /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
+    /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
+    #[serde(default)]
+    pub simulated: bool,
 }
 
 /// One mode of one swing.

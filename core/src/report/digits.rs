@@ -95,6 +95,11 @@ pub(super) fn prefix(size: f64) -> (f64, &'static str) {
     }
 }
 
+/// A number of standard uncertainties: two digits, and nothing finer than a hundredth.
+pub(super) fn sigmas(value: f64) -> String {
+    if value.abs() < 0.005 { "0".into() } else { significant((value * 100.0).round() / 100.0, 2) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,5 +125,10 @@ mod tests {
         assert_eq!(significant(0.0123456, 3), "0.0123");
         assert_eq!(significant(622.7, 6), "622.7");
         assert_eq!(significant(1200.0, 2), "1200");
+    }
+
+    #[test]
+    fn sigmas_need_no_millionths() {
+        assert_eq!([5.8e-6, 0.114, 19.04].map(sigmas), ["0", "0.11", "19"]);
     }
 }

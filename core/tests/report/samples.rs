@@ -198,6 +198,7 @@ pub fn keelboat() -> ReportSource {
         }],
         warnings: vec!["yaw depends on amplitude: the small-amplitude limit is used".into()],
         rms_over_noise: Some(1.03),
+        simulated: false,
     }];
     swings[0].modes[1].relative_db = -21.3;
     swings[0].modes[1].parasitic = true;

@@ -3,7 +3,7 @@
 use super::Figure;
 use crate::inertia::Claim;
 use crate::report::chart::{self, WIDTH, colour, dashed, dot, line, number, rectangle, text};
-use crate::report::digits::significant;
+use crate::report::digits::sigmas;
 use crate::report::markup::Markup;
 use crate::report::words;
 
@@ -75,7 +75,7 @@ fn draw_row(out: &mut Markup, claim: &Claim, top: f64) {
     let y = top + 27.0;
     draw_lane(out, y);
     text(out, LEFT, top + 13.0, "start", colour::INK, &label(claim));
-    let figure = if claim.sigma.is_finite() { format!("{} σ", significant(sigma, 2)) } else { "–".into() };
+    let figure = if claim.sigma.is_finite() { format!("{} σ", sigmas(sigma)) } else { "–".into() };
     text(out, WIDTH - 4.0, y + 4.0, "end", fill, &figure);
     if sigma > END_SIGMA {
         draw_arrow(out, signed.signum(), y, fill);

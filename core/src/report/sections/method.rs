@@ -23,6 +23,15 @@ fn swings(measurement: &Measurement, out: &mut Markup) {
                 shared by all channels, their number decided from the data; each oscillation was named by the shape \
                 of the motion.";
     out.element("p", &[], text);
+    let simulated: Vec<&str> = measurement.swings.iter().filter(|s| s.simulated).map(|s| &*s.id).collect();
+    if !simulated.is_empty() {
+        let text = format!(
+            "Then the full motion of the hull on its lines was simulated and fitted to the samples themselves, all of these \
+             swings together: {}. Their periods below are those of the fitted hull at small amplitude.",
+            simulated.join(", ")
+        );
+        out.element("p", &[], &text);
+    }
     list(out, "", &measurement.swings.iter().map(swing_sentence).collect::<Vec<_>>());
 }
 
@@ -63,9 +72,9 @@ fn estimate(measurement: &Measurement, out: &mut Markup) {
         return;
     }
     out.element("h3", &[], "The joint estimate");
-    let text = "All periods, dimensions and angles were then fitted together: one body, one gravity, one tape. Each figure \
-                weighs by its uncertainty, and what several figures share is counted once, with its correlation. The \
-                periods that enter are those of small, undamped swings.";
+    let text = "Swings, dimensions and angles were then fitted together: one body, one gravity, one tape. Each figure \
+                weighs by its uncertainty, and what several figures share is counted once, with its correlation. Where \
+                no simulation was fitted, the periods of small, undamped swings enter.";
     out.element("p", &[], text);
 }
 

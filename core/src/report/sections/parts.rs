@@ -1,7 +1,7 @@
 //! Court, budget and ellipsoids: parts that are mostly pictures.
 
 use crate::inertia::Claim;
-use crate::report::digits::{joined, significant, with_u};
+use crate::report::digits::{joined, sigmas, with_u};
 use crate::report::markup::Markup;
 use crate::report::pictures;
 use crate::report::source::ReportSource;
@@ -59,10 +59,10 @@ fn row(claim: &Claim) -> Vec<String> {
     let unit = words::claim_unit(&claim.claim);
     let flag = if claim.flagged { " – contradiction" } else { "" };
     let sigma = match claim.sigma_range {
-        None => format!("{} σ", significant(claim.sigma, 2)),
+        None => format!("{} σ", sigmas(claim.sigma)),
         Some([least, most]) => {
             let pairs = claim.pairs;
-            format!("{} to {} σ over {pairs} pairs", significant(least, 2), significant(most, 2))
+            format!("{} to {} σ over {pairs} pairs", sigmas(least), sigmas(most))
         }
     };
     vec![
