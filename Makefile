@@ -12,7 +12,7 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench package test-rust test-vectors test-python test-blind blind blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench package test-rust test-vectors test-python test-blind test-hidden blind blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -33,6 +33,7 @@ test:
 	@$(MAKE) --no-print-directory test-vectors
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-blind
+	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
 
 lint: package
@@ -56,6 +57,10 @@ test-python: package
 # Sessions drawn afresh by a generator that shares nothing with the analysis, its witness MuJoCo, and the sessions that ship.
 test-blind: package blind-tools
 	@$(STEP) blind $(BIN)/python -m pytest -q -rA --strict-markers tests/blind
+
+# The generator of hidden effects against closed forms and another integrator; what it draws is judged by tests/hidden/judge.py.
+test-hidden: blind-tools
+	@$(STEP) hidden $(BIN)/python -m pytest -q -rA --strict-markers tests/hidden
 
 N ?= 200
 blind: package blind-tools

@@ -312,9 +312,9 @@ class Hung:
     excited: list = field(default_factory=list)  # names of modes
 
 
-def hang(rng, hull: Hull, plan: Plan) -> Hung:
-    """Hang the hull and work out its small motions."""
-    hung = Hung(plan, damping(rng, hull))
+def hang(rng, hull: Hull, plan: Plan, drag: tuple | None = None) -> Hung:
+    """Hang the hull and work out its small motions; without `drag`, it is drawn."""
+    hung = Hung(plan, drag or damping(rng, hull))
     if plan.compound:
         hung.excited = ["compound"]
         return hung
