@@ -20,8 +20,8 @@ from borrowed import rb
 from effects import EFFECTS, OUTSIDE, Session
 from scene import clipped, move, sense
 
-EVERY = 3  # samples taken for sensitivities; each counts as so many
-STEP_S = 0.03
+EVERY = 5  # samples taken for sensitivities; each counts as so many
+STEP_S = 0.05
 BACK = 0.02  # share of the hidden strength over which its sensitivity is taken
 FAINT = 1e-3  # of a cause's strongest direction: weaker ones are not counted as directions
 CAUSES_IN_BASE = ("bias_drift",)
@@ -99,7 +99,8 @@ def base_changes(session: Session) -> list[Change]:
     for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)):
         tensor = np.zeros((3, 3))
         tensor[i, j] = tensor[j, i] = size * tiny
-        changes.append(Change(each(lambda s, t=tensor: setattr(s, "inertia_kg_m2", s.inertia_kg_m2 + t)), tiny, prior=LOOSE["inertia"]))
+        put = lambda s, t=tensor: setattr(s, "inertia_kg_m2", s.inertia_kg_m2 + t)
+        changes.append(Change(each(put), tiny, prior=LOOSE["inertia"]))
     changes.append(Change(each(lambda s: s.centre_m.__iadd__([0, 0, -tiny])), tiny, prior=LOOSE["depth"]))
     changes.append(Change(each(lambda s: setattr(s, "gravity_m_s2", s.gravity_m_s2 + tiny)), tiny))
     changes += [Change(lambda s, n=n: lengthen(s, n, tiny), tiny) for n in range(len(session.tapes))]

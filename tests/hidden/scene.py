@@ -20,7 +20,8 @@ from scipy.interpolate import CubicSpline
 from scipy.signal import lsim
 
 WARM_UP_S = 6.0  # between release and recording: what is stiff rings when let go, and has died away
-DAMPED_SHARE = 0.25  # of the fastest motion's radian, the longest step
+ROCK_S = 0.01  # step of a rocking phone, exact for what drives it along straight lines
+STIFF_SHARE = 0.25  # of the fastest motion's radian, the longest step
 
 
 @dataclass
@@ -132,19 +133,21 @@ def start_of(scene: Scene, rig: np.ndarray) -> np.ndarray:
 def longest_step_s(scene: Scene, smooth_s: float) -> float:
     """A step for this rig: shorter where something is stiff or has a kink."""
     e, step = scene.extras[0], smooth_s
-    if e["coulomb"].any() or e["rub"][0] or e["contact"].any():
-        step = min(step, 0.0025)
+    if e["coulomb"].any() or e["rub"][0]:
+        step = smooth_s / 4
+    elif e["contact"].any():
+        step = smooth_s / 2
     if e["knock_time"][1]:
         step = min(step, e["knock_time"][1] / 8)
     if e["stiffness"]:  # the roll that elastic lines allow is faster than the heave
         half = scene.spacing_m / 2
         lightest = min(scene.mass_kg, scene.inertia_kg_m2[0, 0] / half**2)
-        step = min(step, DAMPED_SHARE / np.sqrt(2 * e["stiffness"] / lightest))
+        step = min(step, STIFF_SHARE / np.sqrt(2 * e["stiffness"] / lightest))
     if e["support"][0]:
-        step = min(step, DAMPED_SHARE / np.sqrt(e["support"][1] / e["support"][0]))
+        step = min(step, STIFF_SHARE / np.sqrt(e["support"][1] / e["support"][0]))
     for mass, spring in zip(e["slider_mass"], e["slider_spring"]):
         if mass:
-            step = min(step, DAMPED_SHARE / np.sqrt(spring / mass))
+            step = min(step, STIFF_SHARE / np.sqrt(spring / mass))
     return step
 
 
@@ -181,11 +184,11 @@ def rock(mount: Mount, scene: Scene, times: np.ndarray, rate: np.ndarray, force:
     level = rb.rotate(scene.phone.phone_from_hull, np.array([[0.0], [0], [scene.gravity_m_s2]]))
     turning = mount.axis @ CubicSpline(times, rate, axis=1)(times, 1)
     drive = -mount.share * (turning + mount.axis @ np.cross(mount.lever_per_m, (force - level).T).T)
-    even = np.arange(times[0], times[-1] + 0.005, 0.005)
+    even = np.arange(times[0], times[-1] + ROCK_S, ROCK_S)
     u = CubicSpline(times, drive)(even)
     om, zeta = mount.omega_rad_s, mount.damping_ratio
     system = ([[0, 1], [-(om**2), -2 * zeta * om]], [[0], [1]], np.eye(2), np.zeros((2, 1)))
-    _, phi, _ = lsim(system, u, even - even[0], X0=[u[0] / om**2, (u[1] - u[0]) / 0.005 / om**2])
+    _, phi, _ = lsim(system, u, even - even[0], X0=[u[0] / om**2, (u[1] - u[0]) / ROCK_S / om**2])
     angle, speed = CubicSpline(even, phi)(times).T
     n = mount.axis[:, None]
     rock_of = lambda v: v - angle * rb.cross(n * np.ones_like(times), v)

@@ -2,8 +2,8 @@
 
     python tests/hidden/sessions.py --count 5 --out DIR [--seed N] [--effect line_creep] [--detect]
 
-writes `DIR/<name>/session.toml` with its recordings and `DIR/<name>.truth.json`, which holds what is hidden. Without `--seed` a fresh
-seed is drawn and printed. `--detect` adds how many standard deviations the effect stands out (`detect.py`).
+writes `DIR/<name>/session.toml` with its recordings and `DIR/<name>.truth.json`, which holds what is hidden. Without
+`--seed` a fresh seed is drawn and printed. `--detect` adds how many standard deviations the effect stands out (`detect.py`).
 
 On top of a rigid body on two inextensible lines, linearly damped, recorded with a constant bias and white noise, a session hides
 nothing (`none`), one cause of the catalogue, two of them, or something that the catalogue lacks.
@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 from borrowed import blind
 from effects import EFFECTS, OUTSIDE, Session, Tape
-from scene import Scene, readings
+from scene import Scene, clipped, readings
 
 SHARES = {"none": 0.15, "one": 0.5, "two": 0.15, "outside": 0.2}
 CATALOGUE_AND_OUTSIDE = EFFECTS | OUTSIDE
@@ -102,8 +102,8 @@ def draw_scene(rng, hull: blind.Hull, hung, phone: blind.Phone) -> tuple[Scene, 
     start, amplitudes = blind.modal_start(rng, hung, bool(rng.random() < 0.5))
     true_s = blind.stamps(rng, phone.gyro_rate_hz, plan.duration_s)
     scene = Scene(
-        hull.mass_kg, np.array([0.0, 0.0, -hull.depth_m]), hull.inertia(), hull.gravity_m_s2, np.full(2, plan.line_m), plan.spacing_m,
-        plan.spacing_m, start[:6], start[6:], true_s * (1 + phone.clock_error), phone,
+        hull.mass_kg, np.array([0.0, 0.0, -hull.depth_m]), hull.inertia(), hull.gravity_m_s2,
+        np.full(2, plan.line_m), plan.spacing_m, plan.spacing_m, start[:6], start[6:], true_s * (1 + phone.clock_error), phone,
     )  # fmt: skip
     scene.extras["linear"] = np.concatenate(hung.drag)
     return scene, amplitudes
@@ -150,8 +150,7 @@ def write(rng, folder: Path, title: str, session: Session) -> None:
     for hung, scene in zip(session.hungs, session.scenes):
         gyro, acc = readings(scene)
         noisy = lambda clean, sigma: clean + rng.normal(0, sigma, clean.shape)
-        gyro, acc = noisy(gyro, scene.phone.gyro_noise), noisy(acc, scene.phone.acc_noise)
-        gyro, acc = np.clip(gyro, -scene.flaws.gyro_limit, scene.flaws.gyro_limit), np.clip(acc, -scene.flaws.acc_limit, scene.flaws.acc_limit)
+        gyro, acc = clipped(scene, noisy(gyro, scene.phone.gyro_noise), noisy(acc, scene.phone.acc_noise))
         write_csv(folder / f"{hung.plan.id}.csv", scene.shown_s, gyro, acc)
 
 

@@ -213,7 +213,7 @@ def test_lines_further_apart_above_follow_the_small_motions():
 
 
 def test_a_weight_aside_couples_yaw_to_surge_and_pitch():
-    """Three frequencies of the points' surge x₁, x₂ and the pitch p by Lagrange: M q'' + K q = 0, weights shared unequally."""
+    """Three frequencies of the points' surge x₁, x₂ and the pitch by Lagrange, M q'' + K q = 0; weights shared unequally."""
     aside = 0.1
     s = scene(YAW, 2e-3, 80.0)
     s.centre_m[1] += aside
