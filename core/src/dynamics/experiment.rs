@@ -94,12 +94,10 @@ impl Experiment {
     /// [`Experiment::record`], in it the six readings, in each the derivatives.
     pub fn derivatives(&self, wanted: &[usize], t_s: &[f64], draws: &Draws) -> Result<Vec<[Vec<f64>; 6]>> {
         let count = self.kept(&self.laws(&mut self.sensor_values())?, t_s, draws).len();
-        // The effects of the sensors differentiate the motion by time, or drive something with it.
-        let fineness = if self.sensors.is_empty() { Fineness::OF_DERIVATIVES } else { Fineness::FULL };
         let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); count];
         for lanes in wanted.chunks(LANES) {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
-            let record = self.run(values, fineness, t_s, draws)?;
+            let record = self.run(values, self.fineness_of_derivatives(), t_s, draws)?;
             for (row, reading) in rows.iter_mut().zip(&record.readings) {
                 for (found, cell) in reading.six().iter().zip(row) {
                     cell.extend_from_slice(&found.slope[..lanes.len()]);
@@ -107,6 +105,18 @@ impl Experiment {
             }
         }
         Ok(rows)
+    }
+
+    /// The effects of the sensors differentiate the motion by time, or drive something with it: they need more than the
+    /// derivatives themselves.
+    fn fineness_of_derivatives(&self) -> Fineness {
+        if self.scene.effects.iter().any(|effect| effect.kind.kinked) {
+            Fineness::OF_KINKED_DERIVATIVES
+        } else if self.sensors.is_empty() {
+            Fineness::OF_DERIVATIVES
+        } else {
+            Fineness::FULL
+        }
     }
 
     fn sensor_values(&self) -> impl Iterator<Item = f64> {

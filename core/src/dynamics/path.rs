@@ -85,20 +85,16 @@ impl<S: Real> Moment<S> {
 
 /// Newton steps onto the constraints after each step of the integration: it leaves them by rounding or a little more.
 const PROJECTIONS: usize = 1;
-/// A step with a larger error (m, m/s, 1, rad/s) is halved: those that cross the kink of a drag or of a friction. On
-/// the smooth motions of a swing the error is smaller than this by itself.
-const LARGEST_ERROR: f64 = 1e-9;
-/// The same for the effects' memories, which act on the body by a small force.
-const LARGEST_ERROR_OF_MEMORY: f64 = 1e-6;
-/// The same for the derivatives by a parameter, of the largest of them.
-const LARGEST_ERROR_OF_DERIVATIVES: f64 = 1e-8;
-
 /// How finely a motion is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fineness {
     /// Steps per period of the fastest mode.
     pub steps_per_period: f64,
-    /// A step with too large an error is halved no oftener than this.
+    /// A step with a larger error (m, m/s, 1, rad/s, units of the effects' memories; of derivatives, as a part of the
+    /// largest by the same parameter) is halved: those that cross the kink of a drag or of a friction. On the smooth
+    /// motions of a swing the error is smaller than this by itself.
+    pub largest_error: f64,
+    /// A step is halved no oftener than this.
     pub most_halvings: u32,
     /// A motion of more pieces is refused.
     pub most_pieces: usize,
@@ -107,12 +103,17 @@ pub struct Fineness {
 impl Fineness {
     /// Leaves the energy of wide swings to 1e-10 over ten minutes, the periods to better than 1e-9
     /// (`tests/simulation`). A path of more pieces would take hundreds of megabytes, with derivatives gigabytes.
-    pub const FULL: Self = Self { steps_per_period: 30.0, most_halvings: 10, most_pieces: 200_000 };
-    /// Leaves derivatives to 1e-7.
-    pub const OF_DERIVATIVES: Self = Self { steps_per_period: 14.0, ..Self::FULL };
+    pub const FULL: Self =
+        Self { steps_per_period: 30.0, largest_error: 1e-9, most_halvings: 20, most_pieces: 200_000 };
+    /// Leaves derivatives of smooth motions to 1e-7 of their largest value (`tests/simulation/derivatives`).
+    pub const OF_DERIVATIVES: Self = Self { steps_per_period: 20.0, ..Self::FULL };
+    /// The same across kinks: larger steps now and then go over one unseen.
+    pub const OF_KINKED_DERIVATIVES: Self =
+        Self { steps_per_period: 60.0, largest_error: 1e-11, most_halvings: 30, ..Self::FULL };
     /// For the comparison of smooth motions with samples: errors well below the noise of any phone, and trial bodies
     /// on which no motion of that length can be computed are refused at once.
-    pub const OF_FITS: Self = Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 50_000 };
+    pub const OF_FITS: Self =
+        Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 50_000, ..Self::FULL };
 }
 
 /// An integration under way.
@@ -160,20 +161,18 @@ impl<'a, S: Real> Integration<'a, S> {
         self.accept(piece)
     }
 
-    /// Whether the step just made has too large an error.
+    /// Whether the step just made has too large an error: in the body's state or in the effects' memories.
     fn is_rough(&self, h: f64) -> bool {
-        let error = |watched, part: &dyn Fn(&S) -> f64| self.stepper.error(h, watched, part);
-        let value = |x: &S| x.value();
-        if error(PLACE..MEMORY, &value) > LARGEST_ERROR
-            || error(MEMORY..self.end.len(), &value) > LARGEST_ERROR_OF_MEMORY
-        {
-            return true;
-        }
-        let lanes = self.end[PLACE].slopes().len();
-        (0..lanes).any(|lane| {
-            let slope = |x: &S| x.slopes()[lane];
-            let size = self.end[PLACE..MEMORY].iter().map(|x| slope(x).abs()).fold(0.0, f64::max);
-            error(PLACE..MEMORY, &slope) > LARGEST_ERROR_OF_DERIVATIVES * size
+        let (end, largest) = (self.end.len(), self.fineness.largest_error);
+        [PLACE..MEMORY, MEMORY..end].into_iter().any(|watched| {
+            let error = |part: &dyn Fn(&S) -> f64| self.stepper.error(h, watched.clone(), part);
+            let is_rough_in = |lane: usize| {
+                let slope = |x: &S| x.slopes()[lane];
+                let size = self.end[watched.clone()].iter().map(|x| slope(x).abs()).fold(0.0, f64::max);
+                error(&slope) > largest * size
+            };
+            error(&|x| x.value()) > self.fineness.largest_error
+                || (0..self.end[0].slopes().len()).any(is_rough_in)
         })
     }
 

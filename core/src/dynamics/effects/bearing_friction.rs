@@ -28,6 +28,7 @@ impl<S> Described for BearingFriction<S> {
     const SENTENCE: &'static str =
         "dry friction in the bearings takes the same angle off every swing, wide or narrow";
     const POSITIVE: &'static [&'static str] = &["transition_rad_s"];
+    const KINKED: bool = true;
 }
 
 impl<S: Real> Effect<S> for BearingFriction<S> {

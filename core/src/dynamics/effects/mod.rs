@@ -294,6 +294,8 @@ pub struct EffectKind {
     pub numbers: &'static [Number],
     /// Names of those that must be larger than zero.
     pub positive: &'static [&'static str],
+    /// Whether its law has a kink, or nearly one, where a velocity changes its sign: derivatives then need smaller steps.
+    pub kinked: bool,
 }
 
 /// What is told of an effect, as a type.
@@ -304,6 +306,8 @@ pub trait Described {
     const SENTENCE: &'static str;
     /// Names of the numbers that must be larger than zero: those divided by.
     const POSITIVE: &'static [&'static str] = &[];
+    /// Whether the law has a kink, or nearly one, where a velocity changes its sign.
+    const KINKED: bool = false;
 }
 
 /// An effect and the values of its numbers.
@@ -353,6 +357,7 @@ macro_rules! registry {
                 sentence: $effect::<f64>::SENTENCE,
                 numbers: <$effect<f64> as Numbers<f64>>::NUMBERS,
                 positive: $effect::<f64>::POSITIVE,
+                kinked: $effect::<f64>::KINKED,
             }),*]
         }
 

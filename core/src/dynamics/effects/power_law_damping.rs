@@ -37,6 +37,7 @@ impl<S> Described for PowerLawDamping<S> {
     const ID: &'static str = "power_law_damping";
     const SENTENCE: &'static str =
         "the air brakes with a power of the speed that lies between the first and the second";
+    const KINKED: bool = true;
 }
 
 impl<S: Real> PowerLawDamping<S> {

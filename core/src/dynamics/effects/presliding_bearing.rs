@@ -27,6 +27,7 @@ impl<S> Described for PreslidingBearing<S> {
     const SENTENCE: &'static str =
         "the bearings stick and give like a spring before they slide: small swings are stiffer and faster";
     const POSITIVE: &'static [&'static str] = &["give_rad"];
+    const KINKED: bool = true;
 }
 
 impl<S: Real> PreslidingBearing<S> {

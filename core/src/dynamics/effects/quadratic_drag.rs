@@ -28,6 +28,7 @@ impl<S> Described for QuadraticDrag<S> {
     const ID: &'static str = "quadratic_drag";
     const SENTENCE: &'static str =
         "the air brakes with the square of the speed: wide swings die away faster than narrow ones";
+    const KINKED: bool = true;
 }
 
 impl<S: Real> Effect<S> for QuadraticDrag<S> {

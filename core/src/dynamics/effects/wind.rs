@@ -44,6 +44,7 @@ impl<S> Described for Wind<S> {
     const ID: &'static str = "wind";
     const SENTENCE: &'static str = "wind pushes the hull, steadily or in gusts";
     const POSITIVE: &'static [&'static str] = &["gust_time_s"];
+    const KINKED: bool = true;
 }
 
 /// Sebastiano Vigna's SplitMix64: an integer into one that looks like chance.

@@ -162,6 +162,7 @@ macro_rules! registry {
                 numbers: <$effect<f64> as Numbers<f64>>::NUMBERS,
                 // Each law checks its own numbers.
                 positive: &[],
+                kinked: false,
             }),*]
         }
 
