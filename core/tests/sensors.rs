@@ -173,6 +173,34 @@ fn a_springy_mount_passes_on_what_base_excitation_says() {
 }
 
 #[test]
+fn a_springy_mount_rings_when_the_hull_is_let_go() {
+    // θ̈ + 2 ζ ω₀ θ̇ + ω₀² θ = ψ₀ Ω² cos Ωt from rest: what the drive keeps up, and what rings away.
+    let (omega, start) = small_yaw();
+    let (held, own, zeta) = (2.0, TAU * 4.0, 0.05);
+    let (decay, ringing) = (zeta * own, own * (1.0 - zeta * zeta).sqrt());
+    let kept =
+        1e-4 * omega * omega / num_complex::Complex::new(own * own - omega * omega, 2.0 * zeta * own * omega);
+    let t_s: Vec<f64> = (1..200).map(|i| f64::from(i) / 100.0).collect();
+    let mount = [("turn_hz", 4.0), ("damping_ratio", zeta)];
+    let mut experiment = swing(start, &[("phone_mount_resonance", &mount)]);
+    (experiment.phone, experiment.held_s) = (Phone::default(), held);
+    let stamps: Vec<f64> = t_s.iter().map(|t| held + t).collect();
+    let turn_rate = |t: f64| {
+        let driven =
+            (kept * num_complex::Complex::new(0.0, omega) * (num_complex::Complex::i() * omega * t).exp()).re;
+        // x = e^{−δt} (a cos + b sin), x(0) = −Re A, ẋ(0) = Ω Im A.
+        let (a, rate) = (-kept.re, omega * kept.im);
+        let b = (rate + decay * a) / ringing;
+        let (sin, cos) = (ringing * t).sin_cos();
+        driven + (-decay * t).exp() * ((b * ringing - a * decay) * cos - (a * ringing + b * decay) * sin)
+    };
+    for (t, found) in t_s.iter().zip(six(&experiment.record(&stamps, &Draws::new()).unwrap())) {
+        let expected = -1e-4 * omega * (omega * t).sin() + turn_rate(*t);
+        assert!((found[2] - expected).abs() < 1e-6 * 1e-4 * omega, "{t}: {} against {expected}", found[2]);
+    }
+}
+
+#[test]
 fn a_slip_turns_shifts_and_is_felt() {
     let slip: &[(&str, f64)] = &[
         ("at_s", 2.0),

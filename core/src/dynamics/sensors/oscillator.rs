@@ -32,7 +32,8 @@ pub struct Driven<S: Real, D> {
 }
 
 impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
-    /// Follows the drive from rest at `from_s`, before which the drive is constant.
+    /// Follows the drive from rest at `from_s`, before which the drive is constant; there it may jump, as where a held
+    /// hull is let go.
     pub fn new((omega, zeta): (S, S), (from_s, to_s): (f64, f64), drive: D) -> Result<Self> {
         let step_s = STEP / omega.value();
         let count = ((to_s - from_s) / step_s).ceil().max(1.0);
@@ -44,7 +45,7 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
             ));
         }
         let mut driven = Self { drive, omega, zeta, from_s, step_s, knots: Vec::new() };
-        let mut state = driven.steady(S::constant(from_s));
+        let mut state = driven.steady(S::constant(from_s.next_down()));
         for n in 0..count as usize {
             driven.knots.push(state);
             state = driven.after(n, S::constant(step_s));
