@@ -5,6 +5,7 @@
 mod catalogue;
 mod closed_forms;
 mod damping;
+mod derivatives;
 mod exchange;
 mod lines;
 mod masses;
