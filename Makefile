@@ -12,7 +12,7 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench package test-rust test-vectors test-python test-blind test-hidden blind blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-blind test-hidden blind blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -77,6 +77,10 @@ bench: package blind-tools
 	CARGO_TARGET_DIR=$(CURDIR)/target cargo bench --manifest-path core/benches/Cargo.toml
 	$(BIN)/python tests/bench_peers.py
 	$(BIN)/python tests/bench_simulation.py
+
+# What each effect does to a swing: pictures and page in core/docs.
+gallery: package blind-tools
+	$(BIN)/python core/docs/gallery.py
 
 skips:
 	@tests/skips $(LOGS) build/skips.txt
