@@ -39,7 +39,7 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
         let count = ((to_s - from_s) / step_s).ceil().max(1.0);
         if count > MOST_STEPS {
             return Err(Error::argument(
-                "phone_mount_resonance",
+                "frequency_rad_s",
                 "a frequency that can be followed",
                 omega.value(),
             ));
