@@ -7,7 +7,7 @@ forces and `m` inertia, in the order of `motion.py`.
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+from compiled import inlined, njit
 
 F8 = np.float64
 # One swing's rig. A field left at zero switches its effect off.
@@ -58,44 +58,44 @@ CREEP_SPAN = 120.0
 EDGE = 1e-3  # rad over which a rubbing rope takes hold
 
 
-@njit(cache=True, inline="always")
+@inlined
 def vec(a):
     return (a[0], a[1], a[2])
 
 
-@njit(cache=True, inline="always")
+@inlined
 def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-@njit(cache=True, inline="always")
+@inlined
 def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@njit(cache=True, inline="always")
+@inlined
 def add(a, b):
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 
-@njit(cache=True, inline="always")
+@inlined
 def scale(s, a):
     return (s * a[0], s * a[1], s * a[2])
 
 
-@njit(cache=True, inline="always")
+@inlined
 def turned(m, v):
     """Matrix times vector."""
     return (dot(m[0], v), dot(m[1], v), dot(m[2], v))
 
 
-@njit(cache=True, inline="always")
+@inlined
 def turned_back(m, v):
     """Transpose times vector."""
     return add(add(scale(v[0], m[0]), scale(v[1], m[1])), scale(v[2], m[2]))
 
 
-@njit(cache=True)
+@njit
 def rise(x):
     """From 0 to 1 with two continuous derivatives: value, slope, curvature."""
     if x <= 0 or x >= 1:
@@ -103,7 +103,7 @@ def rise(x):
     return x**3 * (10 - 15 * x + 6 * x * x), 30 * x * x * (1 - x) ** 2, 60 * x * (1 - x) * (1 - 2 * x)
 
 
-@njit(cache=True)
+@njit
 def push(f, force, arm):
     """A force on the hull at an arm from the centre, both in hull axes."""
     torque = cross(arm, force)
@@ -112,7 +112,7 @@ def push(f, force, arm):
         f[3 + i] += torque[i]
 
 
-@njit(cache=True)
+@njit
 def drag(p, v, w, f):
     """Linear, quadratic, power-law and Coulomb, each hull axis by itself."""
     for i in range(6):
@@ -124,7 +124,7 @@ def drag(p, v, w, f):
             f[i] -= p.coulomb[i] * np.tanh(u / SLIDING)
 
 
-@njit(cache=True)
+@njit
 def blow(p, t, r, v, f):
     """Wind's drag over that of still air, ½ ρ C A (|u| u + |v| v), u being the wind as the hull meets it."""
     if p.wind_area[1] == 0:
@@ -139,7 +139,7 @@ def blow(p, t, r, v, f):
     push(f, (along, abeam, 0.0), (p.wind_arm, 0.0, 0.0))
 
 
-@njit(cache=True)
+@njit
 def strike(p, t, r, f):
     """A knock: half a sine of force that carries the impulse."""
     if p.knock_time[1] == 0:
@@ -150,13 +150,13 @@ def strike(p, t, r, f):
         push(f, turned_back(r, scale(size, vec(p.knock))), vec(p.knock_arm))
 
 
-@njit(cache=True)
+@njit
 def heading(r):
     """Turn about the vertical, rad."""
     return np.arctan2(r[1][0] - r[0][1], r[0][0] + r[1][1])
 
 
-@njit(cache=True)
+@njit
 def twist(p, r, w, f):
     """What resists the heading: lines that twist, a spring that hardens, a rope that rubs on one side."""
     psi = heading(r)
@@ -168,7 +168,7 @@ def twist(p, r, w, f):
         f[3 + i] += torque * r[2][i]
 
 
-@njit(cache=True)
+@njit
 def contacts(p, z, v, w, f, dz):
     """Dahl's presliding friction: dz/dt = u - |u| z / give, force contact z / give."""
     for k in range(3):
@@ -179,7 +179,7 @@ def contacts(p, z, v, w, f, dz):
             f[1 if k == 0 else 3 + k] -= p.contact[k] * share
 
 
-@njit(cache=True)
+@njit
 def entrain(p, along, r, v, w, m):
     """Air that moves along: inertia in proportion to the amplitude √(q² + (q'/ω)²) of each motion."""
     if p.added_omega[2] == 0:
@@ -190,7 +190,7 @@ def entrain(p, along, r, v, w, m):
     m[5, 5] += p.added[2] * np.hypot(psi, w[2] / p.added_omega[2])
 
 
-@njit(cache=True)
+@njit
 def slide(p, k, s, ds, r, w, m, f):
     """A mass on a spring along a way in the hull: its inertia J'mJ, and J' times its forces."""
     mass, way = p.slider_mass[k], vec(p.slider_way[k])

@@ -14,6 +14,7 @@ support (world x, y), and three presliding contacts (along y, about y, about z).
 from __future__ import annotations
 
 import numpy as np
+from compiled import njit
 from forces import (
     CREEP_SPAN,
     RIG,
@@ -33,13 +34,12 @@ from forces import (
     twist,
     vec,
 )  # fmt: skip
-from numba import njit
 
 STATE, SLIDERS, SUPPORT, CONTACTS = 24, 13, 17, 21  # size, and where the extras begin
 OUT = 16  # centre, quaternion, rate (hull), acceleration of the centre (world), angular acceleration (hull)
 
 
-@njit(cache=True)
+@njit
 def length(p, i, t):
     """Length of a line at a time, its rate and its acceleration: creep by the logarithm of time, and a slip."""
     l, dl, ddl = p.line[i], 0.0, 0.0
@@ -52,7 +52,7 @@ def length(p, i, t):
     return l, dl, ddl
 
 
-@njit(cache=True)
+@njit
 def matrix(y):
     """`world_from_hull`, rows."""
     w, a, b, c = y[3], y[4], y[5], y[6]
@@ -63,7 +63,7 @@ def matrix(y):
     )
 
 
-@njit(cache=True)
+@njit
 def solve(m, n, b):
     """Cholesky of the symmetric m in place, then its solutions for the rows of b in place."""
     for j in range(n):
@@ -83,14 +83,14 @@ def solve(m, n, b):
             b[row, i] /= m[i, i]
 
 
-@njit(cache=True)
+@njit
 def line_vector(p, y, r, i):
     """From the upper to the lower end of a line, world axes."""
     d = add(add(vec(y), turned(r, vec(p.point[i]))), scale(-1.0, vec(p.anchor[i])))
     return (d[0] - y[SUPPORT], d[1] - y[SUPPORT + 2], d[2])
 
 
-@njit(cache=True)
+@njit
 def pull(p, y, r, i, jac):
     """Row of the constraint d·d'/dt = l l' against the ten speeds; returns d (world)."""
     d = line_vector(p, y, r, i)
@@ -103,13 +103,13 @@ def pull(p, y, r, i, jac):
     return d
 
 
-@njit(cache=True)
+@njit
 def size(p):
     """How many accelerations are to be solved for."""
     return 10 if p.slider_mass[0] != 0 or p.support[0] != 0 else 6
 
 
-@njit(cache=True)
+@njit
 def assemble(p, t, y, r, m, f, dz):
     """Inertia and forces of everything but the lines."""
     m[:], f[:], dz[:] = 0.0, 0.0, 0.0
@@ -136,7 +136,7 @@ def assemble(p, t, y, r, m, f, dz):
         f[8 + k] = -p.support[1] * y[SUPPORT + 2 * k] - p.support[2] * y[SUPPORT + 2 * k + 1]
 
 
-@njit(cache=True)
+@njit
 def accelerations(p, t, y, m, b, dz):
     """The ten accelerations in b[0]; b is (3, 10) working space, as is m (10, 10)."""
     r, w, n = matrix(y), vec(y[10:13]), size(p)
@@ -171,7 +171,7 @@ def accelerations(p, t, y, m, b, dz):
         b[0, k] += first * b[1, k] + second * b[2, k]
 
 
-@njit(cache=True)
+@njit
 def derivative(p, t, y, dy, m, b, dz):
     """Time derivative of the state."""
     accelerations(p, t, y, m, b, dz)
@@ -188,7 +188,7 @@ def derivative(p, t, y, dy, m, b, dz):
         dy[SLIDERS + 2 * k + 1] = b[0, 6 + k] if moves else 0.0
 
 
-@njit(cache=True)
+@njit
 def normalise(y):
     """A unit quaternion."""
     norm = np.sqrt(y[3] ** 2 + y[4] ** 2 + y[5] ** 2 + y[6] ** 2)
@@ -196,7 +196,7 @@ def normalise(y):
         y[3 + i] /= norm
 
 
-@njit(cache=True)
+@njit
 def correct(p, t, y, m, b, dz, speeds):
     """Put the state (or its speeds) back on the lines, by the smallest move in the sense of the kinetic energy."""
     r, n = matrix(y), size(p)
@@ -238,7 +238,7 @@ def correct(p, t, y, m, b, dz, speeds):
         normalise(y)
 
 
-@njit(cache=True)
+@njit
 def settle(p, t, y, m, b, dz, rounds):
     """Onto the lines, which hold their length."""
     for _ in range(rounds):
@@ -246,7 +246,7 @@ def settle(p, t, y, m, b, dz, rounds):
     correct(p, t, y, m, b, dz, True)
 
 
-@njit(cache=True)
+@njit
 def swing(rig, start, begin_s, times_s, longest_step_s):
     """The motion (N, OUT) at increasing times after `begin_s`, from a start (STATE,) then."""
     p, y, t = rig[0], start.copy(), begin_s
