@@ -10,7 +10,7 @@ from pathlib import Path
 import numba
 
 HERE = Path(__file__).resolve().parent
-STATE = hashlib.sha256(b"".join((HERE / name).read_bytes() for name in ("forces.py", "motion.py"))).hexdigest()[:12]
+STATE = hashlib.sha256(b"".join((HERE / name).read_bytes() for name in ("compiled.py", "forces.py", "motion.py"))).hexdigest()[:12]
 numba.config.CACHE_DIR = str(HERE.parents[1] / "build" / "numba" / STATE)
-njit = partial(numba.njit, cache=True)
+njit = partial(numba.njit, cache=True, error_model="numpy")
 inlined = partial(numba.njit, cache=True, inline="always")

@@ -23,6 +23,7 @@ from scene import clipped, move, sense
 EVERY = 5  # samples taken for sensitivities; each counts as so many
 STEP_S = 0.05
 BACK = 0.02  # share of the hidden strength over which its sensitivity is taken
+SAME = 1e-12  # squared sine below which two directions are one
 FAINT = 1e-3  # of a cause's strongest direction: weaker ones are not counted as directions
 CAUSES_IN_BASE = ("bias_drift",)
 LOOSE = {"inertia": 1.0, "depth": 1.0, "place": 2.0}  # priors (1 is 100 %, or a metre) that only keep the solution finite
@@ -166,13 +167,13 @@ def biases(session: Session, n: int, size: int, drift: bool) -> np.ndarray:
 
 
 def basis(columns: np.ndarray) -> np.ndarray:
-    """Orthonormal columns of the same span; directions without effect are left out."""
+    """Orthonormal columns of the same span, by way of the columns' products; directions without effect are left out."""
     norms = np.linalg.norm(columns, axis=0)
     kept = columns[:, norms > 0] / norms[norms > 0]
-    if not kept.size:
-        return np.zeros((columns.shape[0], 0))
-    u, s, _ = np.linalg.svd(kept, full_matrices=False)
-    return u[:, s > 1e-10 * s[0]]
+    values, vectors = np.linalg.eigh(kept.T @ kept)
+    strong = values > SAME * values[-1]
+    once = kept @ (vectors[:, strong] / np.sqrt(values[strong]))
+    return np.linalg.qr(once)[0]
 
 
 class Reduced:

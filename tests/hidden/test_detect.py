@@ -1,0 +1,78 @@
+"""What stands out: nothing of what the base model can do, a known ramp by its formula, and strengths in proportion."""
+
+import detect
+import numpy as np
+import pytest
+import sessions
+from borrowed import blind
+
+SHORT = 3000  # samples of each swing
+
+
+@pytest.fixture(scope="module")
+def drawn() -> sessions.Session:
+    """Two short swings of the base model."""
+    seed = blind.fresh_seed()
+    print("seed", seed)
+    session, _ = sessions.draw(np.random.default_rng(seed), "none")
+    session.scenes, session.hungs = session.scenes[:2], session.hungs[:2]
+    for tape in session.tapes:
+        tape.scenes = [n for n in tape.scenes if n < 2]
+    for scene in session.scenes:
+        scene.shown_s = scene.shown_s[:SHORT]
+    return session
+
+
+@pytest.fixture(scope="module")
+def reduced(drawn) -> tuple[detect.Study, detect.Reduced]:
+    """Linearised, a steady drift among the base model's freedoms."""
+    study = detect.Study(drawn)
+    return study, detect.Reduced(study, True)
+
+
+def test_what_the_base_model_can_do_leaves_nothing(reduced):
+    """Another step, a mixture of parameters, both signs: below a hundredth of what it does to the readings."""
+    study, base = reduced
+
+    def put(session):
+        for scene in session.scenes:
+            scene.inertia_kg_m2 = scene.inertia_kg_m2 + np.diag([0, 1e-5, -2e-5]) * scene.inertia_kg_m2
+            scene.centre_m = scene.centre_m + [0, 0, 3e-6]
+            scene.phone.position_m = scene.phone.position_m + [1e-5, -2e-5, 1e-5]
+            scene.extras["linear"] *= 1.0001
+            scene.move = scene.move + 2e-5 * session.hungs[0].modes["yaw"].shape
+
+    parts = study.difference(detect.Change(put, 1.0))
+    whole = np.linalg.norm(np.concatenate(parts))
+    priors = 2e-5 * detect.LOOSE["inertia"] + 1e-5 * detect.LOOSE["depth"]
+    assert np.linalg.norm(base.orthogonal(parts)) < 0.01 * whole + priors
+
+
+def test_a_drift_stands_out_as_a_ramp_does(drawn):
+    """A slope b on one channel over N samples: b T √(N/12) / σ, less the little that the motion's parameters absorb."""
+    hidden = [sessions.Hidden("bias_drift", {"gyro_rad_s": [1e-3, 0.0, 0.0], "acc_m_s2": [0.0, 0.0, 0.0], "time_s": 1e7})]
+    found = detect.study(drawn, hidden)["effects"][0]
+    expected = 0.0
+    for scene in drawn.scenes:
+        span, count = np.ptp(scene.shown_s), scene.shown_s.size
+        expected += (1e-3 * span / 120.0 / scene.phone.gyro_noise) ** 2 * count / 12
+    assert 0.9 * np.sqrt(expected) < found["signal_sigma"] < 1.01 * np.sqrt(expected)
+
+
+def test_signals_are_in_proportion_to_weak_strengths(drawn):
+    """Twice the drag stands out twice as far, and points the same way: along drag, and away from a drifting gyroscope."""
+    make = lambda times: [sessions.Hidden("quadratic_drag", {"decay_s": [times] * 3 + [np.inf] + [times] * 2})]
+    weak, strong = (detect.study(drawn, make(t))["effects"][0] for t in (2e5, 1e5))
+    assert strong["signal_sigma"] == pytest.approx(2 * weak["signal_sigma"], rel=0.02)
+    assert strong["largest_cosine"] == pytest.approx(weak["largest_cosine"], abs=0.02)
+    assert weak["nearest"] == "power_law_damping"
+
+
+def test_a_mistaken_tape_stands_out_by_what_contradicts_it(drawn):
+    """A tape's mistake changes no reading; it is at most the mistake over the stated uncertainty, by figure."""
+    line = next(t for t in drawn.tapes if t.what == "line")
+    offset = 20 * line.stated["u"]
+    found = detect.study(drawn, [sessions.Hidden("stated_length", {"offset_m": offset})])["effects"][0]
+    figures = sum(t.what == "line" and bool(t.scenes) for t in drawn.tapes)
+    most = np.sqrt(sum((offset / t.stated["u"]) ** 2 for t in drawn.tapes if t.what == "line" and t.scenes))
+    assert figures and 0 < found["signal_sigma"] <= most * 1.001
