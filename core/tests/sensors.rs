@@ -52,7 +52,7 @@ fn times(count: usize, rate_hz: f64) -> Vec<f64> {
     (0..count).map(|i| i as f64 / rate_hz).collect()
 }
 
-fn six(record: &Record<f64>) -> Vec<[f64; 6]> {
+fn six(record: &Record) -> Vec<[f64; 6]> {
     record.readings.iter().map(|reading| reading.six()).collect()
 }
 

@@ -31,15 +31,23 @@ pub type Draws = Vec<Vec<f64>>;
 
 /// The motion and what the phone says of it. Lost samples are left out.
 #[derive(Debug, Clone)]
-pub struct Record<S: Real> {
+pub struct Record {
     /// The motion from the release on.
-    pub path: Path<S>,
+    pub path: Path<f64>,
     /// Time stamps, s.
     pub t_s: Vec<f64>,
     /// Where the hull was at each reading.
-    pub moments: Vec<Moment<S>>,
+    pub moments: Vec<Moment<f64>>,
     /// What the phone said.
-    pub readings: Vec<Reading<S>>,
+    pub readings: Vec<Reading<f64>>,
+}
+
+/// What the phone makes of a motion.
+struct Sampled<S: Real> {
+    stamps_s: Vec<f64>,
+    /// When it felt what it says, s.
+    true_s: Vec<S>,
+    readings: Vec<Reading<S>>,
 }
 
 type Laws<S> = Vec<Box<dyn SensorEffect<S>>>;
@@ -86,8 +94,10 @@ impl Experiment {
     }
 
     /// The record of samples taken at these times on the phone's clock, s.
-    pub fn record(&self, t_s: &[f64], draws: &Draws) -> Result<Record<f64>> {
-        self.run(self.values(), Fineness::FULL, t_s, draws)
+    pub fn record(&self, t_s: &[f64], draws: &Draws) -> Result<Record> {
+        let (path, sampled) = self.run(self.values(), Fineness::FULL, t_s, draws)?;
+        let moments = sampled.true_s.iter().map(|t_s| self.hull_at(&path, false, *t_s)).collect();
+        Ok(Record { path, t_s: sampled.stamps_s, moments, readings: sampled.readings })
     }
 
     /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: one row for each sample of
@@ -97,8 +107,8 @@ impl Experiment {
         let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); count];
         for lanes in wanted.chunks(LANES) {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
-            let record = self.run(values, self.fineness_of_derivatives(), t_s, draws)?;
-            for (row, reading) in rows.iter_mut().zip(&record.readings) {
+            let (_, sampled) = self.run(values, self.fineness_of_derivatives(), t_s, draws)?;
+            for (row, reading) in rows.iter_mut().zip(&sampled.readings) {
                 for (found, cell) in reading.six().iter().zip(row) {
                     cell.extend_from_slice(&found.slope[..lanes.len()]);
                 }
@@ -137,7 +147,7 @@ impl Experiment {
         fineness: Fineness,
         t_s: &[f64],
         draws: &Draws,
-    ) -> Result<Record<S>> {
+    ) -> Result<(Path<S>, Sampled<S>)> {
         let mut rest = values.split_off(self.scene.values().len()).into_iter();
         let phone = Phone::from_numbers(&mut rest).ok_or_else(|| too_few(values.len()))?;
         let laws = self.laws(&mut rest)?;
@@ -146,12 +156,12 @@ impl Experiment {
         let path = self.scene.run(values, (last_s - self.held_s).max(step_s), step_s, fineness)?;
         let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
         let bends = laws.iter().any(|law| law.bends_time());
-        let (stamps, moments, readings) = {
+        let sampled = {
             let hull = |t_s: S| self.hull_at(&path, bends, t_s);
             let ride = Ride { hull: &hull, mounted: &mounted, from_s: self.held_s, to_s: last_s };
             Sampler::new(&laws, &ride, draws)?.sample(&self.kept(&laws, t_s, draws))
         };
-        Ok(Record { t_s: stamps, moments, readings, path })
+        Ok((path, sampled))
     }
 
     /// The samples that are not lost, with their places among all.
@@ -223,10 +233,10 @@ impl<'a, S: Real> Sampler<'a, S> {
         Ok(Self { laws, ride, own_motions, memories, drawn: Drawn::new(laws, draws) })
     }
 
-    fn sample(&self, samples: &[(usize, f64)]) -> (Vec<f64>, Vec<Moment<S>>, Vec<Reading<S>>) {
+    fn sample(&self, samples: &[(usize, f64)]) -> Sampled<S> {
         let mut states: Vec<Vec<S>> =
             self.laws.iter().map(|law| vec![S::zero(); law.noise_states()]).collect();
-        let (mut stamps, mut moments, mut readings) = (Vec::new(), Vec::new(), Vec::new());
+        let mut sampled = Sampled { stamps_s: Vec::new(), true_s: Vec::new(), readings: Vec::new() };
         let mut before_s = None;
         for &(n, clock_s) in samples {
             let mut stamp_s = clock_s;
@@ -239,11 +249,11 @@ impl<'a, S: Real> Sampler<'a, S> {
             let since_s = before_s.map(|before_s| clock_s - before_s);
             self.spoil((n, clock_s, since_s), &mut states, &mut reading);
             before_s = Some(clock_s);
-            stamps.push(stamp_s);
-            moments.push((self.ride.hull)(true_s));
-            readings.push(reading);
+            sampled.stamps_s.push(stamp_s);
+            sampled.true_s.push(true_s);
+            sampled.readings.push(reading);
         }
-        (stamps, moments, readings)
+        sampled
     }
 
     /// Errors, noise and conversion, in this order.

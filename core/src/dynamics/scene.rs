@@ -237,9 +237,10 @@ impl Scene {
         step_s: f64,
         fineness: Fineness,
     ) -> Result<Path<S>> {
+        let sizes = sizes(&values);
         let (equations, start) = self.equations(values)?;
         let y = started(&equations, self.hanging, &start)?;
-        Path::integrate(&equations, y, duration_s, step_s, fineness)
+        Path::integrate(&equations, y, sizes, duration_s, step_s, fineness)
     }
 
     pub(super) fn equations<S: Real>(&self, values: Vec<S>) -> Result<(Equations<S>, Start<S>)> {
@@ -299,6 +300,14 @@ pub(super) fn seeded(values: &[f64], lanes: &[usize]) -> Result<Vec<Dual<LANES>>
         seeded[i] = Dual::parameter(*value, lane);
     }
     Ok(seeded)
+}
+
+/// Size of the number behind each derivative; 1 for a zero, and for a number that is none of these.
+fn sizes<S: Real>(values: &[S]) -> Vec<f64> {
+    let lanes = values.first().map_or(0, |value| value.slopes().len());
+    let behind = |lane: usize| values.iter().find(|value| value.slopes()[lane] != 0.0);
+    let size = |lane| behind(lane).map_or(0.0, |value| value.value().abs());
+    (0..lanes).map(size).map(|size| if size > 0.0 { size } else { 1.0 }).collect()
 }
 
 /// The lines of a suspension.

@@ -210,7 +210,7 @@ pub fn simulate(
     }
     let equations = equations(rig, body, damping)?;
     let y = vector(&equations, &placed(rig, body, start)?);
-    let path = Path::integrate(&equations, y, sampling.duration_s, step_s, Fineness::FULL)?;
+    let path = Path::integrate(&equations, y, Vec::new(), sampling.duration_s, step_s, Fineness::FULL)?;
     let samples = (sampling.duration_s / sampling.interval_s * (1.0 + 1e-12)).floor() as usize + 1;
     let mut out = Trajectory {
         cm_m: body.cm_m,

@@ -59,7 +59,7 @@ pub fn practise(rig: &RigFile, seed: u64) -> Result<Practised> {
         swings: pairs().map(|(swing, record)| swing_truth(swing, record)).collect(),
     };
     let truth = serde_json::to_string_pretty(&truth).map_err(|e| Error::no_result("truth", e.to_string()))?;
-    let file = |(swing, record): (&RiggedSwing, &Record<f64>)| {
+    let file = |(swing, record): (&RiggedSwing, &Record)| {
         (swing.file.clone(), write_recording(&recording(&swing.file, record)))
     };
     Ok(Practised {
@@ -69,12 +69,12 @@ pub fn practise(rig: &RigFile, seed: u64) -> Result<Practised> {
     })
 }
 
-fn record(swing: &RiggedSwing, seed: u64) -> Result<Record<f64>> {
+fn record(swing: &RiggedSwing, seed: u64) -> Result<Record> {
     let t_s = swing.sampling.times_s();
     swing.experiment.record(&t_s, &swing.draws(Some(seed), t_s.len())?)
 }
 
-fn swing_truth<'a>(swing: &'a RiggedSwing, record: &Record<f64>) -> SwingTruth<'a> {
+fn swing_truth<'a>(swing: &'a RiggedSwing, record: &Record) -> SwingTruth<'a> {
     let names = swing.experiment.names().into_iter().map(|(name, _)| name);
     SwingTruth {
         id: &swing.id,
@@ -84,7 +84,7 @@ fn swing_truth<'a>(swing: &'a RiggedSwing, record: &Record<f64>) -> SwingTruth<'
     }
 }
 
-fn recording(name: &str, record: &Record<f64>) -> Recording {
+fn recording(name: &str, record: &Record) -> Recording {
     let short = |x: f64| (x * WRITTEN).round() / WRITTEN;
     let t_s: Vec<f64> = record.t_s.iter().map(|t| short(*t)).collect();
     let triad = |first: usize| Triad {

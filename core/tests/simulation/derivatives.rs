@@ -199,3 +199,52 @@ fn derivatives_across_kinks_are_those_of_extrapolated_differences() {
     let found = compare_effects(true, Fineness::OF_KINKED_DERIVATIVES, of_differences);
     assert!(found.judged > 25 && found.unjudged.len() < 9, "{:?}", found.unjudged);
 }
+
+/// What the whole of a number (1 where it is zero) does to readings of these slopes by it, m/s² or rad/s.
+fn influence(scene: &Scene, i: usize, slopes: &[f64]) -> f64 {
+    let size = scene.values()[i].abs();
+    largest(slopes) * if size > 0.0 { size } else { 1.0 }
+}
+
+/// How many numbers have an influence, those that cannot be judged by differences, and what is wrong. Judged over the
+/// first seconds; what a number without influence is said to do, at the end of two minutes too.
+fn compare_influences(scene: &Scene) -> Found {
+    let of_differences = Fineness { steps_per_period: 80.0, ..Fineness::FULL };
+    let wanted: Vec<usize> = (0..24).filter(|&i| !ASIDE.contains(&scene.names()[i].0.as_str())).collect();
+    let paths = scene.motion_and_derivatives(&wanted, Fineness::OF_DERIVATIVES, 120.0).unwrap();
+    let mut found = Found::default();
+    for (n, &i) in wanted.iter().enumerate() {
+        let (name, _) = &scene.names()[i];
+        let slopes_at = |t: &f64| read(&paths[n / LANES].at(*t)).map(|x| x.slope[n % LANES]);
+        let slopes: Vec<f64> = TIMES.iter().flat_map(slopes_at).collect();
+        let (expected, unsure) = best_differences(scene, i, of_differences);
+        if influence(scene, i, &expected) > 1e-6 {
+            found.judge(name, &slopes, (expected, unsure));
+        } else if influence(scene, i, &[slopes, slopes_at(&119.7).into()].concat()) > 1e-10 {
+            found.wrong.push(format!("{name} is said to have an influence"));
+        }
+    }
+    assert!(found.wrong.is_empty(), "{:?}", found.wrong);
+    found
+}
+
+#[test]
+fn numbers_without_influence_have_derivatives_of_zero() {
+    // A hull that hangs still answers to what starts it and to a centre of mass that leaves its line, nothing else.
+    let at_rest = compare_influences(&keelboat(Start::default()));
+    assert!(at_rest.judged == 9 && at_rest.unjudged.is_empty(), "{:?}", at_rest.unjudged);
+    // One that yaws, not to what resists a pitch and a roll, nor to how deep its centre of mass lies.
+    let in_yaw = compare_influences(&keelboat(yawed(0.14)));
+    assert!(in_yaw.judged == 18 && in_yaw.unjudged.len() < 2, "{:?}", in_yaw.unjudged);
+}
+
+#[test]
+fn numbers_without_influence_are_no_burden_across_kinks() {
+    let numbers = [("yaw_n_m", 3.0), ("transition_rad_s", 0.02)];
+    let scene = with(keelboat(yawed(0.14)), "bearing_friction", &numbers);
+    let wanted = ["inertia_xx_kg_m2", "inertia_yy_kg_m2", "cm_z_m"].map(|name| scene.index(name).unwrap());
+    let paths = scene.motion_and_derivatives(&wanted, Fineness::OF_KINKED_DERIVATIVES, 60.0).unwrap();
+    for slopes in read(&paths[0].at(59.0)).map(|x| x.slope) {
+        assert!(slopes.iter().all(|slope| slope.abs() < 1e-10), "{slopes:?}");
+    }
+}
