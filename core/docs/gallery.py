@@ -122,7 +122,7 @@ def draw(effect: str, numbers: Numbers, start: Numbers) -> None:
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(9, 2.5), layout="constrained", width_ratios=[1.5, 1, 1])
     left.plot(found.t_s, x - without, lw=0.6)
     left.set(xlabel="time, s", ylabel=f"residual {what}, {unit}", xlim=(0, 240))
-    for values, style in [(without, dict(color="0.7", lw=2.5)), (x, dict(ls="", marker=".", ms=3))]:
+    for values, style in [(without, dict(color="0.8", lw=7, solid_capstyle="round")), (x, dict(ls="", marker=".", ms=3))]:
         size, period, decrement = by_amplitude(found.t_s, values)
         middle.plot(size, period, **style)
         right.plot(size, 100 * decrement, **style)
@@ -191,7 +191,7 @@ def page() -> str:
         "The paper's keelboat (622.7 kg, lines of 3.477 m, 1.8 m apart) for four minutes, from a yaw of 10 degrees or",
         "a sway of 0.35 m; a light linear damping lets the amplitude pass from there to a third. Left: the swing less",
         "that of the same hull without the effect. Middle and right: period and logarithmic decrement of each swing",
-        "against its amplitude; the grey line is without the effect. The equations, their sources and the meaning of",
+        "against its amplitude; the broad grey line is without the effect. The equations, their sources and the meaning of",
         "the numbers stand in `../src/dynamics/effects/` and `../src/dynamics/sensors/`. Made by `make gallery`.",
     ]
     for effect, numbers, start, text in HULL:
