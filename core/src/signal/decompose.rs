@@ -14,6 +14,9 @@ use super::types::{
 use super::uncertainty::{Errors, mean_rates};
 use crate::Result;
 
+/// Noise per sample, over that in the band, from which cells are not trusted.
+const ABOVE_BAND: f64 = 2.0;
+
 /// Finds the damped oscillations that all channels of a record share.
 ///
 /// Start values, the number of modes, the harmonics, the amplitude laws and the drift are all found in the data.
@@ -25,28 +28,47 @@ use crate::Result;
 /// energy-weighted means over the span (weight E²), and the law holds the small-amplitude limits.
 pub fn decompose(groups: &[ChannelGroup], options: &DecomposeOptions) -> Result<Decomposition> {
     let record = Record::new(groups, options)?;
-    let Some(mut search) = Search::new(&record, options) else {
-        return Err(no_result("the samples do not determine a mean and a drift"));
-    };
+    let search = searched(&record, options)?;
+    let noise = channel_noise(&record, &search);
+    if !swings_above_band(&search, &noise) && !holds_alias(&search, &noise) {
+        return summarize(&record, &search, &noise);
+    }
+    let record = record.by_sample();
+    let search = searched(&record, options)?;
+    summarize(&record, &search, &channel_noise(&record, &search))
+}
+
+fn searched<'a>(record: &'a Record<'a>, options: &'a DecomposeOptions) -> Result<Search<'a>> {
+    let mut search = Search::new(record, options)
+        .ok_or_else(|| no_result("the samples do not determine a mean and a drift"))?;
     search.run();
+    Ok(search)
+}
+
+/// Whether a channel holds much more than noise above the band: cells average it away but for its aliases.
+fn swings_above_band(search: &Search, noise: &[ChannelNoise]) -> bool {
+    noise.iter().zip(&search.top_floor).any(|(noise, floor)| noise.white.powi(2) > ABOVE_BAND * floor)
+}
+
+/// Whether a mode that stood in the cells it was found in is gone from the finer ones of the last fit.
+fn holds_alias(search: &Search, noise: &[ChannelNoise]) -> bool {
+    (0..search.fit.model.modes.len()).any(|m| energy(&search.fit, noise, m) < search.bound)
+}
+
+fn summarize(record: &Record, search: &Search, noise: &[ChannelNoise]) -> Result<Decomposition> {
     if search.fit.model.modes.is_empty() {
         return Err(no_result("no oscillation stands above the noise"));
     }
-    summarize(&record, &search)
-}
-
-fn summarize(record: &Record, search: &Search) -> Result<Decomposition> {
     let failed = || no_result("the modes found cannot be told apart in this record");
     let (fit, curvature) = project_with_curvature(&search.fit.model, &search.cells).ok_or_else(failed)?;
     let residual = search.spectrum_about_modes(&fit);
     let errors = Errors::of(&fit, &curvature, &residual).ok_or_else(failed)?;
-    let noise = channel_noise(record, search, &fit);
     let mut strongest: Vec<(usize, FittedMode)> =
-        (0..fit.model.modes.len()).map(|m| (m, fitted_mode(record, &fit, &errors, &noise, m))).collect();
+        (0..fit.model.modes.len()).map(|m| (m, fitted_mode(record, &fit, &errors, noise, m))).collect();
     strongest.sort_by(|a, b| b.1.snr_db.total_cmp(&a.1.snr_db));
     let order: Vec<usize> = strongest.iter().map(|(m, _)| *m).collect();
     let (baseline, level) = baselines(record, &fit);
-    let rms_over_noise = rms_over_noise(&noise, &fit);
+    let rms_over_noise = rms_over_noise(noise, &fit);
     Ok(Decomposition {
         t_ref_s: record.clock.t_ref_s,
         t_end_s: record.clock.t_ref_s + record.clock.span_s,
@@ -60,11 +82,11 @@ fn summarize(record: &Record, search: &Search) -> Result<Decomposition> {
     })
 }
 
-fn channel_noise(record: &Record, search: &Search, fit: &Fit) -> Vec<ChannelNoise> {
+fn channel_noise(record: &Record, search: &Search) -> Vec<ChannelNoise> {
     let mut all = Vec::new();
     for (i, cells) in search.cells.iter().enumerate() {
         let (group, offsets) = (&record.groups[i], &record.offsets[i]);
-        all.extend(group_noise(fit, all.len(), cells, group, offsets, record.clock));
+        all.extend(group_noise(&search.fit, all.len(), cells, group, offsets, record.clock));
     }
     all
 }
@@ -108,13 +130,18 @@ fn misfit_ratio(fit: &Fit, noise: &[ChannelNoise], m: usize) -> f64 {
 }
 
 fn snr_db(fit: &Fit, noise: &[ChannelNoise], m: usize) -> f64 {
+    10.0 * energy(fit, noise, m).log10()
+}
+
+/// Energy of a mode over the white noise variance, summed over channels.
+fn energy(fit: &Fit, noise: &[ChannelNoise], m: usize) -> f64 {
     let motion = fit.model.modes[m];
     let mean: f64 = (0..50).map(|i| motion.envelope((f64::from(i) + 0.5) / 50.0).powi(2)).sum::<f64>() / 50.0;
     let ratio = |(c, n): (usize, &ChannelNoise)| {
         let energy = 0.5 * mean * n.samples * fit.amplitude(c, m).norm_sqr();
         if energy > 0.0 { energy / n.white.powi(2).max(f64::MIN_POSITIVE) } else { 0.0 }
     };
-    10.0 * noise.iter().enumerate().map(ratio).sum::<f64>().log10()
+    noise.iter().enumerate().map(ratio).sum()
 }
 
 /// Tones with their multiples in the new order of modes, strongest first.

@@ -32,6 +32,12 @@ const START_CELLS: f64 = 256.0;
 const LAST_ITERATIONS: usize = 12;
 /// Standard errors of a negative decay that count as noise.
 const BEYOND_NOISE: f64 = 3.0;
+/// Polynomials that follow drift and leave an oscillation of one cycle in the span alone.
+const BASELINE_PER_CYCLE: f64 = 1.6;
+/// Polynomials added where a drift may hide all modes.
+const DRIFT_STEP: usize = 5;
+/// Gain, over the bound, that a drift shows and red noise does not.
+const DRIFT_GAIN: f64 = 100.0;
 /// Most baseline polynomials.
 const MOST_BASELINE: usize = 12;
 
@@ -52,6 +58,8 @@ pub(super) struct Search<'a> {
     pub bound: f64,
     /// Modes whose decay is held at zero because they would grow.
     pub held_growing: usize,
+    /// Noise power of each channel at the top of the band.
+    pub top_floor: Vec<f64>,
 }
 
 /// Whitened residual spectrum with its floors.
@@ -83,18 +91,47 @@ impl<'a> Search<'a> {
             planner,
             bound,
             held_growing: 0,
+            top_floor: vec![],
         })
     }
 
-    /// Adds lines until the residual has none.
+    /// Adds lines until the residual has none; where there are none, below a drift that stands in front of them.
     pub fn run(&mut self) {
+        self.add_lines();
+        while self.fit.model.modes.is_empty() && self.take_more_drift() {
+            self.add_lines();
+        }
+        self.simplify();
+        self.finish();
+    }
+
+    /// A richer baseline before there are modes, as far as some of the band stays above it.
+    fn take_more_drift(&mut self) -> bool {
+        let baseline = self.fit.model.baseline + DRIFT_STEP;
+        let model = Model { baseline, ..Model::default() };
+        let fit = (baseline <= MOST_BASELINE).then(|| project(&model, &self.cells)).flatten();
+        let Some(fit) = fit else { return false };
+        let taken = self.gain(&fit, &self.whiten(&fit), 0.5 * baseline as f64) > DRIFT_GAIN * self.bound;
+        if taken {
+            self.fit = fit;
+        }
+        taken
+    }
+
+    /// The band as far as the baseline does not follow it.
+    fn band(&self) -> (f64, f64) {
+        let (low, high) = self.record.band;
+        (low.max(self.fit.model.baseline as f64 / BASELINE_PER_CYCLE), high)
+    }
+
+    fn add_lines(&mut self) {
         let (mut masked, mut tried): (Vec<f64>, Vec<usize>) = (vec![], vec![]);
         let mut whitened = self.whiten(&self.fit);
         while !self.is_complete() && masked.len() <= MOST_REJECTIONS {
             if tried.is_empty() && self.raise_baseline(&whitened) {
                 whitened = self.whiten(&self.fit);
             }
-            let Some(peak) = whitened.peak(self.record.band, &masked, &self.fit) else { break };
+            let Some(peak) = whitened.peak(self.band(), &masked, &self.fit) else { break };
             if self.options.mode_count.is_none() && peak.power < 0.6 * self.bound {
                 break;
             }
@@ -111,8 +148,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        self.simplify();
-        self.finish();
+        self.top_floor = whitened.floors.iter().map(|floor| floor.at(self.record.band.1)).collect();
     }
 
     /// The last steps, on cells so fine that next to nothing is lost.
@@ -239,7 +275,7 @@ impl<'a> Search<'a> {
     /// Two more baseline polynomials where the spectrum stands high below the band.
     fn raise_baseline(&mut self, whitened: &Whitened) -> bool {
         let slowest = self.fit.model.modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
-        let room = (0.8 * slowest / std::f64::consts::PI).min(MOST_BASELINE as f64) as usize;
+        let room = (BASELINE_PER_CYCLE * slowest / std::f64::consts::TAU).min(MOST_BASELINE as f64) as usize;
         let baseline = self.fit.model.baseline + 2;
         let low = whitened.highest(0.3, self.record.band.0.min(1.5));
         if slowest.is_infinite() || baseline > room || low < 0.5 * self.bound {

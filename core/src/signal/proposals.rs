@@ -62,7 +62,7 @@ pub(super) fn proposals(search: &Search, peak: &Peak, forced: bool, tried: &[usi
         (None, None) => vec![with_mode(model, Motion::plain(TAU * peak.k, first_decay(peak)))],
     };
     let fits = starts.iter().filter_map(|start| refine(start, &search.cells, ITERATIONS));
-    let fits = fits.filter(|fit| forced || (is_oscillation(fit) && !is_skirt(fit)));
+    let fits = fits.filter(|fit| forced || (is_oscillation(fit, search.record.band) && !is_skirt(fit)));
     trials.extend(fits.min_by(|a, b| a.merit.total_cmp(&b.merit)).map(|fit| (Kind::Mode, fit)));
     trials
 }
@@ -92,12 +92,18 @@ pub(super) fn nearest(model: &Model, k: f64) -> Option<usize> {
     near.filter(|(_, d)| *d < NEAR).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(m, _)| m)
 }
 
-/// A new mode must swing, and count for something beside the strongest.
-fn is_oscillation(fit: &Fit) -> bool {
+/// A new mode must swing within the band, and count for something beside the strongest.
+fn is_oscillation(fit: &Fit, band: (f64, f64)) -> bool {
     let new = fit.model.modes.len() - 1;
     let mode = fit.model.modes[new];
     let swings = mode.alpha < OVERDAMPED * mode.omega && mode.alpha > -2.0;
-    swings && strength(fit, new) > NEGLIGIBLE * strongest(fit)
+    let inside = (band.0..=band.1).contains(&(mode.omega / TAU));
+    swings && inside && counts(fit, new)
+}
+
+/// Whether a mode stands beside the strongest in its energy or, where it dies away sooner, in its amplitude at the start.
+fn counts(fit: &Fit, mode: usize) -> bool {
+    strength(fit, mode) > NEGLIGIBLE * strongest(fit) || size(fit, mode) > NEGLIGIBLE * largest(fit)
 }
 
 /// Whether the newest mode is what an imperfect model leaves beside a line.
@@ -121,12 +127,19 @@ fn strongest(fit: &Fit) -> f64 {
     (0..fit.model.modes.len()).map(|m| strength(fit, m)).fold(0.0, f64::max)
 }
 
+fn largest(fit: &Fit) -> f64 {
+    (0..fit.model.modes.len()).map(|m| size(fit, m)).fold(0.0, f64::max)
+}
+
+/// Squared amplitude of an atom at the start, over noise variance.
+fn size(fit: &Fit, atom: usize) -> f64 {
+    (0..fit.channels()).map(|c| fit.amplitude(c, atom).norm_sqr() / fit.variance(c)).sum()
+}
+
 /// Mean energy of an atom over noise variance.
 pub(super) fn strength(fit: &Fit, atom: usize) -> f64 {
     let at = |i: i32| fit.model.atom_envelope(atom, (f64::from(i) + 0.5) / 20.0).powi(2);
-    let energy = (0..20).map(at).sum::<f64>() / 20.0;
-    let by_channel = (0..fit.channels()).map(|c| fit.amplitude(c, atom).norm_sqr() / fit.variance(c));
-    energy * by_channel.sum::<f64>()
+    (0..20).map(at).sum::<f64>() / 20.0 * size(fit, atom)
 }
 
 /// Extensions of a mode by an amplitude law: the smooth one from both signs, then the linear one from there.

@@ -25,6 +25,8 @@ pub(super) struct Record<'a> {
     pub offsets: Vec<Vec<f64>>,
     /// Shortest median interval, scaled.
     interval: f64,
+    /// Widest cells, scaled.
+    widest: f64,
 }
 
 impl<'a> Record<'a> {
@@ -42,7 +44,13 @@ impl<'a> Record<'a> {
             return Err(no_result(reason));
         }
         let offsets = groups.iter().map(|g| g.channels.iter().map(|c| c[0]).collect()).collect();
-        Ok(Self { groups, clock, band, offsets, interval: interval_s / clock.span_s })
+        let interval = interval_s / clock.span_s;
+        Ok(Self { groups, clock, band, offsets, interval, widest: f64::INFINITY })
+    }
+
+    /// The same with a cell for every sample: what swings faster than the band must not pass for slower.
+    pub fn by_sample(self) -> Self {
+        Self { widest: self.interval, ..self }
     }
 
     /// Cells of a width, levels taken off.
@@ -53,12 +61,12 @@ impl<'a> Record<'a> {
 
     /// Width of cells for a fit whose fastest line is `omega`, with so many cells in its period.
     pub fn fit_width(&self, omega: f64, per_period: f64) -> f64 {
-        (TAU / (per_period * omega)).max(self.interval)
+        (TAU / (per_period * omega)).max(self.interval).min(self.widest)
     }
 
     /// Width of cells for the whole band: a quarter more than the sampling theorem asks for.
     pub fn band_width(&self) -> f64 {
-        (1.0 / (2.5 * self.band.1)).max(self.interval)
+        (1.0 / (2.5 * self.band.1)).max(self.interval).min(self.widest)
     }
 
     pub fn channels(&self) -> usize {

@@ -76,7 +76,8 @@ fn excess(fit: &Fit, residual: &Periodogram, channel: usize) -> Vec<f64> {
     let centre = |mode: &Motion| mode.omega / std::f64::consts::TAU;
     let of_mode = |mode: &Motion| {
         let (from, to) = ((centre(mode) - NEIGHBOURHOOD).max(0.5), centre(mode) + NEIGHBOURHOOD);
-        let range = (from / residual.step) as usize..((to / residual.step) as usize).min(residual.len());
+        let bin = |k: f64| ((k / residual.step) as usize).min(residual.len());
+        let range = bin(from)..bin(to);
         let near = fit.model.modes.iter().filter(|m| (from..to).contains(&centre(m))).count() as f64;
         // Each fitted mode takes two real numbers of the channel, and a share of the poles, out of the bins.
         let bins = range.len() as f64 * residual.step - near * (1.0 + 1.0 / fit.channels() as f64);
