@@ -113,6 +113,7 @@ def import_(
     spacing: Annotated[str | None, stated("m, between the points on the hull")] = None,
     top_spacing: Annotated[str | None, stated("m, between the points above")] = None,
     hull_pitch: Annotated[str | None, stated("degrees, bow up")] = None,
+    points_moved: Annotated[str | None, stated("m, of the points, forward from level hanging")] = None,
     axis_height: Annotated[str | None, stated("m, of the swing axis (compound)")] = None,
     json: Json = None,
 ) -> None:
@@ -134,6 +135,7 @@ def import_(
             spacing=quantity(spacing),
             top_spacing=quantity(top_spacing),
             hull_pitch=quantity(hull_pitch),
+            points_moved=quantity(points_moved),
             axis_height=quantity(axis_height),
         )
         if json is not None:

@@ -32,6 +32,7 @@ class ImportPlan:
     spacing: Pair | None
     top_spacing: Pair | None
     hull_pitch: Pair | None
+    points_moved: Pair | None
     axis_height: Pair | None
 
 
@@ -52,6 +53,7 @@ def import_files(
     spacing: Stated | None = None,
     top_spacing: Stated | None = None,
     hull_pitch: Stated | None = None,
+    points_moved: Stated | None = None,
     axis_height: Stated | None = None,
 ) -> list[str]:
     """Write a session folder from phone exports, one swing for each file; returns what a reader must know.
@@ -74,6 +76,7 @@ def import_files(
         spacing=_pair(spacing),
         top_spacing=_pair(top_spacing),
         hull_pitch=_pair(hull_pitch),
+        points_moved=_pair(points_moved),
         axis_height=_pair(axis_height),
     )
     return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)

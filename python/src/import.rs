@@ -33,6 +33,7 @@ pub struct Plan {
     spacing: Stated,
     top_spacing: Stated,
     hull_pitch: Stated,
+    points_moved: Stated,
     axis_height: Stated,
 }
 
@@ -201,7 +202,7 @@ impl Plan {
             spacing_m: quantity(self.spacing),
             top_spacing_m: quantity(self.top_spacing),
             hull_pitch_deg: quantity(self.hull_pitch),
-            points_moved_m: None,
+            points_moved_m: quantity(self.points_moved),
             axis_height_m: quantity(self.axis_height),
         })
     }

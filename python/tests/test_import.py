@@ -44,6 +44,22 @@ def test_mapped_columns_become_a_session_that_can_be_measured(tmp_path: Path) ->
     assert mode.period_s < mode.period_observed_s
 
 
+def test_dimensions_stand_in_the_session_as_they_were_stated(tmp_path: Path) -> None:
+    (tmp_path / "tilted.csv").write_text(swing_csv())
+    sizes = ["--line-length", "2", "--spacing", "1", "--top-spacing", "1.1"]
+    tilt = ["--hull-pitch=-12:0.2", "--points-moved=-0.05:0.001"]
+    done = run("import", tmp_path / "tilted.csv", "-o", tmp_path / "s", *sizes, *tilt)
+    assert done.returncode == 0, done.stderr
+    text = (tmp_path / "s" / "session.toml").read_text()
+    for line in (
+        "top_spacing = 1.1",
+        "hull_pitch_deg = { value = -12.0, u = 0.2 }",
+        "points_moved = { value = -0.05, u = 0.001 }",
+    ):
+        assert line in text, text
+    gyradius.load(tmp_path / "s")
+
+
 def test_bare_foreign_recording_is_measured_by_its_mapping(tmp_path: Path) -> None:
     session = gyradius.load(foreign_csv(tmp_path / "log.csv"), mapping=MAPPING)
     assert round(session.measure().swings[0].modes[0].period_s, 3) == 2.0
