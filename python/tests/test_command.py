@@ -272,6 +272,13 @@ def _gyroscope_only(text: str) -> str:
     return "\n".join(",".join(row.split(",")[:4]) for row in text.splitlines()) + "\n"
 
 
+def _two_swings(text: str) -> str:
+    """At 40 s of 60 the hull is touched: from there it swings the other way round."""
+    rows = [row.split(",") for row in text.splitlines()]
+    turned = [[*row[:3], str(-float(row[3])), *row[4:]] if float(row[0]) > 40.0 else row for row in rows[1:]]
+    return "\n".join(",".join(row) for row in [rows[0], *turned]) + "\n"
+
+
 def _nan_run(text: str) -> str:
     rows = text.splitlines()
     rows[500:520] = [row.split(",")[0] + ",nan,nan,nan,nan,nan,nan" for row in rows[500:520]]
@@ -290,6 +297,7 @@ def _backwards(text: str) -> str:
         (_gyroscope_only, set()),
         (_nan_run, {"not_a_number"}),
         (_backwards, {"backward_stamp"}),
+        (_two_swings, {"second_swing"}),
     ],
 )
 def test_damage_is_survived_and_reported(
@@ -318,9 +326,28 @@ def test_zip_gives_what_the_folder_gives(tmp_path: Path) -> None:
     assert gyradius.load(path).measure().to_json() == gyradius.load(source).measure().to_json()
 
 
-def test_zip_that_climbs_out_is_refused(tmp_path: Path) -> None:
-    path = _zip(tmp_path / "climb.zip", {"session.toml": SWING.encode(), "../yaw-1.csv": swing_csv().encode()})
-    assert_refused(run("measure", path), 2, "climb.zip")
+@pytest.mark.parametrize(
+    ("name", "reason"), [("../yaw-1.csv", "climbs out"), ("/yaw-1.csv", "absolute"), ("a\\yaw-1.csv", "backslash")]
+)
+def test_zip_that_climbs_out_is_refused(tmp_path: Path, name: str, reason: str) -> None:
+    path = _zip(tmp_path / "climb.zip", {"session.toml": SWING.encode(), name: swing_csv().encode()})
+    assert_refused(run("measure", path), 2, "climb.zip", name, reason)
+
+
+def test_zip_with_a_link_is_refused(tmp_path: Path) -> None:
+    path = _zip(tmp_path / "link.zip", {"session.toml": SWING.encode()})
+    link = zipfile.ZipInfo("yaw-1.csv")
+    link.create_system, link.external_attr = 3, 0o120777 << 16
+    with zipfile.ZipFile(path, "a") as archive:
+        archive.writestr(link, "/etc/passwd")
+    assert_refused(run("measure", path), 2, "link.zip", "yaw-1.csv", "symbolic link")
+
+
+def test_zip_with_two_files_of_one_name_is_refused(tmp_path: Path) -> None:
+    path = _zip(tmp_path / "doubled.zip", {"session.toml": SWING.encode(), "yaw-1.csv": swing_csv().encode()})
+    with zipfile.ZipFile(path, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
+        archive.writestr("yaw-1.csv", swing_csv())
+    assert_refused(run("measure", path), 2, "doubled.zip", "two files of one name")
 
 
 def test_zip_bomb_is_refused(tmp_path: Path) -> None:
@@ -331,7 +358,7 @@ def test_zip_bomb_is_refused(tmp_path: Path) -> None:
             block = bytes(1 << 20)
             for _ in range(1200):
                 member.write(block)
-    assert_refused(run("measure", path), 2, "bomb.zip")
+    assert_refused(run("measure", path), 2, "bomb.zip", "yaw-1.csv", "200 times")
 
 
 def test_file_that_is_cut_zip_is_refused(tmp_path: Path) -> None:
