@@ -101,7 +101,7 @@ impl Simulation {
     fn of(
         swing: &RiggedSwing,
         values: &[(String, f64)],
-        derivatives: &[String],
+        by: &[String],
         times: Option<Vec<f64>>,
         seed: Option<u64>,
     ) -> Result<Self> {
@@ -110,16 +110,16 @@ impl Simulation {
             numbers[swing.experiment.index(name)?] = *value;
         }
         let experiment = swing.experiment.with_values(&numbers)?;
-        let wanted = derivatives.iter().map(|name| experiment.index(name)).collect::<Result<Vec<_>>>()?;
+        let wanted = by.iter().map(|name| experiment.index(name)).collect::<Result<Vec<_>>>()?;
         let t_s = times.unwrap_or_else(|| swing.sampling.times_s());
         let draws = swing.draws(seed, t_s.len())?;
         let record = experiment.record(&t_s, &draws)?;
-        let slopes = experiment.derivatives(&wanted, &t_s, &draws)?;
+        let derivatives = experiment.derivatives(&wanted, &t_s, &draws)?;
         Ok(Self {
             readings: record.readings.iter().map(|reading| reading.six()).collect(),
             moments: record.moments,
             slack: record.path.slack,
-            derivatives: slopes.into_iter().flatten().flatten().collect(),
+            derivatives,
             parameters: wanted.len(),
             t_s: record.t_s,
         })

@@ -19,11 +19,14 @@ pub(super) const COEFFICIENTS: usize = 8;
 pub(super) struct Stepper<S> {
     slopes: Vec<Vec<S>>,
     inside: Vec<S>,
+    /// Differences of the step from those of order 5 and 3, over its length.
+    estimates: [Vec<S>; 2],
 }
 
 impl<S: Real> Stepper<S> {
     pub fn new(size: usize) -> Self {
-        Self { slopes: vec![vec![S::zero(); size]; EXTENDED], inside: vec![S::zero(); size] }
+        let zeros = || vec![S::zero(); size];
+        Self { slopes: vec![zeros(); EXTENDED], inside: zeros(), estimates: [zeros(), zeros()] }
     }
 
     /// Where the derivative at the start of the next step goes.
@@ -39,17 +42,23 @@ impl<S: Real> Stepper<S> {
         combine(A[STAGES], &self.slopes, start, h, end);
     }
 
-    /// Estimate of the error of the step just made, of what `part` reads off a number, the largest among the parts
-    /// `watched` of the state: the estimate of order 5, damped where that of order 3 is larger (eq. II.10.17).
-    pub fn error(&self, h: f64, watched: Range<usize>, part: impl Fn(&S) -> f64) -> f64 {
-        let sum = |row: &[(usize, f64)], i: usize| -> f64 {
-            row.iter().map(|&(stage, weight)| weight * part(&self.slopes[stage][i])).sum()
-        };
-        let (mut fifth, mut third) = (0.0f64, 0.0f64);
-        for i in watched {
-            fifth = fifth.max(sum(FIFTH, i).abs());
-            third = third.max(sum(THIRD, i).abs());
+    /// What [`Stepper::error`] is read off, of the step just made.
+    pub fn estimate(&mut self) {
+        for (row, estimates) in [FIFTH, THIRD].into_iter().zip(&mut self.estimates) {
+            estimates.fill(S::zero());
+            for &(stage, weight) in row {
+                estimates.iter_mut().zip(&self.slopes[stage]).for_each(|(e, s)| e.add_scaled(weight, *s));
+            }
         }
+    }
+
+    /// Estimate of the error of the step of `h` that was estimated last, of what `part` reads off a number, the largest
+    /// among the parts `watched` of the state: the estimate of order 5, damped where that of order 3 is larger
+    /// (eq. II.10.17).
+    pub fn error(&self, h: f64, watched: Range<usize>, part: impl Fn(&S) -> f64) -> f64 {
+        let largest =
+            |of: &[S]| of[watched.clone()].iter().map(|x| part(x).abs()).fold(0.0f64, |most, x| most.max(x));
+        let [fifth, third] = [largest(&self.estimates[0]), largest(&self.estimates[1])];
         let size = fifth.hypot(0.1 * third);
         if size == 0.0 { 0.0 } else { h * fifth * fifth / size }
     }

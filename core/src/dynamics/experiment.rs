@@ -100,21 +100,20 @@ impl Experiment {
         Ok(Record { path, t_s: sampled.stamps_s, moments, readings: sampled.readings })
     }
 
-    /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: one row for each sample of
-    /// [`Experiment::record`], in it the six readings, in each the derivatives.
-    pub fn derivatives(&self, wanted: &[usize], t_s: &[f64], draws: &Draws) -> Result<Vec<[Vec<f64>; 6]>> {
+    /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: those of each sample of
+    /// [`Experiment::record`] after the other, in it those of each reading, in it one by each number.
+    pub fn derivatives(&self, wanted: &[usize], t_s: &[f64], draws: &Draws) -> Result<Vec<f64>> {
         let count = self.kept(&self.laws(&mut self.sensor_values())?, t_s, draws).len();
-        let mut rows = vec![[(); 6].map(|()| Vec::with_capacity(wanted.len())); count];
-        for lanes in wanted.chunks(LANES) {
+        let mut out = vec![0.0; count * 6 * wanted.len()];
+        for (chunk, lanes) in wanted.chunks(LANES).enumerate() {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
             let (_, sampled) = self.run(values, self.fineness_of_derivatives(), t_s, draws)?;
-            for (row, reading) in rows.iter_mut().zip(&sampled.readings) {
-                for (found, cell) in reading.six().iter().zip(row) {
-                    cell.extend_from_slice(&found.slope[..lanes.len()]);
-                }
+            let readings = sampled.readings.iter().flat_map(Reading::six);
+            for (cell, found) in out.chunks_exact_mut(wanted.len()).zip(readings) {
+                cell[chunk * LANES..][..lanes.len()].copy_from_slice(&found.slope[..lanes.len()]);
             }
         }
-        Ok(rows)
+        Ok(out)
     }
 
     /// The effects of the sensors differentiate the motion by time, or drive something with it: they need more than the

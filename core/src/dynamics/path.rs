@@ -175,7 +175,8 @@ impl<'a, S: Real> Integration<'a, S> {
     }
 
     /// Whether the step just made has too large an error: in the body's state or in the effects' memories.
-    fn is_rough(&self, h: f64) -> bool {
+    fn is_rough(&mut self, h: f64) -> bool {
+        self.stepper.estimate();
         let (end, largest) = (self.end.len(), self.fineness.largest_error);
         [PLACE..MEMORY, MEMORY..end].into_iter().any(|watched| {
             let error = |part: &dyn Fn(&S) -> f64| self.stepper.error(h, watched.clone(), part);

@@ -3,7 +3,7 @@
 use super::effects::matrix;
 use super::numbers::numbers;
 use super::path::Moment;
-use super::real::{M3, Real, V3, constant};
+use super::real::{M3, Real, V3, constant, times};
 use super::sensors::Offset;
 use crate::frames::Rotation;
 
@@ -86,8 +86,8 @@ impl<S: Real> Mounted<S> {
     /// Readings while the body moves so.
     pub fn read(&self, moment: &Moment<S>) -> Reading<S> {
         Reading {
-            gyro: self.phone_from_hull * moment.rate + self.gyro_bias,
-            force: self.phone_from_hull * self.force_at_place(moment) + self.acc_bias,
+            gyro: times(&self.phone_from_hull, &moment.rate) + self.gyro_bias,
+            force: times(&self.phone_from_hull, &self.force_at_place(moment)) + self.acc_bias,
         }
     }
 

@@ -243,6 +243,13 @@ pub(crate) fn constant<S: Real>(v: &Vector3<f64>) -> V3<S> {
     v.map(S::constant)
 }
 
+/// `m v`. The product of nalgebra moves whole columns about, which took a third of the time of numbers with derivatives.
+#[inline]
+pub(crate) fn times<S: Real>(m: &M3<S>, v: &V3<S>) -> V3<S> {
+    let row = |i: usize| m[(i, 0)] * v.x + m[(i, 1)] * v.y + m[(i, 2)] * v.z;
+    V3::new(row(0), row(1), row(2))
+}
+
 /// Solves the `n` equations in the upper left of `a x = b` in place, the largest pivot of a column first.
 ///
 /// A singular matrix gives values that are not finite.

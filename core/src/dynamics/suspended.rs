@@ -13,7 +13,7 @@
 use std::ops::Range;
 
 use super::effects::{AddedMass, Effect, Loads, Now, Solved, Support};
-use super::real::{M3, Real, V3, inverse, solve};
+use super::real::{M3, Real, V3, inverse, solve, times};
 
 /// Where the parts of the state begin.
 pub(super) const TIME: usize = 0;
@@ -120,13 +120,13 @@ impl<S: Real> Mass<'_, S> {
     fn accelerated(&self, force: &V3<S>, torque: &V3<S>) -> (V3<S>, V3<S>) {
         match self {
             Mass::Rigid { inverse_mass, inverse_inertia } => {
-                (force * *inverse_mass, *inverse_inertia * torque)
+                (force * *inverse_mass, times(inverse_inertia, torque))
             }
             Mass::Full { matrix, turn } => {
                 let f = turn.tr_mul(force);
                 let mut x = [f.x, f.y, f.z, torque.x, torque.y, torque.z];
                 solve(&mut matrix.clone(), &mut x, 6);
-                (turn * V3::new(x[0], x[1], x[2]), V3::new(x[3], x[4], x[5]))
+                (times(turn, &V3::new(x[0], x[1], x[2])), V3::new(x[3], x[4], x[5]))
             }
         }
     }
@@ -171,7 +171,7 @@ impl<S: Real> Equations<S> {
         let rate = now.rate;
         let mut loads = Loads {
             force: V3::new(S::zero(), S::zero(), -(self.system.gravity_m_s2 * self.system.mass_kg)),
-            torque: -rate.cross(&(self.system.inertia_kg_m2 * rate)),
+            torque: -rate.cross(&times(&self.system.inertia_kg_m2, &rate)),
         };
         for (effect, memory) in &self.effects {
             effect.load(&now, &y[memory.clone()], &self.system, &mut loads);
@@ -218,7 +218,7 @@ impl<S: Real> Equations<S> {
         for (effect, memory) in &self.effects {
             effect.add_mass(now, &y[memory.clone()], &self.system, &mut added);
         }
-        loads.force += now.turn * added.force;
+        loads.force += times(&now.turn, &added.force);
         loads.torque += added.torque;
         Mass::Full { matrix: added.matrix, turn: now.turn }
     }
@@ -239,7 +239,7 @@ impl<S: Real> Equations<S> {
         };
         let shift = support.map_or(none, |s| s.offset);
         for i in 0..count {
-            grip.q[i] = now.position + now.turn * self.points[i] - self.system.cords[i].top_m - shift;
+            grip.q[i] = now.position + times(&now.turn, &self.points[i]) - self.system.cords[i].top_m - shift;
             grip.moment[i] = self.points[i].cross(&now.turn.tr_mul(&grip.q[i]));
             grip.yields[i] = mass.accelerated(&grip.q[i], &grip.moment[i]);
         }
@@ -260,7 +260,7 @@ impl<S: Real> Equations<S> {
     /// Velocity of the lower end of line `i` against its upper end, world axes.
     fn end_velocity(&self, now: &Now<S>, i: usize, support: Option<&Support<S>>) -> V3<S> {
         let top = support.map_or(V3::zeros(), |s| s.velocity);
-        now.velocity + now.turn * now.rate.cross(&self.points[i]) - top
+        now.velocity + times(&now.turn, &now.rate.cross(&self.points[i])) - top
     }
 
     /// Multipliers that keep the lengths of the lines.
@@ -274,7 +274,7 @@ impl<S: Real> Equations<S> {
         let mut due = [S::zero(); MOST_LINES];
         for i in 0..grip.count {
             let speed = now.rate.cross(&self.points[i]);
-            let centripetal = grip.q[i].dot(&(now.turn * now.rate.cross(&speed)));
+            let centripetal = grip.q[i].dot(&times(&now.turn, &now.rate.cross(&speed)));
             let velocity = self.end_velocity(now, i, support);
             let [length, lengthening, growth] = self.length(now.t_s, i);
             due[i] = grip.q[i].dot(&free.acceleration)
