@@ -10,21 +10,16 @@ its own binomial bound. A crash, a wrong mode name, or a mode that was set going
 from __future__ import annotations
 
 import argparse
-import json
-import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import generate
 import numpy as np
-from scipy.stats import binom
+from promises import answer, interval_95, judged, least, sessions_in
 
 QUANTITIES = ("k_yaw_m", "k_pitch_m", "cm_depth_m", "k_roll_m", "psi_deg")
-RISK = 1e-3  # of failing a program that keeps its promise
-HALF_WIDTH = 1.959964  # standard uncertainties in half a 95 % interval of a normal distribution
 CLEAN_PROMISE = 0.97  # sessions with every name right and every quantity given; 96 of 96 when this was written
 CONTRADICTIONS = ("not meant to be excited", "does not show in the data")
 SAME_PERIOD = 0.01  # a reported mode further than this from the true period of its name bears the wrong name
@@ -60,18 +55,7 @@ def expected_quantities(truth: dict) -> list[str]:
 
 def measure(session: Path, timeout_s: float = 300.0) -> tuple[dict | None, str]:
     """The program's JSON, or what went wrong."""
-    command = [sys.executable, "-m", "gyradius", "measure", str(session), "--json", "-"]
-    try:
-        run = subprocess.run(command, capture_output=True, text=True, timeout=timeout_s)
-    except subprocess.TimeoutExpired:
-        return None, f"no answer in {timeout_s:.0f} s"
-    lines = run.stderr.strip().splitlines()
-    if run.returncode != 0:
-        return None, f"exit {run.returncode}: {lines[-1] if lines else ''}"
-    try:
-        return json.loads(run.stdout), ""
-    except json.JSONDecodeError as error:
-        return None, f"not JSON: {error}"
+    return answer([sys.executable, "-m", "gyradius", "measure", str(session), "--json", "-"], timeout_s)
 
 
 def judge_session(name: str, truth: dict, result: dict | None, trouble: str) -> Outcome:
@@ -85,7 +69,7 @@ def judge_session(name: str, truth: dict, result: dict | None, trouble: str) -> 
             outcome.absent.append(quantity)
             continue
         error, u = stated["value"] - truth[quantity], stated["u"]
-        low, high = stated.get("interval_95") or (stated["value"] - HALF_WIDTH * u, stated["value"] + HALF_WIDTH * u)
+        low, high = interval_95(stated)
         outcome.z[quantity] = error / u if u > 0 else float("inf")
         outcome.inside[quantity] = low <= truth[quantity] <= high
         outcome.relative_u[quantity] = u / abs(truth[quantity]) if quantity != "psi_deg" else u
@@ -117,7 +101,7 @@ def judge_modes(outcome: Outcome, swing: str, true: dict, modes: list[dict]) -> 
 
 def least_inside(count: int, tests: int) -> int:
     """Fewer intervals than this that hold happen to an honest program with probability below RISK / tests."""
-    return int(binom.ppf(RISK / tests, count, 0.95))
+    return least(count, 0.95, tests)
 
 
 def judge(outcomes: list[Outcome]) -> tuple[list[str], list[str]]:
@@ -156,7 +140,7 @@ def judge(outcomes: list[Outcome]) -> tuple[list[str], list[str]]:
 def least_clean(count: int) -> int:
     """Fewer sessions without a wrong, missed or absent item than this happen to a program that keeps its promise of
     CLEAN_PROMISE with probability below RISK."""
-    return int(binom.ppf(RISK, count, CLEAN_PROMISE))
+    return least(count, CLEAN_PROMISE, 1)
 
 
 def reasons_in_a_few(outcomes: list[Outcome]) -> list[str]:
@@ -192,10 +176,7 @@ def outliers(outcomes: list[Outcome], limit: float = 3.0) -> list[str]:
 
 def run(folder: Path, names: list[str], workers: int = 2) -> list[Outcome]:
     """Measure and judge the sessions of a folder."""
-    with ThreadPoolExecutor(workers) as pool:
-        results = list(pool.map(measure, [folder / name for name in names]))
-    truths = [json.loads((folder / f"{name}.truth.json").read_text()) for name in names]
-    return [judge_session(n, t, *r) for n, t, r in zip(names, truths, results)]
+    return judged(folder, names, measure, judge_session, workers)
 
 
 def report(outcomes: list[Outcome]) -> list[str]:
@@ -215,8 +196,7 @@ def main() -> int:
     parser.add_argument("--again", type=Path, default=None, help="measure the sessions of this folder, generate none")
     options = parser.parse_args()
     if options.again:
-        names = sorted(path.name.removesuffix(".truth.json") for path in options.again.glob("*.truth.json"))
-        return 1 if report(run(options.again, names)) else 0
+        return 1 if report(run(options.again, sessions_in(options.again))) else 0
     seed = generate.fresh_seed() if options.seed is None else options.seed
     print(f"seed {seed}, {options.count} sessions", flush=True)
     with tempfile.TemporaryDirectory() as temporary:

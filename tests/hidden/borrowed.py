@@ -1,4 +1,4 @@
-"""What the blind sessions' generator lends: hulls, rigs, phones, releases, and how a session is written down."""
+"""What the blind sessions lend: hulls, rigs, phones, releases, how a session is written down and how a program is asked."""
 
 import sys
 from pathlib import Path
@@ -8,6 +8,7 @@ import numba  # noqa: F401  before the path: numba looks for a module `coverage`
 sys.path.append(str(Path(__file__).resolve().parent.parent / "blind"))
 
 import generate as blind  # noqa: E402
+import promises  # noqa: E402
 import rigid_body as rb  # noqa: E402
 
-__all__ = ["blind", "rb"]
+__all__ = ["blind", "promises", "rb"]

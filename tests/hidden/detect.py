@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from borrowed import rb
-from effects import EFFECTS, OUTSIDE, Session
+from effects import ALL, EFFECTS, OUTSIDE, Session
 from scene import clipped, move, sense
 
 EVERY = 5  # samples taken for sensitivities; each counts as so many
@@ -216,7 +216,7 @@ def probe_change(name: str, parameters: dict) -> Change:
 
 def tangent(make: Callable, n: int, hidden: list) -> Change:
     """The hidden effect's whole strength, from its last BACK; a threshold's from with and without."""
-    effect = (EFFECTS | OUTSIDE)[hidden[n].name]
+    effect = ALL[hidden[n].name]
     back = 1.0 if effect.whole else BACK
     shares = [1.0 - back if k == n else 1.0 for k in range(len(hidden))]
 

@@ -6,4 +6,6 @@ import on_phone  # noqa: F401
 import rigging  # noqa: F401
 from effect import EFFECTS, OUTSIDE, Effect, Session, Tape
 
-__all__ = ["EFFECTS", "OUTSIDE", "Effect", "Session", "Tape"]
+ALL = EFFECTS | OUTSIDE
+
+__all__ = ["ALL", "EFFECTS", "OUTSIDE", "Effect", "Session", "Tape"]

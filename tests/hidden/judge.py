@@ -13,24 +13,20 @@ cosine below 0.95, `detect.py`); one outside the catalogue, where it stands out 
 from __future__ import annotations
 
 import argparse
-import json
 import shlex
-import subprocess
 import sys
 import tempfile
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
 import sessions
-from borrowed import blind
+from borrowed import blind, promises
 from scipy.stats import binom
 
-RISK = 1e-3  # of failing a program that keeps its promise
 DETECTABLE_SIGMA, SEPARABLE_COSINE = 10.0, 0.95
-HALF_WIDTH = 1.959964  # standard uncertainties in half a 95 % interval of a normal distribution
 HELDOUT_LIMIT = 1.1  # of the noise
 ALIKE = 2.0  # extended uncertainties: a base model no further from the truth than this is not told from a right one
 QUANTITIES = ("k_yaw_m", "k_pitch_m")
@@ -94,17 +90,7 @@ class Outcome:
 
 def critique(command: list[str], session: Path, timeout_s: float = 600.0) -> tuple[dict | None, str]:
     """The program's JSON, or what went wrong."""
-    try:
-        run = subprocess.run([*command, str(session), "--json", "-"], capture_output=True, text=True, timeout=timeout_s)
-    except subprocess.TimeoutExpired:
-        return None, f"no answer in {timeout_s:.0f} s"
-    lines = run.stderr.strip().splitlines()
-    if run.returncode != 0:
-        return None, f"exit {run.returncode}: {lines[-1] if lines else ''}"
-    try:
-        return json.loads(run.stdout), ""
-    except json.JSONDecodeError as error:
-        return None, f"not JSON: {error}"
+    return promises.answer([*command, str(session), "--json", "-"], timeout_s)
 
 
 def judge_session(name: str, truth: dict, result: dict | None, trouble: str) -> Outcome:
@@ -144,20 +130,15 @@ def mark_quantity(outcome: Outcome, quantity: str) -> None:
         outcome.marks[f"{quantity} inside its 95 % interval"] = False
         return
     error, u = abs(extended["value"] - true), extended["u"]
-    low, high = extended.get("interval_95") or (extended["value"] - HALF_WIDTH * u, extended["value"] + HALF_WIDTH * u)
+    low, high = promises.interval_95(extended)
     outcome.marks[f"{quantity} inside its 95 % interval"] = low <= true <= high
     if base and outcome.truth["sort"] in ("one", "two") and outcome.detectable() and abs(base["value"] - true) > ALIKE * u:
         outcome.marks[f"{quantity} nearer than the base model's, where that is off"] = error < abs(base["value"] - true)
 
 
-def least(count: int, rate: float, tests: int) -> int:
-    """Fewer than this happen to a program that keeps this rate with probability below RISK / tests."""
-    return int(binom.ppf(RISK / tests, count, rate))
-
-
 def most(count: int, rate: float, tests: int) -> int:
-    """More than this, likewise."""
-    return int(binom.isf(RISK / tests, count, rate))
+    """More than this happen to a program that keeps this rate with probability below RISK / tests."""
+    return int(binom.isf(promises.RISK / tests, count, rate))
 
 
 def judge(outcomes: list[Outcome]) -> tuple[list[str], list[str]]:
@@ -171,7 +152,7 @@ def judge(outcomes: list[Outcome]) -> tuple[list[str], list[str]]:
             lines.append(f"| {rate} | {required:.0%} | 0 | | | |")
             continue
         count, met = len(marks), sum(marks)
-        low, high = least(count, required, tests), most(count, AT_MOST[rate], tests) if rate in AT_MOST else count
+        low, high = promises.least(count, required, tests), most(count, AT_MOST[rate], tests) if rate in AT_MOST else count
         bound = f"≥ {low}" + (f", ≤ {high}" if rate in AT_MOST else "")
         lines.append(f"| {rate} | {required:.0%} | {count} | {met} | {met / count:.3f} | {bound} |")
         if not low <= met <= high:
@@ -221,10 +202,7 @@ def missed(outcomes: list[Outcome]) -> list[str]:
 
 def run(folder: Path, names: list[str], command: list[str], workers: int = 2) -> list[Outcome]:
     """Ask the program about the sessions of a folder, and judge."""
-    with ThreadPoolExecutor(workers) as pool:
-        results = list(pool.map(lambda name: critique(command, folder / name), names))
-    truths = [json.loads((folder / f"{name}.truth.json").read_text()) for name in names]
-    return [judge_session(n, t, *r) for n, t, r in zip(names, truths, results)]
+    return promises.judged(folder, names, partial(critique, command), judge_session, workers)
 
 
 def generate(folder: Path, seed: int, count: int, effect: str | None = None, workers: int = 2) -> list[str]:
@@ -256,7 +234,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as temporary:
         folder, seed = options.again or options.keep or Path(temporary), options.seed
         if options.again:
-            names = sorted(path.name.removesuffix(".truth.json") for path in folder.glob("*.truth.json"))
+            names = promises.sessions_in(folder)
         else:
             seed = blind.fresh_seed() if seed is None else seed
             print(f"seed {seed}, {options.count} sessions", flush=True)

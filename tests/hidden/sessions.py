@@ -19,11 +19,10 @@ from pathlib import Path
 
 import numpy as np
 from borrowed import blind
-from effects import EFFECTS, OUTSIDE, Session, Tape
+from effects import ALL, EFFECTS, OUTSIDE, Session, Tape
 from scene import Scene, clipped, readings
 
 SHARES = {"none": 0.15, "one": 0.5, "two": 0.15, "outside": 0.2}
-CATALOGUE_AND_OUTSIDE = EFFECTS | OUTSIDE
 DECIMALS = blind.Decimals()
 
 
@@ -36,7 +35,7 @@ class Hidden:
 
     def put(self, session: Session, share: float = 1.0) -> None:
         """Into the session."""
-        CATALOGUE_AND_OUTSIDE[self.name].put(session, self.parameters, share)
+        ALL[self.name].put(session, self.parameters, share)
 
 
 def draw_names(rng, wanted: str | None) -> list[str]:
@@ -122,7 +121,7 @@ def tapes_of(hungs: list) -> list[Tape]:
 def draw(rng, wanted: str | None = None) -> tuple[Session, list[Hidden]]:
     """A session of the base model, and what is to be hidden in it."""
     names = draw_names(rng, wanted)
-    two_rigs = rng.random() < (0.85 if any(CATALOGUE_AND_OUTSIDE[n].two_rigs for n in names) else 0.3)
+    two_rigs = rng.random() < (0.85 if any(ALL[n].two_rigs for n in names) else 0.3)
     hull, hungs = draw_hung(rng, two_rigs)
     phone = blind.draw_phone(rng, hull)
     phone.one_clock = True
@@ -130,7 +129,7 @@ def draw(rng, wanted: str | None = None) -> tuple[Session, list[Hidden]]:
         hung.plan.phone = phone
     scenes, amplitudes = zip(*(draw_scene(rng, hull, h, phone) for h in hungs))
     session = Session(hull, hungs, list(scenes), tapes_of(hungs), list(amplitudes))
-    return session, [Hidden(n, CATALOGUE_AND_OUTSIDE[n].draw(rng, session)) for n in names]
+    return session, [Hidden(n, ALL[n].draw(rng, session)) for n in names]
 
 
 def spoiled(session: Session, hidden: list[Hidden], shares: list[float] | None = None) -> Session:
@@ -202,7 +201,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=5)
     parser.add_argument("--first", type=int, default=0, help="number of the first session")
     parser.add_argument("--seed", type=int, default=None)
-    parser.add_argument("--effect", default=None, help="none, a name, or two joined by +: " + ", ".join(CATALOGUE_AND_OUTSIDE))
+    parser.add_argument("--effect", default=None, help="none, a name, or two joined by +: " + ", ".join(ALL))
     parser.add_argument("--detect", action="store_true", help="also how far the effect stands out (slower)")
     options = parser.parse_args()
     seed = blind.fresh_seed() if options.seed is None else options.seed
