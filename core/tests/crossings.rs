@@ -4,6 +4,9 @@
 
 #![allow(clippy::unwrap_used, clippy::needless_range_loop)]
 
+mod common;
+
+use common::rng;
 use gyradius_core::inertia::routes::beat::period_ratio;
 use gyradius_core::recording::{GateEvents, PeriodList};
 use gyradius_core::signal::{
@@ -12,17 +15,10 @@ use gyradius_core::signal::{
     period_from_list, small_amplitude_limit, zero_crossings,
 };
 use num_complex::Complex64;
-use rand::{RngExt, SeedableRng};
+use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::{PI, TAU};
-
-/// A fresh generator; the seed is printed so that a failure can be repeated.
-fn fresh(test: &str) -> ChaCha8Rng {
-    let seed: u64 = rand::random();
-    println!("{test}: seed {seed}");
-    ChaCha8Rng::seed_from_u64(seed)
-}
 
 fn normal(rng: &mut ChaCha8Rng) -> f64 {
     StandardNormal.sample(rng)
@@ -81,7 +77,7 @@ fn span_is_whole(groups: &[ChannelGroup], what: &str) {
 
 #[test]
 fn full_beats_of_thirty_seconds_are_not_cut() {
-    let mut rng = fresh("full beats");
+    let mut rng = rng();
     for _ in 0..20 {
         let first = random_swing(&mut rng, 4.39, 0.2);
         // The paper's Fig. 3 pair, equal in every channel: 100 % modulation, 30 s.
@@ -93,7 +89,7 @@ fn full_beats_of_thirty_seconds_are_not_cut() {
 
 #[test]
 fn free_swings_of_any_periods_are_kept_whole() {
-    let mut rng = fresh("random free swings");
+    let mut rng = rng();
     for _ in 0..60 {
         let period_s = 1.0 + 4.0 * rng.random::<f64>();
         let size = 0.3 * 10f64.powf(-1.5 * rng.random::<f64>());
@@ -139,7 +135,7 @@ fn held_then_released(
 
 #[test]
 fn waiting_and_handling_before_the_release_are_left_out() {
-    let mut rng = fresh("release");
+    let mut rng = rng();
     for _ in 0..40 {
         let release_s = 0.5 + 19.5 * rng.random::<f64>();
         let period_s = 1.2 + 3.5 * rng.random::<f64>();
@@ -158,7 +154,7 @@ fn waiting_and_handling_before_the_release_are_left_out() {
 
 #[test]
 fn a_stop_and_a_phone_picked_up_end_the_span() {
-    let mut rng = fresh("stop");
+    let mut rng = rng();
     for _ in 0..40 {
         let stop_s = 60.0 + 40.0 * rng.random::<f64>();
         let period_s = 1.2 + 3.5 * rng.random::<f64>();
@@ -186,7 +182,7 @@ fn a_stop_and_a_phone_picked_up_end_the_span() {
 
 #[test]
 fn of_two_swings_in_one_file_the_longer_is_used_and_the_other_noted() {
-    let mut rng = fresh("two swings");
+    let mut rng = rng();
     for _ in 0..40 {
         let touch_s = 25.0 + 70.0 * rng.random::<f64>();
         if (touch_s - 60.0).abs() < 10.0 {
@@ -208,7 +204,7 @@ fn of_two_swings_in_one_file_the_longer_is_used_and_the_other_noted() {
 
 #[test]
 fn single_wrong_samples_do_not_cut_a_record() {
-    let mut rng = fresh("glitches");
+    let mut rng = rng();
     for _ in 0..20 {
         let swing = random_swing(&mut rng, 2.5, 0.2);
         let mut groups = phone(&mut rng, 100.0, &|c, t| swing.at(c, t));
@@ -224,7 +220,7 @@ fn single_wrong_samples_do_not_cut_a_record() {
 
 #[test]
 fn crossings_give_the_period_of_a_noisy_decaying_sine() {
-    let mut rng = fresh("crossings");
+    let mut rng = rng();
     let mut pulls = Vec::new();
     for _ in 0..40 {
         let period_s = 1.0 + 4.0 * rng.random::<f64>();
@@ -264,7 +260,7 @@ fn photogate(rng: &mut ChaCha8Rng, c_s: f64, b: f64, sigma_s: f64) -> (Vec<f64>,
 
 #[test]
 fn equation_14_is_recovered_with_true_errors() {
-    let mut rng = fresh("equation 14");
+    let mut rng = rng();
     let mut pulls = [0.0; 4];
     for _ in 0..60 {
         let (t, p) = photogate(&mut rng, 0.04, -5e-6, 0.002);
@@ -282,7 +278,7 @@ fn equation_14_is_recovered_with_true_errors() {
 
 #[test]
 fn equation_14_falls_back_where_there_is_no_modulation() {
-    let mut rng = fresh("no modulation");
+    let mut rng = rng();
     let mut invented = 0;
     for _ in 0..60 {
         let (t, p) = photogate(&mut rng, 0.0, 0.0, 0.002);
@@ -296,7 +292,7 @@ fn equation_14_falls_back_where_there_is_no_modulation() {
 
 #[test]
 fn doubled_and_halved_periods_are_flagged() {
-    let mut rng = fresh("miscounts");
+    let mut rng = rng();
     let (t_s, mut period_s) = photogate(&mut rng, 0.03, -5e-6, 0.002);
     period_s[20] *= 2.0;
     period_s[77] *= 0.5;
@@ -313,7 +309,7 @@ fn doubled_and_halved_periods_are_flagged() {
 
 #[test]
 fn the_beat_count_gives_the_ratio_of_the_periods() {
-    let mut rng = fresh("beats");
+    let mut rng = rng();
     for _ in 0..40 {
         // Fig. 3 of the paper: T_a = 4.09 s, T_b = 30.0 s, n = 7.33.
         let balance = 0.5 + 0.5 * rng.random::<f64>();
@@ -386,7 +382,7 @@ fn followed(groups: &[ChannelGroup], span_s: (f64, f64), period_s: f64, channel:
 /// Every window's period and decrement within its own error: two modes, six channels with noise of different size.
 #[test]
 fn windows_state_true_errors() {
-    let mut rng = fresh("windows");
+    let mut rng = rng();
     let (mut squares, mut count) = ([0.0; 2], 0.0);
     for _ in 0..40 {
         let swing = Swing { tau_s: 300.0, ..random_swing(&mut rng, 1.9, 0.15) };
@@ -414,7 +410,7 @@ fn windows_state_true_errors() {
 
 #[test]
 fn a_pendulum_shows_its_law() {
-    let mut rng = fresh("pendulum");
+    let mut rng = rng();
     let (omega, alpha) = (TAU / 1.338, 0.012);
     let (t_s, mut rate) = pendulum(omega, alpha, 0.4, 180.0);
     rate.iter_mut().for_each(|r| *r += 0.005 * normal(&mut rng));
@@ -435,7 +431,7 @@ fn a_pendulum_shows_its_law() {
 
 #[test]
 fn the_law_is_chosen_by_the_evidence() {
-    let mut rng = fresh("laws");
+    let mut rng = rng();
     for (law, c1, c2) in
         [(PeriodLaw::Constant, 0.0, 0.0), (PeriodLaw::Linear, 0.25, 0.0), (PeriodLaw::Quadratic, 0.0, 0.3)]
     {

@@ -4,11 +4,14 @@
 //! Every record is drawn afresh: span, rate, channels, uneven stamps, colour, phases, decays.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::f64::consts::TAU;
 
+use common::rng;
 use gyradius_core::signal::{ChannelGroup, DecomposeOptions, Decomposition, decompose};
 use num_complex::Complex64;
-use rand::{RngExt, SeedableRng};
+use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
@@ -16,12 +19,6 @@ use rand_distr::StandardNormal;
 const RECORDS: usize = 400;
 /// A program that errs once in a thousand records errs in more of 400 with probability 6e-5 (Poisson, mean 0.4).
 const MOST_ERRORS: usize = 4;
-
-fn rng() -> ChaCha8Rng {
-    let seed: u64 = rand::random();
-    println!("seed {seed}");
-    ChaCha8Rng::seed_from_u64(seed)
-}
 
 fn normal(rng: &mut ChaCha8Rng) -> f64 {
     rng.sample(StandardNormal)

@@ -1,10 +1,13 @@
 //! Periods, decays and the number of modes on simulated records whose truth is stated here.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
+use common::rng;
 use gyradius_core::signal::{ChannelGroup, DecomposeOptions, Decomposition, decompose};
 use nalgebra::DMatrix;
 use num_complex::Complex64;
-use rand::{RngExt, SeedableRng};
+use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
@@ -16,12 +19,6 @@ struct Mode {
 
 fn mode(period_s: f64, tau_s: f64, shape: &[(f64, f64)]) -> Mode {
     Mode { period_s, tau_s, shape: shape.iter().map(|&(a, phase)| Complex64::from_polar(a, phase)).collect() }
-}
-
-fn rng() -> ChaCha8Rng {
-    let seed: u64 = rand::random();
-    println!("seed {seed}");
-    ChaCha8Rng::seed_from_u64(seed)
 }
 
 fn even(span_s: f64, rate_hz: f64) -> Vec<f64> {

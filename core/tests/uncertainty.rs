@@ -2,12 +2,14 @@
 //! whole estimate run for each draw; and the guard band's promise (JCGM 106) counted.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::f64::consts::TAU;
 
+use common::rng;
 use gyradius_core::inertia::{MeasureOptions, Measurement, measure, routes::guard};
 use gyradius_core::recording::{LoadedData, LoadedSession, LoadedSwing, Quantity, Swing, read_session};
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
 use rand_distr::StandardNormal;
 
 const DRAWS: usize = 1200;
@@ -18,12 +20,6 @@ const BOUND: f64 = 4.5;
 /// The hull of Fig. 15 with the roll gyradius of Table 3: roll, pitch, yaw gyradius and depth, m.
 const HULL: [f64; 4] = [0.204, 0.352, 0.303, 0.253];
 const GRAVITY: f64 = 9.80665;
-
-fn rng() -> ChaCha8Rng {
-    let seed: u64 = rand::random();
-    println!("seed {seed}");
-    ChaCha8Rng::seed_from_u64(seed)
-}
 
 /// Both periods of the double pendulum by (16).
 fn double_pendulum(k: f64, l1: f64) -> [f64; 2] {

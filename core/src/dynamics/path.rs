@@ -95,8 +95,8 @@ pub struct Fineness {
     /// Steps per period of the fastest mode.
     pub steps_per_period: f64,
     /// A step with a larger error (m, m/s, 1, rad/s, units of the effects' memories; of derivatives, as a part of the
-    /// largest by the same parameter, unless it is rounding) is halved: those that cross the kink of a drag or of a friction. On the smooth
-    /// motions of a swing the error is smaller than this by itself.
+    /// largest by the same parameter, unless it is rounding) is halved: those that cross the kink of a drag or of a
+    /// friction. On the smooth motions of a swing the error is smaller than this by itself.
     pub largest_error: f64,
     /// A step is halved no oftener than this.
     pub most_halvings: u32,

@@ -2,9 +2,10 @@
 
 use gyradius_core::dynamics::effects::{EffectValues, catalogue};
 use gyradius_core::dynamics::{Fineness, LANES, Moment, Real, Scene, Start};
-use rand::{RngExt, SeedableRng};
+use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
+use crate::common::rng;
 use crate::scenes::*;
 
 /// An ordinary size of each number of an effect on the keelboat.
@@ -170,9 +171,7 @@ fn compare(scene: &Scene, of_derivatives: Fineness, of_differences: Fineness, fo
 
 /// Compares the derivatives by every number of the effects that are wanted.
 fn compare_effects(kinked: bool, of_derivatives: Fineness, of_differences: Fineness) -> Found {
-    let seed: u64 = rand::random();
-    println!("seed {seed}");
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut rng = rng();
     let mut found = Found::default();
     if !kinked {
         compare(&drawn(&mut rng, None), of_derivatives, of_differences, &mut found);

@@ -4,6 +4,8 @@
 
 mod catalogue;
 mod closed_forms;
+#[path = "../common/mod.rs"]
+mod common;
 mod damping;
 mod derivatives;
 mod exchange;
