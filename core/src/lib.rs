@@ -9,6 +9,7 @@
 //! (`hull_pitch_deg`) and ψ are bow up. A standard uncertainty is `u` (or `_se_` for a fitted figure), one sigma.
 
 pub mod constants;
+pub mod critique;
 pub mod dynamics;
 pub mod error;
 pub mod frames;

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 10] = [
+const MAY_KNOW: [(&str, &[&str]); 11] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
@@ -17,7 +17,8 @@ const MAY_KNOW: [(&str, &[&str]); 10] = [
     ("dynamics", &[]),
     ("practice", &["recording", "dynamics"]),
     ("inertia", &["recording", "signal", "modes", "dynamics"]),
-    ("report", &["recording", "signal", "modes", "dynamics", "inertia"]),
+    ("critique", &["recording", "signal", "modes", "dynamics", "inertia"]),
+    ("report", &["recording", "signal", "modes", "dynamics", "inertia", "critique"]),
 ];
 const KNOWN_TO_ALL: [&str; 3] = ["error", "constants", "frames"];
 
