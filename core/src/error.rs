@@ -70,6 +70,9 @@ pub enum Error {
         /// Why there is no result.
         reason: String,
     },
+    /// The caller asked to stop.
+    #[error("cancelled")]
+    Cancelled,
     /// A caller gave an argument outside its domain (a programmer's or a command line's mistake).
     #[error("argument `{name}`: expected {expected}, found {found}")]
     Argument {
@@ -101,7 +104,7 @@ impl Error {
             | Error::UnknownKey { .. }
             | Error::UnsafeArchive { .. }
             | Error::Argument { .. } => ErrorKind::Input,
-            Error::NoResult { .. } => ErrorKind::NoResult,
+            Error::NoResult { .. } | Error::Cancelled => ErrorKind::NoResult,
         }
     }
 
@@ -113,7 +116,7 @@ impl Error {
             | Error::Malformed { file, .. }
             | Error::UnknownKey { file, .. }
             | Error::UnsafeArchive { file, .. } => Some(file),
-            Error::NoResult { .. } | Error::Argument { .. } => None,
+            Error::NoResult { .. } | Error::Argument { .. } | Error::Cancelled => None,
         }
     }
 
@@ -125,6 +128,7 @@ impl Error {
             | Error::Unwritable { .. }
             | Error::UnsafeArchive { .. }
             | Error::NoResult { .. }
+            | Error::Cancelled
             | Error::Argument { .. } => None,
         }
     }

@@ -2,20 +2,105 @@
 //!
 //! May know `recording`, `signal`, `modes`, `dynamics`, `inertia`.
 
+mod base;
+mod findings;
+mod quantities;
+mod verdict;
+mod causes;
+mod fitting;
+mod linear;
+mod point;
+mod look;
+mod moments;
+mod search;
 mod result;
+mod white;
 
 pub use result::{
     CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterResult, Progress, SwingTrace,
 };
 
-use crate::error::{Error, Result};
-use crate::recording::LoadedSession;
+use std::collections::BTreeMap;
+
+use crate::error::Result;
+use crate::inertia::QuantityResult;
+use crate::inertia::measure::{Prepared, prepare, title};
+use crate::recording::{LoadedSession, Quantity};
+
+use base::{Base, by_periods};
+use findings::findings;
+use point::{Model, Part};
+use quantities::quantities;
+use search::{Found, Told, search};
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-critique/1";
 
 /// Criticises a session.
-pub fn criticise(loaded: &LoadedSession, _progress: &Progress) -> Result<Criticism> {
-    Err(Error::no_result(&loaded.source, "under construction"))
+pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
+    let told = Told { progress };
+    told.at(0.0, "reading the swings")?;
+    let mut prepared = prepare(loaded)?;
+    let x = by_periods(&mut prepared);
+    told.at(0.05, "fitting each swing")?;
+    let Prepared { works, system, inclines, warnings } = prepared;
+    let (base, start) = Base::begin(&system, &works, &x)?;
+    told.at(0.15, "fitting all swings together")?;
+    let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
+    let fitted = model.fit(&start, &|_| false)?;
+    let found = search(model.clone(), fitted, &told)?;
+    told.at(0.9, "judging by samples held out")?;
+    conclude(loaded, &model, &found, &inclines, warnings)
+}
+
+fn conclude(
+    loaded: &LoadedSession,
+    base: &Model,
+    found: &Found,
+    inclines: &[Option<Quantity>],
+    warnings: Vec<String>,
+) -> Result<Criticism> {
+    let (before, rows) = Found::held_out(base, &found.base)?;
+    let (after, _) = Found::held_out(&found.model, &found.fitted)?;
+    let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
+    let baseline = ModelResult {
+        rms_over_noise: Some(found.base.rms()),
+        heldout_rms_over_noise: Some(rms(before)),
+        quantities: quantities(base, &found.base, found.base_left.inflation(), inclines)?,
+    };
+    let extended = ModelResult {
+        rms_over_noise: Some(found.fitted.rms()),
+        heldout_rms_over_noise: Some(rms(after)),
+        quantities: quantities(&found.model, &found.fitted, found.left.inflation(), inclines)?,
+    };
+    let shifts = shifts(&baseline, &extended);
+    let gain = Gain {
+        heldout_rms_ratio: Some(rms(before) / rms(after)),
+        log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
+        k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
+        shifts,
+    };
+    let critique = Critique {
+        format: FORMAT.into(),
+        title: title(&loaded.session),
+        discrepancies: findings(base, &found.base, &found.base_left)?,
+        causes: found.causes(),
+        verdict: found.verdict(),
+        baseline,
+        extended,
+        gain,
+        learned: None,
+        warnings,
+    };
+    Ok(Criticism { critique, traces: vec![] })
+}
+
+/// Changes of every quantity that both models give as a number.
+fn shifts(before: &ModelResult, after: &ModelResult) -> BTreeMap<String, f64> {
+    let change = |(name, new): (&String, &QuantityResult)| {
+        let old = before.quantities.get(name)?.value.as_f64()?;
+        Some((name.clone(), new.value.as_f64()? - old))
+    };
+    after.quantities.iter().filter_map(change).collect()
 }

@@ -116,6 +116,56 @@ impl Experiment {
         Ok(out)
     }
 
+    /// The motion over the times asked for and a step beyond, for [`Experiment::readings_on`].
+    pub fn motion(&self, fineness: Fineness, last_s: f64) -> Result<Path<f64>> {
+        let step_s = self.scene.step_s(fineness.steps_per_period)?;
+        self.scene.run(self.scene.values(), (last_s + step_s - self.held_s).max(step_s), step_s, fineness)
+    }
+
+    /// What phone and sensors, without chance, make of a motion at these times: a reading for each, none is lost.
+    pub fn readings_on(&self, path: &Path<f64>, t_s: &[f64]) -> Result<Vec<Reading<f64>>> {
+        let laws = self.laws(&mut self.sensor_values())?;
+        let mounted = self.phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
+        self.read(&laws, path, &mounted, t_s)
+    }
+
+    /// Derivatives of those readings by the numbers of the scene at `wanted`: for each time six rows, for each of them one
+    /// figure by number.
+    pub fn slopes_of_motion(&self, wanted: &[usize], fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
+        let mut out = vec![0.0; t_s.len() * 6 * wanted.len()];
+        let step_s = self.scene.step_s(fineness.steps_per_period)?;
+        let last_s = t_s.iter().fold(0.0, |last: f64, t| last.max(*t)) + step_s;
+        let duration_s = (last_s - self.held_s).max(step_s);
+        for (chunk, lanes) in wanted.chunks(LANES).enumerate() {
+            let values: Vec<Dual<LANES>> = seeded(&self.scene.values(), lanes)?;
+            let path = self.scene.run(values, duration_s, step_s, fineness)?;
+            let laws = self.laws(&mut self.sensor_values().map(Dual::constant))?;
+            let phone = self.phone.map(Dual::constant);
+            let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
+            let readings = self.read(&laws, &path, &mounted, t_s)?;
+            let cells = out.chunks_exact_mut(wanted.len());
+            for (cell, found) in cells.zip(readings.iter().flat_map(Reading::six)) {
+                cell[chunk * LANES..][..lanes.len()].copy_from_slice(&found.slope[..lanes.len()]);
+            }
+        }
+        Ok(out)
+    }
+
+    fn read<S: Real>(
+        &self,
+        laws: &Laws<S>,
+        path: &Path<S>,
+        mounted: &Mounted<S>,
+        t_s: &[f64],
+    ) -> Result<Vec<Reading<S>>> {
+        let bends = laws.iter().any(|law| law.bends_time());
+        let hull = |t_s: S| self.hull_at(path, bends, t_s);
+        let ride = Ride { hull: &hull, mounted, from_s: self.held_s, to_s: path.duration_s() };
+        let all: Vec<(usize, f64)> = t_s.iter().copied().enumerate().collect();
+        let none = Draws::new();
+        Ok(Sampler::new(laws, &ride, &none)?.sample(&all).readings)
+    }
+
     /// The effects of the sensors differentiate the motion by time, or drive something with it: they need more than the
     /// derivatives themselves.
     fn fineness_of_derivatives(&self) -> Fineness {

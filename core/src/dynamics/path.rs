@@ -117,7 +117,9 @@ impl Fineness {
     /// For the comparison of smooth motions with samples: errors well below the noise of any phone, and trial bodies
     /// on which no motion of that length can be computed are refused at once.
     pub const OF_FITS: Self =
-        Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 50_000, ..Self::FULL };
+        Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
+    /// The same across kinks.
+    pub const OF_KINKED_FITS: Self = Self { largest_error: 1e-7, most_halvings: 7, ..Self::OF_FITS };
 }
 
 /// An integration under way.

@@ -114,6 +114,11 @@ impl<S: Real> Mounted<S> {
         force_at(moment, &self.arm, self.gravity)
     }
 
+    /// Acceleration of free fall, m/s².
+    pub(super) fn gravity(&self) -> S {
+        self.gravity
+    }
+
     pub(super) fn phone_from_hull(&self) -> &M3<S> {
         &self.phone_from_hull
     }

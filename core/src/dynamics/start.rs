@@ -98,6 +98,9 @@ pub(super) fn started<S: Real>(
     start: &Start<S>,
 ) -> Result<Vec<S>> {
     let mut y = placed(equations, hanging, start, &V3::zeros())?;
+    for (effect, memory) in equations.effects() {
+        effect.memory_given(&mut y[memory.clone()]);
+    }
     if equations.support(&Now::at(&y), &y).is_none() {
         return Ok(y);
     }
@@ -107,7 +110,9 @@ pub(super) fn started<S: Real>(
         let memories = &mut slope[MEMORY..];
         memories.fill(S::zero());
         for (effect, memory) in equations.effects() {
-            effect.memory_start(&solved, &mut memories[memory.start - MEMORY..memory.end - MEMORY]);
+            let own = &mut memories[memory.start - MEMORY..memory.end - MEMORY];
+            effect.memory_given(own);
+            effect.memory_start(&solved, own);
         }
         let settled = memories.to_vec();
         y[MEMORY..].copy_from_slice(&settled);

@@ -67,6 +67,17 @@ pub fn by_samples(
     system.solve(&x)
 }
 
+/// The simulation nearest to each swing that a phone recorded on two lines, from parameters of the session.
+pub(crate) fn nearest_fits<'a>(
+    system: &'a System<'a>,
+    works: &'a [SwingWork],
+    x: &[f64],
+) -> Vec<Option<FittedSwing<'a>>> {
+    let evidence = works.iter().map(|w| w.evidence.as_ref()).collect();
+    let samples = Samples { session: system.session, layout: &system.layout, evidence };
+    samples.nearest(system, x)
+}
+
 /// What the simulation found in a swing.
 struct Found {
     modes: Vec<ModeResult>,
@@ -124,6 +135,15 @@ impl<'a> Samples<'a> {
                 return None;
             }
             self.fit(i, &self.starts(system, x, i), known)
+        };
+        in_parallel(self.evidence.len(), one)
+    }
+
+    /// The simulation nearest to each swing that a phone recorded on two lines, whether it explains the record or not.
+    fn nearest(&self, system: &System, x: &[f64]) -> Vec<Option<FittedSwing<'a>>> {
+        let one = |i: usize| {
+            let swing = (self.session, self.layout, i);
+            FittedSwing::nearest(swing, &self.starts(system, x, i), self.evidence[i]?)
         };
         in_parallel(self.evidence.len(), one)
     }
@@ -241,7 +261,7 @@ impl System<'_> {
     }
 
     /// Takes in what the fitted swings say, the periods of the others and the inclines.
-    fn state(&mut self, others: &[Observation], said: &[Vec<Statement>], inclines: &[Option<Quantity>]) {
+    pub(crate) fn state(&mut self, others: &[Observation], said: &[Vec<Statement>], inclines: &[Option<Quantity>]) {
         self.observations = others.to_vec();
         let beside = self.beside_swings(inclines);
         self.observations.extend(beside);
@@ -303,7 +323,7 @@ impl SwingWork {
 }
 
 /// `f(0)`, `f(1)`, … on as many threads as the machine has cores.
-fn in_parallel<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
+pub(crate) fn in_parallel<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let (next, f) = (AtomicUsize::new(0), &f);
     let work = || {
         let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);

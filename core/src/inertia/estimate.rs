@@ -45,6 +45,13 @@ pub struct Observation {
     pub label: String,
 }
 
+impl Observation {
+    /// Whether it is a period of one of these swings.
+    pub fn is_of(&self, swings: &[usize]) -> bool {
+        matches!(self.what, Observed::Period(i, _) if swings.contains(&i))
+    }
+}
+
 /// The session's system: parameters, observations, and how one predicts the other.
 pub struct System<'a> {
     /// The session.

@@ -68,9 +68,9 @@ pub struct Analysis {
 }
 
 /// One swing on its way to the estimate.
-pub(super) struct SwingWork {
-    pub(super) result: SwingResult,
-    pub(super) evidence: Option<Evidence>,
+pub(crate) struct SwingWork {
+    pub(crate) result: SwingResult,
+    pub(crate) evidence: Option<Evidence>,
     /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
     pub(super) periods: Vec<(usize, Quantity)>,
 }
@@ -80,18 +80,24 @@ pub fn measure(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Measu
     analyse(loaded, options).map(|a| a.measurement)
 }
 
-/// Measures a session and keeps the evidence.
-pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
+/// A session ready to be estimated: what its swings show, and the system that they make.
+pub(crate) struct Prepared<'a> {
+    pub(crate) works: Vec<SwingWork>,
+    pub(crate) inclines: Vec<Option<Quantity>>,
+    pub(crate) system: System<'a>,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Observes every swing and lays out the session's parameters.
+pub(crate) fn prepare(loaded: &LoadedSession) -> Result<Prepared<'_>> {
     let session = &loaded.session;
     let (gravity, gravity_warning) = effective_gravity(session)?;
-    let mut works: Vec<SwingWork> = session
+    let works: Vec<SwingWork> = session
         .swings
         .iter()
         .zip(&loaded.data)
         .map(|(swing, data)| work_swing(swing, &data.data, gravity.value))
         .collect();
-    let mut result = Measurement { format: FORMAT.into(), title: title(session), ..Default::default() };
-    result.warnings.extend(gravity_warning);
     if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
         return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
     }
@@ -101,6 +107,15 @@ pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analy
     let layout = Layout::of(session, gravity, &pitch, &yaws);
     let mut system = System { session, layout, observations: vec![], statements: vec![], periods: vec![] };
     system.observe(observations(session, &works, &[]), &inclines);
+    Ok(Prepared { works, inclines, system, warnings: gravity_warning.into_iter().collect() })
+}
+
+/// Measures a session and keeps the evidence.
+pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
+    let session = &loaded.session;
+    let Prepared { mut works, inclines, mut system, warnings } = prepare(loaded)?;
+    let mut result =
+        Measurement { format: FORMAT.into(), title: title(session), warnings, ..Default::default() };
     let estimated = estimate(&mut system, session, &mut works, &inclines);
     match by_samples(&mut system, &mut works, &inclines, estimated) {
         Ok(solution) => {
@@ -121,7 +136,7 @@ fn yaw_period_s(work: &SwingWork) -> Option<f64> {
     work.periods.iter().find(is_yaw).map(|(_, period)| period.value)
 }
 
-fn title(session: &Session) -> String {
+pub(crate) fn title(session: &Session) -> String {
     if session.title.is_empty() { session.body.name.clone() } else { session.title.clone() }
 }
 
@@ -132,7 +147,7 @@ fn no_modes_reason(works: &[SwingWork]) -> String {
 }
 
 /// First without, then with the correction for finite amplitude, which needs a body to simulate.
-fn estimate(
+pub(crate) fn estimate(
     system: &mut System,
     session: &Session,
     works: &mut [SwingWork],

@@ -4,17 +4,17 @@
 
 mod alternatives;
 mod beats;
-mod by_samples;
+pub(crate) mod by_samples;
 mod court;
-mod estimate;
-mod measure;
+pub(crate) mod estimate;
+pub(crate) mod measure;
 mod measurement;
 mod observe;
-mod outputs;
-mod parameters;
+pub(crate) mod outputs;
+pub(crate) mod parameters;
 pub mod routes;
-mod samples;
-mod theory;
+pub(crate) mod samples;
+pub(crate) mod theory;
 mod traced;
 mod twin;
 pub(crate) mod words;

@@ -6,12 +6,13 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// F = −a A v̇ along x and y, M = −a A ω̇ about z: Morison's inertia with a coefficient in proportion to the
+    /// F = −a A v̇ along x and y, M = −a A ω̇ about y and z: Morison's inertia with a coefficient in proportion to the
     /// amplitude A, as the Keulegan–Carpenter number (2π A over the breadth) has it.
     ///
     /// The amplitude is taken from the moment: A² = x² + (v/ω₀)², with x the heading, or the displacement of the centre
     /// of mass from below the mid-point of the upper ends along the hull's x or y; ω₀² = K/I_zz for the turn (K the
-    /// stiffness that the lines give it at rest), g over the drop of the lines for the displacements. Along a harmonic
+    /// stiffness that the lines give it at rest), g over the drop of the lines for the displacements; for the pitch, g over
+    /// the length r + I_yy/(m r) of the pendulum that line and hull make, r = drop + depth. Along a harmonic
     /// swing of the base model A is constant. (G. H. Keulegan and L. H. Carpenter, J. Res. NBS 60 (1958) 423; paper,
     /// "Air damping".)
     pub struct AmplitudeAddedMass {
@@ -19,6 +20,8 @@ numbers! {
         surge_kg_m: "kg/m",
         /// Along y, for each metre of amplitude.
         sway_kg_m: "kg/m",
+        /// About y, for each radian of amplitude.
+        pitch_kg_m2_rad: "kg m^2/rad",
         /// About z, for each radian of amplitude.
         yaw_kg_m2_rad: "kg m^2/rad",
     }
@@ -60,7 +63,11 @@ impl<S: Real> Effect<S> for AmplitudeAddedMass<S> {
         );
         let (heading, _) = now.twist();
         let yaw = self.yaw_kg_m2_rad * amplitude(heading, now.rate.z, yaw_square);
-        mass.add_diagonal(&kg, &V3::new(zero, zero, yaw));
+        let arm = drop - system.cm_m.z;
+        let pendulum = arm + system.inertia_kg_m2[(1, 1)] / (system.mass_kg * arm);
+        let tilt = -now.turn[(2, 0)];
+        let pitch = self.pitch_kg_m2_rad * amplitude(tilt, now.rate.y, system.gravity_m_s2 / pendulum);
+        mass.add_diagonal(&kg, &V3::new(zero, pitch, yaw));
         mass.force += kg.component_mul(&now.rate.cross(&velocity));
     }
 }

@@ -31,6 +31,10 @@ numbers! {
         stiffness_n_m: "N/m",
         /// Of the damper, c.
         damping_n_s_m: "N s/m",
+        /// s at the start.
+        start_m: "m",
+        /// Its rate.
+        start_m_s: "m/s",
     }
 }
 
@@ -77,6 +81,10 @@ impl<S: Real> Effect<S> for InternalMotion<S> {
 
     fn memory(&self) -> usize {
         2
+    }
+
+    fn memory_given(&self, memory: &mut [S]) {
+        memory.copy_from_slice(&[self.start_m, self.start_m_s]);
     }
 
     fn memory_slope(

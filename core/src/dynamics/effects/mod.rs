@@ -22,6 +22,8 @@ mod amplitude_added_mass;
 mod bearing_friction;
 mod buoyancy;
 mod internal_motion;
+mod knock;
+mod learned_force;
 mod line_creep;
 mod line_mass;
 mod line_stretch;
@@ -43,6 +45,8 @@ pub use amplitude_added_mass::AmplitudeAddedMass;
 pub use bearing_friction::BearingFriction;
 pub use buoyancy::Buoyancy;
 pub use internal_motion::InternalMotion;
+pub use knock::Knock;
+pub use learned_force::LearnedForce;
 pub use line_creep::LineCreep;
 pub use line_mass::LineMass;
 pub use line_stretch::LineStretch;
@@ -261,10 +265,12 @@ pub trait Effect<S: Real>: Debug {
     fn support(&self, _now: &Now<S>, _memory: &[S]) -> Option<Support<S>> {
         None
     }
-    /// How many states of its own it has; they begin at zero.
+    /// How many states of its own it has; they begin at zero unless [`Effect::memory_given`] says otherwise.
     fn memory(&self) -> usize {
         0
     }
+    /// Its states at the start.
+    fn memory_given(&self, _memory: &mut [S]) {}
     /// Where a support stands at the start, given what pulls at it.
     fn memory_start(&self, _solved: &Solved<S>, _memory: &mut [S]) {}
     /// Derivatives of its states in time.
@@ -392,4 +398,6 @@ registry! {
     InternalMotion,
     Wind,
     Buoyancy,
+    Knock,
+    LearnedForce,
 }

@@ -19,6 +19,19 @@ numbers! {
         shift_hz: "Hz",
         /// ζ, below 1.
         damping_ratio: "1",
+        /// Where the mount turns about one axis only: that axis n, phone axes, of any size (0: about all).
+        axis_x: "1",
+        /// The same.
+        axis_y: "1",
+        /// The same.
+        axis_z: "1",
+        /// h, phone axes: height of the phone's centre of mass above the axis over its squared gyradius about it. The
+        /// turn is then driven by −n·(h × (f − f₀)) too, f₀ the specific force at rest.
+        lever_x_per_m: "1/m",
+        /// The same.
+        lever_y_per_m: "1/m",
+        /// The same.
+        lever_z_per_m: "1/m",
     }
 }
 
@@ -56,7 +69,20 @@ impl<S: Real> SensorEffect<S> for PhoneMountResonance<S> {
     }
 
     fn own_motion<'a>(&'a self, ride: &'a Ride<'a, S>) -> Result<Option<OwnMotion<'a, S>>> {
-        let turning = move |t: S| -(ride.mounted.phone_from_hull() * (ride.hull)(t).angular_acceleration);
+        let axis = V3::new(self.axis_x, self.axis_y, self.axis_z);
+        let lever = V3::new(self.lever_x_per_m, self.lever_y_per_m, self.lever_z_per_m);
+        let (has_axis, square) = (axis.dot(&axis).value() > 0.0, axis.dot(&axis));
+        let to_phone = *ride.mounted.phone_from_hull();
+        let at_rest = to_phone * V3::new(S::zero(), S::zero(), ride.mounted.gravity());
+        let turning = move |t: S| {
+            let hull = (ride.hull)(t);
+            let turning = to_phone * hull.angular_acceleration;
+            if !has_axis {
+                return -turning;
+            }
+            let force = to_phone * ride.mounted.force_at_place(&hull) - at_rest;
+            -axis * (axis.dot(&(turning + lever.cross(&force))) / square)
+        };
         let shifting = move |t: S| -ride.mounted.force_at_place(&(ride.hull)(t));
         let turn = self.driven(self.turn_hz, ride, turning)?;
         let shift = self.driven(self.shift_hz, ride, shifting)?;

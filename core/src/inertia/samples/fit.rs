@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::linearise::{Linearised, Simulated};
 use super::marquardt::{Enough, Fitting, Moves, Point, free};
 use super::record::{Samples, Stream};
-use super::scene::{OWN, Own, SwingSetup};
+use super::scene::{OWN, Own, SwingSetup, TURN};
 use crate::dynamics::small_modes;
 use crate::error::{Error, Result};
 use crate::frames::{Mat3, Rotation, Vec3};
@@ -270,6 +270,14 @@ impl SwingModel<'_> {
     pub fn u(&self, fit: &Fit, parameter: usize) -> Option<f64> {
         let place = fit.free.iter().position(|i| *i == parameter)?;
         Some(self.covariance(fit)?[(place, place)].sqrt())
+    }
+
+    /// Standard uncertainty of the phone's turn against the hull, about its least certain axis, rad.
+    pub fn turn_u_rad(&self, fit: &Fit) -> f64 {
+        let first = fit.free.len() + TURN;
+        let Some(covariance) = self.covariance(fit) else { return f64::INFINITY };
+        let part = covariance.view((first, first), (3, 3)).into_owned();
+        part.symmetric_eigenvalues().max().max(0.0).sqrt()
     }
 
     /// Covariance of the session's free parameters and the swing's own, priors included.

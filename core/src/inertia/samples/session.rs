@@ -48,6 +48,34 @@ impl<'a> FittedSwing<'a> {
         })
     }
 
+    /// The fit nearest to the samples, whether it explains them or not; `None` where there is none.
+    pub fn nearest(
+        (session, layout, i): (&'a Session, &'a Layout, usize),
+        starts: &[Vec<f64>],
+        evidence: &Evidence,
+    ) -> Option<Self> {
+        let setup = SwingSetup { layout, swing: &session.swings[i], index: &layout.swings[i] };
+        let fastest_s = evidence.found.modes.iter().map(|m| m.period_s()).fold(f64::INFINITY, f64::min);
+        let model = || Some(SwingModel { setup, samples: Samples::of(evidence, fastest_s)? });
+        let lines_rms_over_noise = evidence.found.rms_over_noise;
+        let fitted = |early: Moves| {
+            let model = model()?;
+            let fit = fit(&model, starts, &[], early).ok()?;
+            Some(Self { model, fit, lines_rms_over_noise })
+        };
+        let held = fitted(Moves::Body);
+        if held.as_ref().is_some_and(Self::explains) {
+            return held;
+        }
+        // Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold.
+        [held, fitted(Moves::All)].into_iter().flatten().min_by(|a, b| a.cost().total_cmp(&b.cost()))
+    }
+
+    /// What is fitted, and the fit.
+    pub fn into_parts(self) -> (SwingModel<'a>, Fit) {
+        (self.model, self.fit)
+    }
+
     fn explains(&self) -> bool {
         let is_far_better = self.fit.rms_over_noise * FAR_BETTER < self.lines_rms_over_noise;
         let is_tilted = self.model.pitch_pull(&self.fit) > MOST_PITCH_PULL;

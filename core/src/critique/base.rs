@@ -1,0 +1,169 @@
+//! The swings of a session that a simulation can be fitted to, and where the fit begins.
+
+use crate::error::{Error, Result};
+use crate::frames::{Rotation, Vec3, world_from_hull_pitched};
+use crate::inertia::Evidence;
+use crate::inertia::by_samples::nearest_fits;
+use crate::inertia::estimate::System;
+use crate::inertia::measure::{Prepared, SwingWork, estimate};
+use crate::inertia::parameters::Layout;
+use crate::inertia::samples::{Own, Samples, SwingSetup};
+use crate::inertia::theory::swing_periods;
+use crate::recording::Session;
+
+use super::point::{Mount, OWN, Point};
+
+/// Phones turned against each other by less than this may be one phone that slipped, rad; beyond, it was taped anew.
+const SAME_MOUNT_RAD: f64 = 0.25;
+/// Standard uncertainties of the turn between two swings that may lie between them as well.
+const SAME_MOUNT_U: f64 = 4.0;
+/// A hull pitched by more tells bow from stern, degrees.
+const TELLING_PITCH_DEG: f64 = 3.0;
+/// Samples are averaged over a sixteenth of this or of the fastest period, s: what moves inside a hull is followed up to
+/// some 2.5 Hz.
+const FASTEST_PERIOD_S: f64 = 0.4;
+
+/// A swing that is fitted.
+pub struct Swung<'a> {
+    pub setup: SwingSetup<'a>,
+    pub samples: Samples,
+    /// Which of the session's phone mounts it has.
+    pub mount: usize,
+    /// Place in the session.
+    pub number: usize,
+    pub evidence: &'a Evidence,
+}
+
+/// What is fitted: the session's parameters and its swings.
+pub struct Base<'a> {
+    pub session: &'a Session,
+    pub system: &'a System<'a>,
+    pub swings: Vec<Swung<'a>>,
+    pub mounts: usize,
+    /// The session's parameters in play.
+    pub free: Vec<usize>,
+}
+
+impl<'a> Base<'a> {
+    pub fn layout(&self) -> &'a Layout {
+        &self.system.layout
+    }
+
+    /// Fits each swing by itself; what they agree on is where the fit of all begins.
+    pub fn begin(system: &'a System<'a>, works: &'a [SwingWork], x: &[f64]) -> Result<(Self, Point)> {
+        let (session, layout) = (system.session, &system.layout);
+        let mut begun: Vec<Begun> = Vec::new();
+        for (number, fit) in nearest_fits(system, works, x).into_iter().enumerate() {
+            let (Some(fit), Some(evidence)) = (fit, works[number].evidence.as_ref()) else { continue };
+            let (model, fit) = fit.into_parts();
+            let fastest_s = swing_periods(layout, &fit.x, model.setup.swing, model.setup.index)?
+                .iter()
+                .map(|(_, period_s)| *period_s)
+                .fold(FASTEST_PERIOD_S, f64::min);
+            let turn_u_rad = model.turn_u_rad(&fit);
+            let samples = Samples::of(evidence, fastest_s).unwrap_or(model.samples);
+            let (x, own) = (fit.x, fit.own);
+            begun.push(Begun { setup: model.setup, samples, number, evidence, x, own, turn_u_rad });
+        }
+        if begun.is_empty() {
+            let text = "no swing on two lines with gyroscope and accelerometer that a simulation can be fitted to";
+            return Err(Error::no_result("criticism", text));
+        }
+        let x = agreed(layout, &begun);
+        let (mounts, which) = mounts(layout, &mut begun, &x);
+        let owns = begun.iter().map(|b| own_of(&b.own)).collect();
+        let swings = begun
+            .into_iter()
+            .zip(which)
+            .map(|(b, mount)| Swung {
+                setup: b.setup,
+                samples: b.samples,
+                mount,
+                number: b.number,
+                evidence: b.evidence,
+            })
+            .collect();
+        let free = (0..layout.parameters.len()).filter(|i| layout.parameters[*i].prior.u > 0.0).collect();
+        let base = Self { session, system, swings, mounts: mounts.len(), free };
+        Ok((base, Point { x, mounts, causes: vec![], owns }))
+    }
+}
+
+struct Begun<'a> {
+    setup: SwingSetup<'a>,
+    samples: Samples,
+    number: usize,
+    evidence: &'a Evidence,
+    x: Vec<f64>,
+    own: Own,
+    /// Of the phone's turn against the hull, by this swing alone.
+    turn_u_rad: f64,
+}
+
+/// Parameters of the session from the fits of its swings: the median of each, so that one lost swing does no harm.
+fn agreed(layout: &Layout, begun: &[Begun]) -> Vec<f64> {
+    let median = |i: usize| {
+        let prior = layout.parameters[i].prior;
+        // A swing that says nothing of a parameter leaves it at its prior.
+        let mut moved: Vec<f64> = begun.iter().map(|b| b.x[i]).filter(|x| *x != prior.value).collect();
+        moved.sort_by(f64::total_cmp);
+        moved.get(moved.len() / 2).copied().unwrap_or(prior.value)
+    };
+    (0..layout.parameters.len()).map(median).collect()
+}
+
+fn own_of(own: &Own) -> [f64; OWN] {
+    let mut values = [0.0; OWN];
+    values[..13].copy_from_slice(&own.values[..13]);
+    values[13..].copy_from_slice(&own.values[19..25]);
+    values
+}
+
+/// Poses of the phone in hull axes, those alike as one: that of the swing that knows it best. A level hull looks the same
+/// from both ends: a swing seen from the other end is turned round.
+fn mounts(layout: &Layout, begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
+    let mut order: Vec<usize> = (0..begun.len()).collect();
+    order.sort_by(|a, b| begun[*a].turn_u_rad.total_cmp(&begun[*b].turn_u_rad));
+    let mut mounts: Vec<(Mount, f64)> = Vec::new();
+    let mut which = vec![0; begun.len()];
+    for i in order {
+        let b = &mut begun[i];
+        let pitch = world_from_hull_pitched(x[b.setup.index.pitch_deg].to_radians());
+        let pose = |own: &Own| {
+            let place = Vec3::new(own.values[13], own.values[14], own.values[15]);
+            Mount { place: pitch.inverse() * place, hull_from_phone: renormalised(pitch.inverse() * own.nominal) }
+        };
+        let tells = layout.parameters[b.setup.index.pitch_deg].prior.value.abs() > TELLING_PITCH_DEG;
+        let ways = if tells { vec![b.own.clone()] } else { vec![b.own.clone(), b.own.turned_round()] };
+        let nearest = |(mount, u): &(Mount, f64)| {
+            let allowed = SAME_MOUNT_RAD.max(SAME_MOUNT_U * u.hypot(b.turn_u_rad));
+            let away = ways.iter().map(|own| (mount.turned_from(&pose(own)), own));
+            away.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(away, _)| *away < allowed).map(|(_, own)| own.clone())
+        };
+        match mounts.iter().enumerate().find_map(|(k, known)| Some((k, nearest(known)?))) {
+            Some((k, own)) => (which[i], b.own) = (k, own),
+            None => {
+                which[i] = mounts.len();
+                mounts.push((pose(&b.own), b.turn_u_rad));
+            }
+        }
+    }
+    (mounts.into_iter().map(|(mount, _)| mount).collect(), which)
+}
+
+impl Mount {
+    fn turned_from(&self, other: &Self) -> f64 {
+        (self.hull_from_phone.inverse() * other.hull_from_phone).angle()
+    }
+}
+
+fn renormalised(turn: Rotation) -> Rotation {
+    Rotation::new_normalize(turn.into_inner())
+}
+
+/// Parameters by the periods alone, or as stated where those admit no solution.
+pub fn by_periods(prepared: &mut Prepared) -> Vec<f64> {
+    let session = prepared.system.session;
+    let solved = estimate(&mut prepared.system, session, &mut prepared.works, &prepared.inclines);
+    solved.map_or_else(|_| prepared.system.layout.start(), |solution| solution.x)
+}

@@ -1,0 +1,124 @@
+//! What moves inside the hull.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use std::sync::Arc;
+
+use crate::dynamics::Experiment;
+use crate::error::Result;
+
+use super::super::point::{Cause, CauseParameter, LookAlike};
+use super::{Scales, add, cause, logarithm, number, put, strength};
+
+/// Frequencies tried, as shares of the way (by logarithm) from the slowest motion of the hull to four times the fastest.
+const TRIED: [f64; 7] = [0.02, 0.16, 0.32, 0.48, 0.64, 0.8, 0.95];
+
+/// A level slide at several frequencies.
+pub fn causes(scales: &Scales) -> Vec<Cause> {
+    let span = (4.0 * scales.fastest_rad_s / scales.slowest_rad_s).ln();
+    TRIED.map(|share| internal_motion(scales, scales.slowest_rad_s * (share * span).exp() / TAU)).to_vec()
+}
+
+/// Damping ratio from which a fit begins.
+const DAMPING_RATIO: f64 = 0.06;
+/// Places of the look's slides, shares of half the hull's length.
+const FORE: f64 = 0.5;
+
+fn internal_motion(scales: &Scales, frequency_hz: f64) -> Cause {
+    let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
+    let at_start = |name, unit, u| CauseParameter { of_swing: true, ..number(name, unit, 0.0, u) };
+    let parameters = vec![
+        strength("mass_kg", "kg", scales.mass_kg, 0.01),
+        logarithm("frequency_hz", "Hz", frequency_hz, 0.4),
+        logarithm("damping_ratio", "1", DAMPING_RATIO, 1.0),
+        number("direction_rad", "rad", 0.0, 1.6),
+        number("place_x_m", "m", 0.0, 0.5 * half_m),
+        number("place_y_m", "m", 0.0, 0.2 * half_m),
+        number("place_z_m", "m", -depth_m, depth_m.max(0.3 * half_m)),
+        at_start("start_m", "m", 0.1),
+        at_start("start_m_s", "m/s", 0.1),
+    ];
+    let law = put(move |q, _, e| {
+        let slide = Slide {
+            share: q[0].clamp(1e-9, 0.3),
+            omega_rad_s: TAU * q[1].clamp(-4.0, 3.0).exp(),
+            damping_ratio: q[2].clamp(-7.0, 0.5).exp(),
+            direction_rad: q[3],
+            place_m: [q[4], q[5], q[6]],
+            start: [q[7], q[8]],
+        };
+        slide.put(e)
+    });
+    let look = LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
+    Cause { one_sided: true, look: Some(Arc::new(look)), ..cause("internal_motion", parameters, law) }
+}
+
+/// A mass on a spring along a level way in the hull.
+struct Slide {
+    /// Of the hull's mass.
+    share: f64,
+    omega_rad_s: f64,
+    damping_ratio: f64,
+    direction_rad: f64,
+    place_m: [f64; 3],
+    start: [f64; 2],
+}
+
+impl Slide {
+    fn put(&self, e: &mut Experiment) -> Result<()> {
+        let numbers = [
+            ("mass_kg", self.share),
+            ("place_x_m", self.place_m[0]),
+            ("place_y_m", self.place_m[1]),
+            ("place_z_m", self.place_m[2]),
+            ("along_x", self.direction_rad.cos()),
+            ("along_y", self.direction_rad.sin()),
+            ("stiffness_n_m", self.share * self.omega_rad_s * self.omega_rad_s),
+            ("damping_n_s_m", 2.0 * self.damping_ratio * self.share * self.omega_rad_s),
+            ("start_m", self.start[0]),
+            ("start_m_s", self.start[1]),
+        ];
+        add(e, "internal_motion", &numbers)
+    }
+}
+
+/// What a first look sees: slides fore and aft, athwartships and half-way between, each in the fore and in the after part.
+/// Any slide along a level way at any place along the hull is a sum of them.
+fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
+    let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
+    let parameters = (0..6).map(|_| strength("mass_kg", "kg", scales.mass_kg, 0.01)).collect();
+    let law = put(move |q, _, e| {
+        for (k, share) in q.iter().enumerate().filter(|(_, share)| **share > 0.0) {
+            let side = if k % 2 == 0 { FORE } else { -FORE };
+            Slide {
+                share: *share,
+                omega_rad_s: TAU * frequency_hz,
+                damping_ratio: DAMPING_RATIO,
+                direction_rad: [0.0, FRAC_PI_2, FRAC_PI_4][k / 2],
+                place_m: [side * half_m, 0.0, -depth_m],
+                start: [0.0; 2],
+            }
+            .put(e)?;
+        }
+        Ok(())
+    });
+    cause("internal_motion", parameters, law)
+}
+
+/// The slide nearest to such a sum.
+///
+/// The response to a slide along (cos φ, sin φ) is that of cos² φ along x, sin² φ along y and sin φ cos φ across; half-way
+/// between, all three are a half.
+fn one_slide(w: &[f64], half_m: f64) -> Option<Vec<f64>> {
+    let both = |k: usize| (w[2 * k] + w[2 * k + 1], FORE * half_m * (w[2 * k] - w[2 * k + 1]));
+    let ((x, moment_x), (y, moment_y), (d, moment_d)) = (both(0), both(1), both(2));
+    let (xx, yy, xy) = (x + 0.5 * d, y + 0.5 * d, 0.5 * d);
+    let share = xx + yy;
+    if share <= 0.0 {
+        return None;
+    }
+    let direction_rad = 0.5 * (2.0 * xy).atan2(xx - yy);
+    let place_m = ((moment_x + moment_y + moment_d) / share).clamp(-half_m, half_m);
+    // Frequency and damping stay where the look has them.
+    let frequency_and_damping = [f64::NAN; 2];
+    Some([&[share][..], &frequency_and_damping, &[direction_rad, place_m]].concat())
+}

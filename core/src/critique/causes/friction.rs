@@ -1,0 +1,111 @@
+//! What brakes the hull, and the air that it carries along.
+
+use super::super::point::{Cause, CauseParameter};
+use super::{Scales, add, cause, logarithm, number, put, strength};
+
+/// Speed and rate at which the strengths of drags are given, m/s and rad/s.
+const REFERENCE: f64 = 0.1;
+
+pub fn causes(scales: &Scales) -> Vec<Cause> {
+    let mut all = vec![quadratic_drag(scales), power_law_damping(scales), bearing_friction(scales)];
+    all.extend([0.005, 0.015, 0.045].map(|give_rad| presliding_bearing(scales, give_rad)));
+    all.push(amplitude_added_mass(scales));
+    all
+}
+
+/// Mass twice and moments of inertia about the suspension's direction and the vertical, per kilogram.
+fn inertias(scales: &Scales) -> [f64; 4] {
+    [1.0, 1.0, scales.turn2_m2(), scales.gyradii2_m2[2]]
+}
+
+/// Strengths along x, along y, about the suspension and about the vertical: rates at which the motion dies away.
+fn four(names: [&'static str; 4], units: [&'static str; 4], per: [f64; 4], u: f64) -> Vec<CauseParameter> {
+    (0..4).map(|i| strength(names[i], units[i], per[i], u)).collect()
+}
+
+fn quadratic_drag(scales: &Scales) -> Cause {
+    let (i, mass, turn) = (inertias(scales), scales.mass_kg, scales.turn());
+    let names = [
+        "surge_force_coefficient",
+        "sway_force_coefficient",
+        if turn == "pitch" { "pitch_torque_coefficient" } else { "roll_torque_coefficient" },
+        "yaw_torque_coefficient",
+    ];
+    let units = ["N s^2/m^2", "N s^2/m^2", "N m s^2", "N m s^2"];
+    let parameters = four(names, units, i.map(|i| i * mass / REFERENCE), 0.01);
+    let law = put(move |q, _, e| {
+        let numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k] / REFERENCE)).collect();
+        add(e, "quadratic_drag", &numbers)
+    });
+    Cause { one_sided: true, ..cause("quadratic_drag", parameters, law) }
+}
+
+fn power_law_damping(scales: &Scales) -> Cause {
+    let (i, mass) = (inertias(scales), scales.mass_kg);
+    let names = [
+        "surge_n_s_m",
+        "sway_n_s_m",
+        if scales.pitches { "pitch_n_m_s" } else { "roll_n_m_s" },
+        "yaw_n_m_s",
+    ];
+    let mut parameters = four(names, ["N s/m", "N s/m", "N m s", "N m s"], i.map(|i| i * mass), 0.01);
+    parameters.push(number("exponent", "1", 0.5, 0.2));
+    let law = put(move |q, _, e| {
+        let mut numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k])).collect();
+        numbers.push(("exponent", q[4].clamp(-0.5, 1.5)));
+        add(e, "power_law_damping", &numbers)
+    });
+    Cause { one_sided: true, ..cause("power_law_damping", parameters, law) }
+}
+
+/// Rate and speed over which dry friction turns its sign, rad/s and m/s: a hundredth of a swing's.
+const TRANSITION: f64 = 7e-4;
+
+fn bearing_friction(scales: &Scales) -> Cause {
+    let (i, mass) = (inertias(scales), scales.mass_kg);
+    let names = ["surge_n", "sway_n", if scales.pitches { "pitch_n_m" } else { "roll_n_m" }, "yaw_n_m"];
+    let parameters = four(names, ["N", "N", "N m", "N m"], i.map(|i| i * mass), 5e-4);
+    let law = put(move |q, _, e| {
+        let mut numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k])).collect();
+        numbers.push(("transition_rad_s", TRANSITION));
+        add(e, "bearing_friction", &numbers)
+    });
+    Cause { kinked: true, stiff: true, one_sided: true, ..cause("bearing_friction", parameters, law) }
+}
+
+fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
+    let (i, mass, line_m) = (inertias(scales), scales.mass_kg, scales.line_m);
+    let names = ["surge_n", "sway_n", if scales.pitches { "pitch_n_m" } else { "roll_n_m" }, "yaw_n_m"];
+    let mut parameters = four(names, ["N", "N", "N m", "N m"], i.map(|i| i * mass), 5e-4);
+    parameters.push(logarithm("give_rad", "rad", give_rad, 0.7));
+    let law = put(move |q, _, e| {
+        let give_rad = q[4].exp();
+        let mut numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k])).collect();
+        numbers.extend([("give_rad", give_rad), ("give_m", give_rad * line_m)]);
+        add(e, "presliding_bearing", &numbers)
+    });
+    Cause { kinked: true, stiff: true, one_sided: true, ..cause("presliding_bearing", parameters, law) }
+}
+
+/// Strengths are shares of mass and inertia at 0.1 rad.
+fn amplitude_added_mass(scales: &Scales) -> Cause {
+    let (mass, line_m, i) = (scales.mass_kg, scales.line_m, inertias(scales));
+    let reach = [0.1 * line_m, 0.1 * line_m, 0.1, 0.1];
+    let mut names = vec!["surge_kg_m", "sway_kg_m", "yaw_kg_m2_rad"];
+    let mut which = vec![0, 1, 3];
+    let mut units = vec!["kg/m", "kg/m", "kg m^2/rad"];
+    if scales.pitches {
+        names.push("pitch_kg_m2_rad");
+        which.push(2);
+        units.push("kg m^2/rad");
+    }
+    let parameters =
+        (0..names.len()).map(|k| strength(names[k], units[k], i[which[k]] * mass / reach[which[k]], 0.01));
+    let parameters = parameters.collect();
+    let law = put(move |q, _, e| {
+        let value = |k: usize| q[k] * i[which[k]] / reach[which[k]];
+        let numbers: Vec<(&str, f64)> = (0..names.len()).map(|k| (names[k], value(k))).collect();
+        add(e, "amplitude_added_mass", &numbers)
+    });
+    Cause { one_sided: true, ..cause("amplitude_added_mass", parameters, law) }
+}

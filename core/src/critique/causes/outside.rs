@@ -1,0 +1,64 @@
+//! Shapes of what no cause of the catalogue accounts for: they find no name, but show what is missing.
+
+use super::super::point::{Cause, CauseParameter};
+use super::{Scales, add, cause, number, put, strength};
+
+/// Name of everything that no known cause accounts for.
+pub const UNKNOWN: &str = "unknown";
+
+/// Length of a knock, s.
+const KNOCK_S: f64 = 0.1;
+
+/// A knock at a moment of a swing. Impulses are changes of speed and rate.
+pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
+    let (i, mass, pitches) = (scales.gyradii2_m2, scales.mass_kg, scales.pitches);
+    let (turn, about) = if pitches { ("turn_y_n_m_s", i[1]) } else { ("turn_x_n_m_s", i[0]) };
+    let parameters = vec![
+        strength("impulse_x_n_s", "N s", mass, 0.02),
+        strength("impulse_y_n_s", "N s", mass, 0.02),
+        strength(turn, "N m s", about * mass, 0.02),
+        strength("turn_z_n_m_s", "N m s", i[2] * mass, 0.02),
+        CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) },
+    ];
+    let law = put(move |q, s, e| {
+        if s != swing {
+            return Ok(());
+        }
+        let numbers = [
+            ("at_s", q[4] - 0.5 * KNOCK_S),
+            ("over_s", KNOCK_S),
+            ("impulse_x_n_s", q[0]),
+            ("impulse_y_n_s", q[1]),
+            (turn, q[2] * about),
+            ("turn_z_n_m_s", q[3] * i[2]),
+        ];
+        add(e, "knock", &numbers)
+    });
+    Cause { stiff: true, ..cause(UNKNOWN, parameters, law) }
+}
+
+/// Terms of a learned force, as the effect names them.
+pub const TERMS: [&str; 9] = ["xx", "xv", "vv", "xxx", "xxv", "xvv", "vvv", "xt", "vt"];
+
+/// A smooth force over one coordinate (0: along x, 1: along y, 2: about the suspension, 3: about the vertical), by the
+/// terms asked for.
+pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[&'static str]) -> Cause {
+    let inertia = [1.0, 1.0, scales.turn2_m2(), scales.gyradii2_m2[2]][coordinate];
+    let rate_rad_s = if coordinate == 3 { scales.yaw_rad_s } else { scales.slowest_rad_s };
+    let position = if coordinate < 2 { 0.1 * scales.line_m } else { 0.1 };
+    // The force that the rest of the motion has at the scale.
+    let force = inertia * rate_rad_s * rate_rad_s * position;
+    let unit = if coordinate < 2 { "N" } else { "N m" };
+    let parameters = terms.iter().map(|term| strength(term, unit, force * scales.mass_kg, 0.01)).collect();
+    let terms = terms.to_vec();
+    let law = put(move |q, _, e| {
+        let mut numbers = vec![
+            ("coordinate", coordinate as f64),
+            ("scale_of_position", position),
+            ("scale_of_rate", position * rate_rad_s),
+        ];
+        numbers.extend(terms.iter().zip(q).map(|(term, q)| (*term, q * force)));
+        add(e, "learned_force", &numbers)
+    });
+    cause(UNKNOWN, parameters, law)
+}

@@ -1,0 +1,110 @@
+//! What the phone and its sensors get wrong.
+
+use super::super::point::{Cause, CauseParameter, sensor};
+use super::{cause, logarithm, number, put, strength};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+pub fn causes() -> Vec<Cause> {
+    vec![bias_drift(60.0), bias_drift(300.0), clock_scale(), gyro_scale()]
+}
+
+/// A sensor that warms up, alike in every swing: w (1 − e^(−t/τ)).
+fn bias_drift(warm_up_s: f64) -> Cause {
+    let names = [
+        ["gyro_warm_x_rad_s", "gyro_warm_y_rad_s", "gyro_warm_z_rad_s"],
+        ["acc_warm_x_m_s2", "acc_warm_y_m_s2", "acc_warm_z_m_s2"],
+    ]
+    .concat();
+    let unit = |k: usize| if k < 3 { "rad/s" } else { "m/s^2" };
+    let u = |k: usize| if k < 3 { 3e-3 } else { 3e-2 };
+    let mut parameters: Vec<CauseParameter> = (0..6).map(|k| strength(names[k], unit(k), 1.0, u(k))).collect();
+    parameters.push(logarithm("warm_up_s", "s", warm_up_s, 0.8));
+    let law = put(move |q, _, e| {
+        let mut numbers: Vec<(&str, f64)> = (0..6).map(|k| (names[k], q[k])).collect();
+        numbers.push(("warm_up_s", q[6].clamp(0.0, 10.0).exp()));
+        e.sensors.push(sensor("bias_drift", &numbers)?);
+        Ok(())
+    });
+    Cause { on_phone: true, ..cause("bias_drift", parameters, law) }
+}
+
+/// Beyond what is known of phones' clocks.
+fn clock_scale() -> Cause {
+    let parameters = vec![strength("error", "1", 1.0, 5e-3)];
+    let law = put(|q, _, e| {
+        e.sensors[0].values[0] += q[0];
+        Ok(())
+    });
+    Cause { on_phone: true, ..cause("clock_scale", parameters, law) }
+}
+
+fn gyro_scale() -> Cause {
+    let parameters = vec![strength("scale_error", "1", 1.0, 0.01)];
+    let law = put(|q, _, e| {
+        e.sensors.push(sensor("gyro_scale", &AXES.map(|axis| (axis, q[0])))?);
+        Ok(())
+    });
+    Cause { on_phone: true, ..cause("gyro_scale", parameters, law) }
+}
+
+/// Length of a slip, s.
+const SLIP_S: f64 = 0.15;
+
+/// A phone that slips at a moment of a swing, and stays so in all that follow.
+pub fn slip_at(swing: usize, at_s: f64) -> Cause {
+    let mut parameters: Vec<CauseParameter> = Vec::new();
+    for name in ["turn_x_rad", "turn_y_rad", "turn_z_rad"] {
+        parameters.push(strength(name, "rad", 1.0, 0.02));
+    }
+    for name in ["shift_x_m", "shift_y_m", "shift_z_m"] {
+        parameters.push(strength(name, "m", 1.0, 0.01));
+    }
+    parameters.push(CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) });
+    let names: Vec<&'static str> = parameters[..6].iter().map(|p| p.name).collect();
+    let law = put(move |q, s, e| {
+        if s < swing {
+            return Ok(());
+        }
+        let at_s = if s == swing { q[6] } else { -10.0 };
+        let mut numbers: Vec<(&str, f64)> = names.iter().copied().zip(q.iter().copied()).collect();
+        numbers.extend([("at_s", at_s), ("over_s", SLIP_S)]);
+        e.sensors.push(sensor("phone_slip", &numbers)?);
+        Ok(())
+    });
+    Cause { on_phone: true, ..cause("phone_slip", parameters, law) }
+}
+
+/// A mount that turns about one axis (unit vector `axis`, changed by two angles), driven on a lever across it.
+pub fn mount_at(frequency_hz: f64, axis: [f64; 3], lever_per_m: [f64; 3]) -> Cause {
+    let n = nalgebra::Vector3::from(axis).normalize();
+    let across = n.cross(&nalgebra::Vector3::ith(n.iamin(), 1.0)).normalize();
+    let other = n.cross(&across);
+    let lever = nalgebra::Vector3::from(lever_per_m);
+    let parameters = vec![
+        logarithm("frequency_hz", "Hz", frequency_hz, 0.5),
+        logarithm("damping_ratio", "1", 0.06, 1.0),
+        number("axis_turn_1_rad", "rad", 0.0, 1.0),
+        number("axis_turn_2_rad", "rad", 0.0, 1.0),
+        number("lever_1_per_m", "1/m", lever.dot(&across), 3.0),
+        number("lever_2_per_m", "1/m", lever.dot(&other), 3.0),
+    ];
+    let law = put(move |q, _, e| {
+        let axis = (n + across * q[2] + other * q[3]).normalize();
+        let lever = across * q[4] + other * q[5];
+        let lever = lever - axis * axis.dot(&lever);
+        let numbers = [
+            ("turn_hz", q[0].clamp(-1.0, 4.0).exp()),
+            ("damping_ratio", q[1].clamp(-7.0, -0.1).exp()),
+            ("axis_x", axis.x),
+            ("axis_y", axis.y),
+            ("axis_z", axis.z),
+            ("lever_x_per_m", lever.x),
+            ("lever_y_per_m", lever.y),
+            ("lever_z_per_m", lever.z),
+        ];
+        e.sensors.push(sensor("phone_mount_resonance", &numbers)?);
+        Ok(())
+    });
+    Cause { on_phone: true, ..cause("phone_mount_resonance", parameters, law) }
+}

@@ -1,0 +1,138 @@
+//! Lines, what they hang from, and what the tape said of them.
+
+use super::super::point::{Cause, CauseParameter};
+use super::{Scales, add, cause, logarithm, put, strength};
+
+/// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes and steel lie near.
+const LINE_DAMPING: f64 = 0.07;
+/// A light support follows the pull at once; its own frequency is set to this, Hz, some ten times that of a swing.
+const SUPPORT_HZ: f64 = 4.0;
+
+pub fn causes(scales: &Scales) -> Vec<Cause> {
+    let mut all: Vec<Cause> = [8.0, 40.0].map(|t| line_creep(scales, t)).to_vec();
+    all.extend([
+        line_stretch(scales),
+        line_torsion(scales),
+        nonparallel_lines(scales, true),
+        nonparallel_lines(scales, false),
+        unequal_lines(scales, true),
+        unequal_lines(scales, false),
+        off_centre_cm(scales),
+        support_compliance(scales),
+        stated_length(scales),
+        stated_spacing(scales),
+    ]);
+    all
+}
+
+/// With a step so large: the stiffer the support or the line, the longer a simulation takes.
+fn coarse(parameter: CauseParameter, step: f64) -> CauseParameter {
+    CauseParameter { step, ..parameter }
+}
+
+fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
+    let parameters = vec![
+        strength("creep_m_per_decade", "m", scales.line_m, 1e-3),
+        logarithm("loaded_before_s", "s", loaded_before_s, 0.8),
+    ];
+    let law = put(|q, _, e| {
+        add(e, "line_creep", &[("strain_per_decade", q[0]), ("loaded_before_s", q[1].clamp(-2.0, 9.0).exp())])
+    });
+    Cause { one_sided: true, ..cause("line_creep", parameters, law) }
+}
+
+/// The stated length is that of the lines as they carry the hull.
+fn line_stretch(scales: &Scales) -> Cause {
+    let parameters = vec![coarse(strength("stretch_under_load_m", "m", scales.line_m, 5e-3), 2e-3)];
+    let law = put(|q, _, e| {
+        if q[0] == 0.0 {
+            return Ok(());
+        }
+        let d = &mut e.scene.dimensions;
+        d.line_length_m /= 1.0 + q[0];
+        // Of unit mass: each line carries g/2 and grows by the share q of its length.
+        let stiffness = d.gravity_m_s2 / (2.0 * q[0] * d.line_length_m);
+        let heave_rad_s = (2.0 * stiffness).max(0.0).sqrt();
+        let numbers =
+            [("force_per_strain_n", stiffness * d.line_length_m), ("delay_s", 2.0 * LINE_DAMPING / heave_rad_s)];
+        add(e, "line_stretch", &numbers)
+    });
+    Cause { stiff: true, one_sided: true, ..cause("line_stretch", parameters, law) }
+}
+
+/// G J of both lines, as a share of what the lines' own stiffness in yaw times their length is.
+fn line_torsion(scales: &Scales) -> Cause {
+    let rigidity = scales.gravity_m_s2 * (0.5 * scales.spacing_m).powi(2);
+    let parameters = vec![strength("rigidity_n_m2", "N m^2", rigidity * scales.mass_kg, 0.01)];
+    let law = put(move |q, _, e| {
+        let stiffness = q[0] * rigidity / e.scene.dimensions.line_length_m;
+        add(e, "line_torsion", &[("stiffness_n_m_rad", stiffness)])
+    });
+    Cause { one_sided: true, ..cause("line_torsion", parameters, law) }
+}
+
+/// By a share of the spacing, or by one length for all swings.
+fn nonparallel_lines(scales: &Scales, by_share: bool) -> Cause {
+    let spacing_m = scales.spacing_m;
+    let parameters = vec![strength("excess_m", "m", spacing_m, 0.02)];
+    let law = put(move |q, _, e| {
+        let spacing_m = if by_share { e.scene.dimensions.top_spacing_m } else { spacing_m };
+        add(e, "nonparallel_lines", &[("excess_m", q[0] * spacing_m)])
+    });
+    cause("nonparallel_lines", parameters, law)
+}
+
+fn unequal_lines(scales: &Scales, by_share: bool) -> Cause {
+    let line_m = scales.line_m;
+    let parameters = vec![strength("difference_m", "m", line_m, 5e-3)];
+    let law = put(move |q, _, e| {
+        let line_m = if by_share { e.scene.dimensions.line_length_m } else { line_m };
+        add(e, "unequal_lines", &[("difference_m", q[0] * line_m)])
+    });
+    cause("unequal_lines", parameters, law)
+}
+
+/// Along the suspension; across it a free hull just hangs aslant.
+fn off_centre_cm(scales: &Scales) -> Cause {
+    let (spacing_m, pitches) = (scales.spacing_m, scales.pitches);
+    let name = if pitches { "to_port_m" } else { "forward_m" };
+    let parameters = vec![strength(name, "m", spacing_m, 0.02)];
+    let law = put(move |q, _, e| add(e, "off_centre_cm", &[(name, q[0] * spacing_m)]));
+    cause("off_centre_cm", parameters, law)
+}
+
+/// Give under the hull's weight pulled sideways, as a share of the lines' length.
+fn support_compliance(scales: &Scales) -> Cause {
+    let (line_m, gravity) = (scales.line_m, scales.gravity_m_s2);
+    let parameters = vec![coarse(strength("give_m_per_n", "m/N", line_m / (gravity * scales.mass_kg), 3e-3), 5e-4)];
+    let law = put(move |q, _, e| {
+        if q[0] == 0.0 {
+            return Ok(());
+        }
+        let stiffness = gravity / (q[0] * line_m);
+        let own_rad_s = std::f64::consts::TAU * SUPPORT_HZ;
+        let damping = 2.0 * LINE_DAMPING * stiffness / own_rad_s;
+        let numbers = [
+            ("mass_kg", stiffness / (own_rad_s * own_rad_s)),
+            ("stiffness_x_n_m", stiffness),
+            ("stiffness_y_n_m", stiffness),
+            ("damping_x_n_s_m", damping),
+            ("damping_y_n_s_m", damping),
+        ];
+        add(e, "support_compliance", &numbers)
+    });
+    Cause { stiff: true, one_sided: true, ..cause("support_compliance", parameters, law) }
+}
+
+fn stated_length(scales: &Scales) -> Cause {
+    let line_m = scales.line_m;
+    let parameters = vec![strength("excess_m", "m", line_m, 0.01)];
+    cause("stated_length", parameters, put(move |q, _, e| add(e, "stated_length", &[("excess_m", q[0] * line_m)])))
+}
+
+fn stated_spacing(scales: &Scales) -> Cause {
+    let spacing_m = scales.spacing_m;
+    let parameters = vec![strength("excess_m", "m", spacing_m, 0.01)];
+    let law = put(move |q, _, e| add(e, "stated_spacing", &[("excess_m", q[0] * spacing_m)]));
+    cause("stated_spacing", parameters, law)
+}

@@ -1,0 +1,294 @@
+//! Levenberg and Marquardt over all swings of a session at once.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use crate::error::{Error, Result};
+use crate::frames::{Rotation, Vec3};
+use crate::inertia::by_samples::in_parallel;
+use crate::inertia::samples::Own;
+
+use super::point::{BIAS, Model, OWN, Point};
+
+const MOST_STEPS: usize = 30;
+const MOST_DAMPING: f64 = 1e8;
+/// A step that gains less than this share of what the derivatives promised asks for new ones.
+const KEPT: f64 = 0.5;
+/// A fit ends where an undamped step promises less of χ² than this, or than this share of it.
+const CONVERGED: f64 = 1e-3;
+const CONVERGED_SHARE: f64 = 1e-7;
+/// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
+const PLACE_U_M: f64 = 5.0;
+const TURN_U_RAD: f64 = 1.0;
+
+/// A fitted model.
+#[derive(Clone)]
+pub struct Fitted {
+    pub point: Point,
+    /// χ² of samples and priors.
+    pub cost: f64,
+    /// Of the samples alone, and how many rows they have.
+    pub chi2: f64,
+    pub rows: usize,
+    /// Information: half of the second derivative of χ², priors included.
+    pub matrix: DMatrix<f64>,
+    pub gradient: DVector<f64>,
+    /// Derivatives of each swing's rows.
+    pub jacobians: Vec<DMatrix<f64>>,
+}
+
+/// Where the parts of the list of all that is fitted begin.
+pub struct Places {
+    pub free: usize,
+    mounts: usize,
+    pub causes: usize,
+    swings: usize,
+}
+
+impl Places {
+    pub fn of(model: &Model) -> Self {
+        let swings = model.base.swings.len();
+        let causes = model.causes.iter().map(|c| c.size(swings)).sum();
+        Self { free: model.base.free.len(), mounts: model.base.mounts, causes, swings }
+    }
+
+    pub fn first_cause(&self) -> usize {
+        self.free + 6 * self.mounts
+    }
+
+    pub fn first_own(&self, s: usize) -> usize {
+        self.first_cause() + self.causes + OWN * s
+    }
+
+    pub fn all(&self) -> usize {
+        self.first_own(self.swings)
+    }
+
+    /// Places of the columns of a swing's derivatives.
+    pub fn of_swing(&self, model: &Model, s: usize) -> Vec<usize> {
+        let mount = self.free + 6 * model.swing(s).mount;
+        let causes = self.first_cause()..self.first_cause() + self.causes;
+        let own = self.first_own(s)..self.first_own(s) + OWN;
+        (0..self.free).chain(mount..mount + 6).chain(causes).chain(own).collect()
+    }
+}
+
+/// χ² at a point, and the rows that it is made of.
+struct Misfit {
+    rows: Vec<DVector<f64>>,
+    cost: f64,
+}
+
+impl Misfit {
+    fn chi2(&self) -> f64 {
+        self.rows.iter().map(DVector::norm_squared).sum()
+    }
+}
+
+impl Model<'_> {
+    /// Something for each swing, side by side where nothing else is.
+    pub fn each<T: Send>(&self, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
+        let count = self.base.swings.len();
+        if self.alone { (0..count).map(of).collect() } else { in_parallel(count, of) }
+    }
+
+    /// Fits from a start, until nothing is left to gain or `stop` (of χ²) says that it is hopeless.
+    pub fn fit(&self, start: &Point, stop: &(dyn Fn(f64) -> bool + Sync)) -> Result<Fitted> {
+        let mut point = start.clone();
+        let mut misfit = self.misfit(&point)?;
+        let mut jacobians = self.jacobians(&point)?;
+        let (mut fresh, mut damping) = (true, 1e-4);
+        for n in 0..MOST_STEPS {
+            let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
+            self.pin(&point, &mut matrix, &mut gradient);
+            let Some(step) = self.step(&point, &misfit, &matrix, &gradient, &mut damping) else {
+                if fresh {
+                    break;
+                }
+                jacobians = self.jacobians(&point)?;
+                fresh = true;
+                continue;
+            };
+            let gained = misfit.cost - step.misfit.cost;
+            (point, misfit) = (step.point, step.misfit);
+            let enough = step.promised < CONVERGED.max(CONVERGED_SHARE * misfit.cost);
+            if (enough && fresh) || (n > 3 && stop(misfit.cost)) {
+                break;
+            }
+            fresh = enough || gained < KEPT * step.promised;
+            if fresh {
+                jacobians = self.jacobians(&point)?;
+            }
+        }
+        let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
+        self.pin(&point, &mut matrix, &mut gradient);
+        let rows = misfit.rows.iter().map(|rows| rows.len()).sum();
+        Ok(Fitted { point, cost: misfit.cost, chi2: misfit.chi2(), rows, matrix, gradient, jacobians })
+    }
+
+    fn jacobians(&self, point: &Point) -> Result<Vec<DMatrix<f64>>> {
+        self.each(|s| self.jacobian(point, s)).into_iter().collect()
+    }
+
+    fn misfit(&self, point: &Point) -> Result<Misfit> {
+        let rows = self.each(|s| self.rows(point, s).map(DVector::from_vec));
+        let rows = rows.into_iter().collect::<Result<Vec<_>>>()?;
+        let cost = rows.iter().map(DVector::norm_squared).sum::<f64>() + self.prior_cost(point);
+        if cost.is_finite() {
+            Ok(Misfit { rows, cost })
+        } else {
+            Err(Error::no_result("fit of the motion", "it runs out of the numbers"))
+        }
+    }
+
+    /// χ² of the samples at a point.
+    pub fn chi2(&self, point: &Point) -> Result<f64> {
+        Ok(self.misfit(point)?.chi2())
+    }
+
+    /// Distances from the priors' means and their standard deviations, by place; none where a prior says nothing here.
+    pub fn priors(&self, point: &Point) -> Vec<(f64, f64)> {
+        let layout = self.base.layout();
+        let prior = |i: &usize| layout.parameters[*i].prior;
+        let of_session = self.base.free.iter().map(|i| (point.x[*i] - prior(i).value, prior(i).u));
+        let of_mounts = point.mounts.iter().flat_map(|m| {
+            let places = [0, 1, 2].map(|k| (m.place[k], PLACE_U_M));
+            places.into_iter().chain([(0.0, TURN_U_RAD); 3])
+        });
+        let swings = self.base.swings.len();
+        let of_causes = self.causes.iter().zip(&point.causes).flat_map(|(cause, values)| {
+            let expanded = cause.expanded(swings).into_iter().zip(values);
+            expanded.map(|((p, _), v)| (v - p.prior.0, p.prior.1)).collect::<Vec<_>>()
+        });
+        let u = Own::prior_u();
+        let of_own = |k: usize| if k < BIAS { u[k] } else { u[k + 6] };
+        let owns = point.owns.iter().flat_map(|own| own.iter().enumerate().map(|(k, v)| (*v, of_own(k))));
+        of_session.chain(of_mounts).chain(of_causes).chain(owns).collect()
+    }
+
+    fn prior_cost(&self, point: &Point) -> f64 {
+        self.priors(point).iter().map(|(away, u)| (away / u).powi(2)).sum()
+    }
+
+    fn normal(&self, point: &Point, misfit: &Misfit, jacobians: &[DMatrix<f64>]) -> (DMatrix<f64>, DVector<f64>) {
+        let places = Places::of(self);
+        let size = places.all();
+        let (mut matrix, mut gradient) = (DMatrix::zeros(size, size), DVector::zeros(size));
+        let parts = self.each(|s| {
+            let j = &jacobians[s];
+            (j.tr_mul(j), j.tr_mul(&misfit.rows[s]))
+        });
+        for (s, (own_matrix, own_gradient)) in parts.iter().enumerate() {
+            let at = places.of_swing(self, s);
+            for (k, place) in at.iter().enumerate() {
+                gradient[*place] += own_gradient[k];
+                at.iter().enumerate().for_each(|(l, other)| matrix[(*place, *other)] += own_matrix[(k, l)]);
+            }
+        }
+        for (k, (away, u)) in self.priors(point).iter().enumerate() {
+            matrix[(k, k)] += u.powi(-2);
+            gradient[k] -= away / (u * u);
+        }
+        (matrix, gradient)
+    }
+
+    fn step(
+        &self,
+        point: &Point,
+        misfit: &Misfit,
+        matrix: &DMatrix<f64>,
+        gradient: &DVector<f64>,
+        damping: &mut f64,
+    ) -> Option<Step> {
+        while *damping < MOST_DAMPING {
+            let mut damped = matrix.clone();
+            (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + *damping);
+            let delta = damped.cholesky()?.solve(gradient);
+            let promised = 2.0 * gradient.dot(&delta) - delta.dot(&(matrix * &delta));
+            let there = self.bounded(self.moved(point, &delta));
+            match self.misfit(&there) {
+                Ok(better) if better.cost <= misfit.cost => {
+                    *damping = (*damping * 0.1).max(1e-9);
+                    return Some(Step { point: there, misfit: better, promised });
+                }
+                _ => *damping *= 10.0,
+            }
+            if promised < CONVERGED {
+                break;
+            }
+        }
+        *damping = 1e-4;
+        None
+    }
+
+    /// Strengths that stand at zero and would go below are held there.
+    fn pin(&self, point: &Point, matrix: &mut DMatrix<f64>, gradient: &mut DVector<f64>) {
+        let swings = self.base.swings.len();
+        let mut first = Places::of(self).first_cause();
+        for (cause, values) in self.causes.iter().zip(&point.causes) {
+            for k in cause.one_sided_places(swings).into_iter().filter(|k| values[*k] <= 0.0) {
+                let place = first + k;
+                if gradient[place] <= 0.0 {
+                    matrix.row_mut(place).fill(0.0);
+                    matrix.column_mut(place).fill(0.0);
+                    // Its width is that of its prior, so that it neither gains nor costs evidence.
+                    matrix[(place, place)] = cause.expanded(swings)[k].0.prior.1.powi(-2);
+                    gradient[place] = 0.0;
+                }
+            }
+            first += values.len();
+        }
+    }
+
+    /// With no strength below zero that has no meaning there.
+    pub fn bounded(&self, mut point: Point) -> Point {
+        let swings = self.base.swings.len();
+        for (cause, values) in self.causes.iter().zip(&mut point.causes) {
+            cause.one_sided_places(swings).into_iter().for_each(|k| values[k] = values[k].max(0.0));
+        }
+        point
+    }
+
+    /// A point with a change of everything that is fitted added.
+    pub fn moved(&self, point: &Point, delta: &DVector<f64>) -> Point {
+        let mut there = point.clone();
+        let mut next = delta.iter().copied();
+        let mut take = || next.next().unwrap_or(0.0);
+        self.base.free.iter().for_each(|i| there.x[*i] += take());
+        for mount in &mut there.mounts {
+            mount.place += Vec3::new(take(), take(), take());
+            let turned = mount.hull_from_phone * Rotation::from_scaled_axis(Vec3::new(take(), take(), take()));
+            mount.hull_from_phone = Rotation::new_normalize(turned.into_inner());
+        }
+        there.causes.iter_mut().flatten().for_each(|v| *v += take());
+        there.owns.iter_mut().flatten().for_each(|v| *v += take());
+        there
+    }
+}
+
+struct Step {
+    point: Point,
+    misfit: Misfit,
+    promised: f64,
+}
+
+impl Fitted {
+    /// Residual over noise, blocks of samples.
+    pub fn rms(&self) -> f64 {
+        (self.chi2 / self.rows.max(1) as f64).sqrt()
+    }
+
+    pub fn cholesky(&self) -> Option<Cholesky<f64, Dyn>> {
+        self.matrix.clone().cholesky()
+    }
+
+    /// Covariance of everything that is fitted, for noise that is white.
+    pub fn covariance(&self) -> Option<DMatrix<f64>> {
+        Some(self.cholesky()?.inverse())
+    }
+
+    /// Half of the logarithm of the determinant of the information.
+    pub fn half_log_determinant(&self) -> Option<f64> {
+        let l = self.cholesky()?;
+        Some(l.l_dirty().diagonal().iter().map(|d| d.ln()).sum())
+    }
+}

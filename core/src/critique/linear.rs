@@ -1,0 +1,281 @@
+//! How far a simulated swing is from its samples, and how the readings change with everything that is fitted.
+
+use std::ops::Range;
+
+use nalgebra::DMatrix;
+
+use crate::dynamics::{Experiment, Path, Reading};
+use crate::error::Result;
+use crate::frames::{Rotation, Vec3};
+use crate::inertia::samples::{LANES, SHARED_LANES, Sensor, Stream};
+
+use super::point::{BIAS, Model, OWN, Point};
+
+/// Steps of numerical derivatives by the phone's place, m, and turn, rad; by a clock's error.
+const PLACE_STEP_M: f64 = 1e-4;
+const TURN_STEP_RAD: f64 = 1e-5;
+const CLOCK_STEP: f64 = 1e-6;
+
+/// A block of samples that counts.
+pub struct Block<'a> {
+    pub stream: usize,
+    pub range: &'a Range<usize>,
+    /// Mean time of its samples, s.
+    pub t_s: f64,
+}
+
+impl Model<'_> {
+    /// The blocks of a swing that count, stream after stream. Their rows are x, y, z of each.
+    pub fn blocks(&self, s: usize) -> Vec<Block<'_>> {
+        let samples = &self.swing(s).samples;
+        let mut blocks = Vec::new();
+        for (stream, all) in samples.streams.iter().enumerate() {
+            for range in &all.blocks {
+                let t_s = all.t_s[range.clone()].iter().sum::<f64>() / range.len() as f64;
+                if self.part.has(t_s, samples.duration_s) {
+                    blocks.push(Block { stream, range, t_s });
+                }
+            }
+        }
+        blocks
+    }
+
+    /// Differences of every sample and its reading over the noise, stream by stream.
+    pub fn residuals(&self, point: &Point, s: usize) -> Result<Vec<Vec<Vec3>>> {
+        let swung = self.swing(s);
+        let readings = self.readings(point, s)?;
+        let of = |(stream, readings): (&Stream, Vec<Vec3>)| {
+            let each = stream.values.iter().zip(readings);
+            each.map(|(value, reading)| (value - reading).component_div(&stream.noise)).collect()
+        };
+        Ok(swung.samples.streams.iter().zip(readings).map(of).collect())
+    }
+
+    /// Readings at the time of every sample, stream by stream.
+    pub fn readings(&self, point: &Point, s: usize) -> Result<Vec<Vec<Vec3>>> {
+        let swung = self.swing(s);
+        let experiment = self.experiment(point, s)?;
+        let path = experiment.motion(self.fineness(), swung.samples.duration_s)?;
+        let times: Vec<&[f64]> = swung.samples.streams.iter().map(|stream| &stream.t_s[..]).collect();
+        let sensors = swung.samples.streams.iter().map(|stream| stream.sensor);
+        let all = read_all(&experiment, &path, &times)?;
+        let part = |(readings, sensor): (Vec<Reading<f64>>, Sensor)| {
+            readings.iter().map(|r| picked(sensor, r)).collect()
+        };
+        Ok(all.into_iter().zip(sensors).map(part).collect())
+    }
+
+    /// Mean residual of each block over its standard deviation, block after block.
+    pub fn rows(&self, point: &Point, s: usize) -> Result<Vec<f64>> {
+        let residuals = self.residuals(point, s)?;
+        let row = |block: &Block| {
+            let sum: Vec3 = residuals[block.stream][block.range.clone()].iter().sum();
+            let mean = sum / (block.range.len() as f64).sqrt();
+            [mean.x, mean.y, mean.z]
+        };
+        Ok(self.blocks(s).iter().flat_map(row).collect())
+    }
+
+    /// What readings, by time of each block, become as rows.
+    fn as_rows(&self, s: usize, blocks: &[Block], readings: &[Vec3]) -> Vec<f64> {
+        let streams = &self.swing(s).samples.streams;
+        let row = |(block, reading): (&Block, &Vec3)| {
+            let weight = (block.range.len() as f64).sqrt();
+            let v = reading.component_div(&streams[block.stream].noise) * weight;
+            [v.x, v.y, v.z]
+        };
+        blocks.iter().zip(readings).flat_map(row).collect()
+    }
+
+    /// Derivatives of the readings, as rows: by the session's free parameters, the phone's place and turn (of the swing's
+    /// mount), the causes' parameters, the swing's own.
+    pub fn jacobian(&self, point: &Point, s: usize) -> Result<DMatrix<f64>> {
+        let blocks = self.blocks(s);
+        let free = &self.base.free;
+        let causes: usize = point.causes.iter().map(Vec::len).sum();
+        let mut out = DMatrix::zeros(3 * blocks.len(), free.len() + 6 + causes + OWN);
+        self.fill_motion(point, s, &blocks, &mut out)?;
+        let reader = Reader::new(self, point, s, &blocks)?;
+        self.fill_clock_and_pitch(point, &reader, &mut out)?;
+        let mut column = free.len();
+        for k in 0..6 {
+            let step = if k < 3 { PLACE_STEP_M } else { TURN_STEP_RAD };
+            let moved = |sign: f64| reader.reread(&moved_phone(point, self.swing(s).mount, k, sign * step));
+            set(&mut out, column, &moved(1.0)?, &moved(-1.0)?, 2.0 * step);
+            column += 1;
+        }
+        for (c, cause) in self.causes.iter().enumerate() {
+            for (k, (parameter, own)) in cause.expanded(self.base.swings.len()).iter().enumerate() {
+                if own.is_none_or(|own| own == s) {
+                    reader.fill_cause((c, k, parameter.step), cause.on_phone, column, &mut out)?;
+                }
+                column += 1;
+            }
+        }
+        for k in 0..6 {
+            let (sensor, axis) = (k / 3, k % 3);
+            let unit = blocks.iter().map(|b| if b.stream == sensor { Vec3::ith(axis, 1.0) } else { Vec3::zeros() });
+            let rows = self.as_rows(s, &blocks, &unit.collect::<Vec<_>>());
+            out.column_mut(column + BIAS + k).copy_from_slice(&rows);
+        }
+        Ok(out)
+    }
+
+    /// By start, damping and the session's parameters as far as they move the hull.
+    fn fill_motion(&self, point: &Point, s: usize, blocks: &[Block], out: &mut DMatrix<f64>) -> Result<()> {
+        let swung = self.swing(s);
+        let own = self.own(point, s);
+        let free = &self.base.free;
+        let mut pliant = self.clone();
+        let mut there = point.clone();
+        there.causes = there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.stiff).map(|(v, _)| v).collect();
+        pliant.causes.retain(|c| !c.stiff);
+        let experiment = pliant.experiment(&there, s)?;
+        let shared = swung.setup.shared_slopes(&point.x, &own, free)?;
+        let damping = swung.setup.damping_slopes(&experiment.scene);
+        let first_own = out.ncols() - OWN;
+        for stream in 0..swung.samples.streams.len() {
+            let (places, of_stream): (Vec<usize>, Vec<&Block>) =
+                blocks.iter().enumerate().filter(|(_, b)| b.stream == stream).unzip();
+            let times: Vec<f64> = of_stream.iter().map(|b| b.t_s).collect();
+            let slopes = experiment.slopes_of_motion(&LANES, pliant.fineness(), &times)?;
+            let sensor = &swung.samples.streams[stream];
+            let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };
+            for (n, (place, block)) in places.iter().zip(&of_stream).enumerate() {
+                let weight = (block.range.len() as f64).sqrt();
+                for axis in 0..3 {
+                    let row = 3 * place + axis;
+                    let scale = weight / sensor.noise[axis];
+                    let lanes = &slopes[(6 * n + first + axis) * LANES.len()..][..LANES.len()];
+                    for column in 0..free.len() {
+                        let sum: f64 = (0..SHARED_LANES).map(|l| lanes[l] * shared[(l, column)]).sum();
+                        out[(row, column)] = scale * sum;
+                    }
+                    for k in 0..BIAS {
+                        let factor = if k < 8 { 1.0 } else { damping[k - 8] };
+                        out[(row, first_own + k)] = scale * factor * lanes[SHARED_LANES + k];
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_clock_and_pitch(&self, point: &Point, reader: &Reader, out: &mut DMatrix<f64>) -> Result<()> {
+        let swung = self.swing(reader.s);
+        let (layout, index) = (self.base.layout(), swung.setup.index);
+        for (column, i) in self.base.free.iter().enumerate() {
+            let step = if *i == layout.clock || Some(*i) == index.clock {
+                CLOCK_STEP
+            } else if *i == index.pitch_deg {
+                layout.parameters[*i].step
+            } else {
+                continue;
+            };
+            let moved = |sign: f64| {
+                let mut moved = point.clone();
+                moved.x[*i] += sign * step;
+                reader.reread(&moved)
+            };
+            let change = difference(&moved(1.0)?, &moved(-1.0)?, 2.0 * step);
+            out.column_mut(column).iter_mut().zip(change).for_each(|(cell, more)| *cell += more);
+        }
+        Ok(())
+    }
+}
+
+/// Reads a swing at the times of its blocks.
+pub struct Reader<'a> {
+    model: &'a Model<'a>,
+    point: &'a Point,
+    pub s: usize,
+    blocks: &'a [Block<'a>],
+    path: Path<f64>,
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(model: &'a Model<'a>, point: &'a Point, s: usize, blocks: &'a [Block<'a>]) -> Result<Self> {
+        let experiment = model.experiment(point, s)?;
+        let path = experiment.motion(model.fineness(), model.swing(s).samples.duration_s)?;
+        Ok(Self { model, point, s, blocks, path })
+    }
+
+    /// Rows of the same motion with another phone.
+    pub fn reread(&self, point: &Point) -> Result<Vec<f64>> {
+        self.read(&self.model.experiment(point, self.s)?, &self.path)
+    }
+
+    /// Rows of another motion.
+    pub fn moved(&self, point: &Point) -> Result<Vec<f64>> {
+        let experiment = self.model.experiment(point, self.s)?;
+        let path = experiment.motion(self.model.fineness(), self.model.swing(self.s).samples.duration_s)?;
+        self.read(&experiment, &path)
+    }
+
+    fn read(&self, experiment: &Experiment, path: &Path<f64>) -> Result<Vec<f64>> {
+        let streams = &self.model.swing(self.s).samples.streams;
+        let times: Vec<f64> = self.blocks.iter().map(|b| b.t_s).collect();
+        // Both sensors' blocks lie at much the same times, one list after the other.
+        let readings = experiment.readings_on(path, &times)?;
+        let picked = |(block, reading): (&Block, &Reading<f64>)| picked(streams[block.stream].sensor, reading);
+        let values: Vec<Vec3> = self.blocks.iter().zip(&readings).map(picked).collect();
+        Ok(self.model.as_rows(self.s, self.blocks, &values))
+    }
+
+    fn fill_cause(
+        &self,
+        (cause, k, step): (usize, usize, f64),
+        on_phone: bool,
+        column: usize,
+        out: &mut DMatrix<f64>,
+    ) -> Result<()> {
+        let moved = |sign: f64| {
+            let mut moved = self.point.clone();
+            moved.causes[cause][k] += sign * step;
+            if on_phone { self.reread(&moved) } else { self.moved(&moved) }
+        };
+        let up = moved(1.0)?;
+        // Below zero some laws have no meaning.
+        match moved(-1.0) {
+            Ok(down) => set(out, column, &up, &down, 2.0 * step),
+            Err(_) => set(out, column, &up, &self.reread(self.point)?, step),
+        }
+        Ok(())
+    }
+}
+
+fn set(out: &mut DMatrix<f64>, column: usize, up: &[f64], down: &[f64], by: f64) {
+    out.column_mut(column).copy_from_slice(&difference(up, down, by));
+}
+
+fn difference(up: &[f64], down: &[f64], by: f64) -> Vec<f64> {
+    up.iter().zip(down).map(|(u, d)| (u - d) / by).collect()
+}
+
+fn moved_phone(point: &Point, mount: usize, k: usize, by: f64) -> Point {
+    let mut moved = point.clone();
+    let mount = &mut moved.mounts[mount];
+    if k < 3 {
+        mount.place[k] += by;
+    } else {
+        mount.hull_from_phone *= Rotation::from_scaled_axis(Vec3::ith(k - 3, by));
+    }
+    moved
+}
+
+fn picked(sensor: Sensor, reading: &Reading<f64>) -> Vec3 {
+    match sensor {
+        Sensor::Gyroscope => reading.gyro,
+        Sensor::Accelerometer => reading.force,
+    }
+}
+
+/// Readings at several lists of times; lists that are alike are read once.
+fn read_all(experiment: &Experiment, path: &Path<f64>, times: &[&[f64]]) -> Result<Vec<Vec<Reading<f64>>>> {
+    let mut all: Vec<Vec<Reading<f64>>> = Vec::new();
+    for (n, list) in times.iter().enumerate() {
+        let known = times[..n].iter().position(|other| other == list);
+        all.push(known.map_or_else(|| experiment.readings_on(path, list), |k| Ok(all[k].clone()))?);
+    }
+    Ok(all)
+}

@@ -1,0 +1,145 @@
+//! Things that happen at a moment: the phone slips, the hull is knocked. What a session shows of them is the response to a
+//! change of pose or of motion from that moment on, so no simulation is needed to look for the moment.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::error::Result;
+
+use super::causes::{Scales, knock_at, slip_at};
+use super::fitting::{Fitted, Places};
+use super::look::{Look, Solved};
+use super::point::{Cause, Model, OWN};
+
+/// Moments tried in each swing, first coarse, then about the best.
+const COARSE: usize = 24;
+const FINE: usize = 9;
+
+/// What happens.
+#[derive(Clone, Copy, PartialEq)]
+enum Event {
+    Slip,
+    Knock,
+}
+
+/// First looks at what may have happened, each at its best moment.
+pub fn moments(model: &Model, fitted: &Fitted) -> Result<Vec<Look>> {
+    let residuals = model.each(|s| model.rows(&fitted.point, s).map(DVector::from_vec));
+    let residuals = residuals.into_iter().collect::<Result<Vec<_>>>()?;
+    let times: Vec<Vec<f64>> =
+        (0..residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
+    let scales = Scales::of(model.base, &fitted.point)?;
+    let scan = Scan { model, fitted, residuals, times, scales };
+    Ok([Event::Slip, Event::Knock].into_iter().filter_map(|event| scan.best(event)).collect())
+}
+
+struct Scan<'a> {
+    model: &'a Model<'a>,
+    fitted: &'a Fitted,
+    residuals: Vec<DVector<f64>>,
+    times: Vec<Vec<f64>>,
+    scales: Scales,
+}
+
+impl Scan<'_> {
+    fn best(&self, event: Event) -> Option<Look> {
+        let tried = self.model.each(|s| {
+            let duration_s = self.model.swing(s).samples.duration_s;
+            let step_s = duration_s / COARSE as f64;
+            let coarse = (1..COARSE).map(|k| k as f64 * step_s);
+            let best = coarse.filter_map(|t| self.seen(event, s, t)).max_by(|a, b| a.gain.total_cmp(&b.gain))?;
+            // Twice finer about the best.
+            [step_s / 5.0, step_s / 40.0].into_iter().fold(Some(best), |best, step_s| {
+                let best = best?;
+                let half = (FINE / 2) as f64;
+                let from_s = best.t_s - half * step_s;
+                let near = (0..FINE).map(|k| from_s + k as f64 * step_s);
+                near.filter_map(|t| self.seen(event, s, t)).chain([best]).max_by(|a, b| a.gain.total_cmp(&b.gain))
+            })
+        });
+        let best = tried.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))?;
+        Some(self.look(event, best))
+    }
+
+    /// The evidence for an event at a moment of a swing.
+    fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
+        let places = Places::of(self.model);
+        let count = match event {
+            Event::Slip => 6,
+            Event::Knock => 8,
+        };
+        let u = DVector::from_fn(count, |k, _| match event {
+            Event::Slip => if k < 3 { 0.01 } else { 0.02 },
+            Event::Knock => 0.03,
+        });
+        let mut outer = DMatrix::zeros(places.all(), count);
+        let mut inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
+        let mut score = DVector::zeros(count);
+        let last = if event == Event::Slip { self.residuals.len() } else { s + 1 };
+        for swing in s..last {
+            let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
+            if swing != s && self.model.swing(swing).mount != self.model.swing(s).mount {
+                continue;
+            }
+            let columns = self.columns(event, swing, from_s);
+            let jacobian = &self.fitted.jacobians[swing];
+            let part = jacobian.tr_mul(&columns);
+            for (row, place) in places.of_swing(self.model, swing).into_iter().enumerate() {
+                (0..count).for_each(|k| outer[(place, k)] += part[(row, k)]);
+            }
+            inner += columns.tr_mul(&columns);
+            score += columns.tr_mul(&self.residuals[swing]);
+        }
+        let base = self.fitted.cholesky()?;
+        let absorbed = base.solve(&outer);
+        let schur = inner - outer.tr_mul(&absorbed);
+        let score = score - absorbed.tr_mul(&self.fitted.gradient);
+        let solved = Solved::of(&schur, &score, &u, &vec![false; count])?;
+        let rest = base.solve(&self.fitted.gradient) - &absorbed * &solved.strength;
+        Some(Seen { s, t_s, gain: solved.gain, chi2: solved.chi2, strength: solved.strength, rest })
+    }
+
+    /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
+    fn columns(&self, event: Event, swing: usize, from_s: f64) -> DMatrix<f64> {
+        let jacobian = &self.fitted.jacobians[swing];
+        let free = self.model.base.free.len();
+        let (first, count) = match event {
+            Event::Slip => (free, 6),
+            Event::Knock => (jacobian.ncols() - OWN, 8),
+        };
+        let mut columns = jacobian.columns(first, count).into_owned();
+        for (block, t_s) in self.times[swing].iter().enumerate() {
+            if *t_s < from_s {
+                columns.rows_mut(3 * block, 3).fill(0.0);
+            }
+        }
+        columns
+    }
+
+    fn look(&self, event: Event, seen: Seen) -> Look {
+        let places = Places::of(self.model);
+        let swings = self.residuals.len();
+        let cause: Cause = match event {
+            Event::Slip => slip_at(seen.s, seen.t_s),
+            Event::Knock => knock_at(&self.scales, seen.s, seen.t_s),
+        };
+        let split = places.first_own(0);
+        let mut delta = DVector::zeros(places.all() + cause.size(swings));
+        delta.rows_mut(0, split).copy_from(&seen.rest.rows(0, split));
+        if event == Event::Slip {
+            // Place first there, turn first here.
+            (0..3).for_each(|k| (delta[split + k], delta[split + 3 + k]) = (seen.strength[3 + k], seen.strength[k]));
+        }
+        let owns = places.all() - split;
+        delta.rows_mut(split + cause.size(swings), owns).copy_from(&seen.rest.rows(split, owns));
+        Look { cause, gain: seen.gain, chi2: seen.chi2, delta }
+    }
+}
+
+struct Seen {
+    s: usize,
+    t_s: f64,
+    gain: f64,
+    chi2: f64,
+    strength: DVector<f64>,
+    rest: DVector<f64>,
+}

@@ -1,0 +1,232 @@
+//! A point in the space of everything that is fitted, and the experiment that it describes.
+
+use std::sync::Arc;
+
+use crate::dynamics::effects::EffectValues;
+use crate::dynamics::sensors;
+use crate::dynamics::{Experiment, Fineness, Phone};
+use crate::error::{Error, Result};
+use crate::frames::{Rotation, Vec3, world_from_hull_pitched};
+use crate::inertia::samples::Own;
+
+use super::base::{Base, Swung};
+
+/// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and accelerometer (6).
+pub const OWN: usize = 19;
+/// Where the biases begin.
+pub const BIAS: usize = 13;
+
+/// Where a phone sits, hull axes.
+#[derive(Debug, Clone)]
+pub struct Mount {
+    /// From the mid-point of the suspension points, m.
+    pub place: Vec3,
+    pub hull_from_phone: Rotation,
+}
+
+/// Values of everything that is fitted.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// The session's parameters, as in its layout.
+    pub x: Vec<f64>,
+    pub mounts: Vec<Mount>,
+    /// Parameters of each cause: those of the session, then those of each swing.
+    pub causes: Vec<Vec<f64>>,
+    pub owns: Vec<[f64; OWN]>,
+}
+
+/// One parameter of a cause, in a unit in which everyday strengths are alike.
+#[derive(Debug, Clone)]
+pub struct CauseParameter {
+    pub name: &'static str,
+    /// Unit of the rig, and how much of it is one of the parameter; logarithms are reported as what they are of.
+    pub unit: &'static str,
+    pub factor: f64,
+    pub is_log: bool,
+    /// Mean and standard deviation of its prior; the first look begins at the mean.
+    pub prior: (f64, f64),
+    /// Step for numerical derivatives, small against the prior.
+    pub step: f64,
+    /// The effect is in proportion to it: the first look fits it. Others are held at the mean there.
+    pub is_strength: bool,
+    /// Each swing has its own.
+    pub of_swing: bool,
+}
+
+/// Puts a cause of given parameters (the session's, then the swing's own) into the experiment of a swing.
+pub type Put = Arc<dyn Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync>;
+
+/// Something that the base simulation leaves out.
+#[derive(Clone)]
+pub struct Cause {
+    /// Name in the contract.
+    pub id: &'static str,
+    pub parameters: Vec<CauseParameter>,
+    pub put: Put,
+    /// Whether only the phone's readings change, not the motion.
+    pub on_phone: bool,
+    /// Whether its law has a kink.
+    pub kinked: bool,
+    /// Whether it makes the motion stiff: derivatives by everything else are then taken without it.
+    pub stiff: bool,
+    /// Strengths below zero have no physical meaning.
+    pub one_sided: bool,
+    /// What a first look sees in its place, where its own parameters are no strengths.
+    pub look: Option<Arc<LookAlike>>,
+}
+
+/// A linear form of a cause: strengths without regard to how they hang together, and the cause's parameters that come
+/// nearest to them; none where nothing does.
+pub struct LookAlike {
+    pub cause: Cause,
+    pub nearest: Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + Send + Sync>,
+}
+
+impl Cause {
+    /// How many values its parameters have in a session of so many swings.
+    pub fn size(&self, swings: usize) -> usize {
+        self.parameters.iter().map(|p| if p.of_swing { swings } else { 1 }).sum()
+    }
+
+    /// Its parameters value by value, each with the swing that it belongs to.
+    pub fn expanded(&self, swings: usize) -> Vec<(&CauseParameter, Option<usize>)> {
+        let of_session = self.parameters.iter().filter(|p| !p.of_swing).map(|p| (p, None));
+        let of_swing = (0..swings)
+            .flat_map(|s| self.parameters.iter().filter(|p| p.of_swing).map(move |p| (p, Some(s))));
+        of_session.chain(of_swing).collect()
+    }
+
+    /// Places of the strengths that cannot be below zero.
+    pub fn one_sided_places(&self, swings: usize) -> Vec<usize> {
+        let expanded = self.expanded(swings);
+        (0..expanded.len()).filter(|k| self.one_sided && expanded[*k].0.is_strength).collect()
+    }
+
+    /// Where its priors have their mean.
+    pub fn start(&self, swings: usize) -> Vec<f64> {
+        self.expanded(swings).iter().map(|(p, _)| p.prior.0).collect()
+    }
+
+    /// What concerns a swing.
+    fn of_swing(&self, values: &[f64], swings: usize, swing: usize) -> Vec<f64> {
+        let expanded = self.expanded(swings);
+        let concerns = |own: &Option<usize>| own.is_none_or(|s| s == swing);
+        expanded.iter().zip(values).filter(|((_, own), _)| concerns(own)).map(|(_, v)| *v).collect()
+    }
+}
+
+/// The base simulation with causes in it.
+#[derive(Clone)]
+pub struct Model<'a> {
+    pub base: &'a Base<'a>,
+    pub causes: Vec<Cause>,
+    /// Which stretches of the recordings count.
+    pub part: Part,
+    /// Swings one after the other, where many models are fitted side by side.
+    pub alone: bool,
+}
+
+/// Which samples count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    All,
+    Fitted,
+    HeldOut,
+}
+
+/// A recording is cut into so many stretches …
+const STRETCHES: f64 = 12.0;
+/// … of which the second of every three is held out.
+const OUT_OF: usize = 3;
+/// What fast parts of an effect were doing before the recording began is not known: so much is not compared, s.
+pub const SETTLING_S: f64 = 0.5;
+
+impl Part {
+    /// Whether a time of a record so long counts.
+    pub fn has(self, t_s: f64, duration_s: f64) -> bool {
+        let stretch = (STRETCHES * t_s / duration_s) as usize;
+        let held_out = stretch % OUT_OF == 1;
+        t_s >= SETTLING_S
+            && match self {
+                Part::All => true,
+                Part::Fitted => !held_out,
+                Part::HeldOut => held_out,
+            }
+    }
+}
+
+impl Model<'_> {
+    pub fn swing(&self, s: usize) -> &Swung<'_> {
+        &self.base.swings[s]
+    }
+
+    /// The same model with another cause.
+    pub fn with(&self, cause: &Cause) -> Self {
+        let mut model = self.clone();
+        model.causes.push(cause.clone());
+        model
+    }
+
+    pub fn fineness(&self) -> Fineness {
+        let kinked = self.causes.iter().any(|c| c.kinked);
+        if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }
+    }
+
+    /// The experiment of a swing.
+    pub fn experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
+        let mut experiment = self.plain_experiment(point, s)?;
+        for (cause, values) in self.causes.iter().zip(&point.causes) {
+            (cause.put)(&cause.of_swing(values, self.base.swings.len(), s), s, &mut experiment)?;
+        }
+        Ok(experiment)
+    }
+
+    /// The same without any cause.
+    pub fn plain_experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
+        let swung = self.swing(s);
+        let own = self.own(point, s);
+        let pitch = world_from_hull_pitched(point.x[swung.setup.index.pitch_deg].to_radians());
+        let mount = &point.mounts[swung.mount];
+        let place = pitch * mount.place;
+        let v = &point.owns[s];
+        let phone = Phone {
+            position_x_m: place.x,
+            position_y_m: place.y,
+            position_z_m: place.z,
+            gyro_bias_x_rad_s: v[BIAS],
+            gyro_bias_y_rad_s: v[BIAS + 1],
+            gyro_bias_z_rad_s: v[BIAS + 2],
+            acc_bias_x_m_s2: v[BIAS + 3],
+            acc_bias_y_m_s2: v[BIAS + 4],
+            acc_bias_z_m_s2: v[BIAS + 5],
+            ..Phone::default()
+        };
+        let clock = self.base.layout().clock_error(&point.x, swung.setup.index);
+        Ok(Experiment {
+            scene: swung.setup.scene(&point.x, &own)?,
+            hull_from_phone: Rotation::new_normalize((pitch * mount.hull_from_phone).into_inner()),
+            phone,
+            sensors: vec![sensor("clock_scale", &[("error", clock)])?],
+            held_s: 0.0,
+        })
+    }
+
+    /// Start and damping of a swing as its scene is made from them.
+    pub fn own(&self, point: &Point, s: usize) -> Own {
+        let mut own = Own::at_rest(Rotation::identity());
+        own.values[..BIAS].copy_from_slice(&point.owns[s][..BIAS]);
+        own
+    }
+}
+
+/// A sensor's effect with the numbers given, the others zero.
+pub fn sensor(id: &str, given: &[(&str, f64)]) -> Result<EffectValues> {
+    let kind = sensors::catalogue().into_iter().find(|kind| kind.id == id);
+    let kind = kind.ok_or_else(|| Error::argument("effect", "an effect of the sensors", id))?;
+    let mut values = vec![0.0; kind.numbers.len()];
+    for (name, value) in given {
+        let place = kind.numbers.iter().position(|n| n.name == *name);
+        values[place.ok_or_else(|| Error::argument("effect", "a number of the effect", name))?] = *value;
+    }
+    Ok(EffectValues { kind, values })
+}

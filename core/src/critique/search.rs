@@ -1,0 +1,212 @@
+//! The search for causes: a first look at all, the leading few fitted in full, the best taken, and again while it pays.
+
+use crate::error::{Error, Result};
+use crate::inertia::by_samples::in_parallel;
+
+use super::causes::{Scales, TERMS, UNKNOWN, catalogue, learned_force};
+use super::fitting::Fitted;
+use super::look::Look;
+use super::moments::moments;
+use super::point::{Cause, Model, Part};
+use super::result::Progress;
+use super::white::Left;
+
+/// Evidence of e⁷ = 1100 to 1 for a cause: a complete session, looked at for thirty, is then wronged less than once in fifty.
+pub const LEAST_GAIN: f64 = 7.0;
+/// Where nothing is left to see, a further cause must gain more than this, and more than this share of the first's gain:
+/// laws that differ a little from nature's leave something for others to pick up.
+const FURTHER_GAIN: f64 = 14.0;
+const FURTHER_SHARE: f64 = 3e-3;
+/// A further cause must take so much of what is left beyond noise.
+const FURTHER_TAKES: f64 = 0.7;
+const MOST_CAUSES: usize = 3;
+/// So many are fitted in full in a round.
+const LEADING: usize = 5;
+/// Shares of the way to where the first look points, from which a full fit may begin.
+const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
+/// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
+const HOPELESS: f64 = 0.5;
+
+/// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
+const UNNAMED_FROM: f64 = 0.01;
+/// … and come first where they leave less than this share of that.
+const UNNAMED_LEAVES: f64 = 0.1;
+
+/// A cause fitted in full beside those taken before.
+#[derive(Clone)]
+pub struct Tried {
+    pub cause: Cause,
+    pub fitted: Fitted,
+    /// Of the logarithm of the evidence, over the model without it.
+    pub gain: f64,
+    /// What is left, χ² beyond noise.
+    pub left: Left,
+}
+
+/// One round: what was tried, the best first.
+#[derive(Clone)]
+pub struct Round {
+    pub tried: Vec<Tried>,
+    pub taken: bool,
+}
+
+/// What the search found.
+pub struct Found<'a> {
+    pub base: Fitted,
+    pub base_left: Left,
+    pub model: Model<'a>,
+    pub fitted: Fitted,
+    pub left: Left,
+    pub rounds: Vec<Round>,
+}
+
+/// Work done and told of.
+pub struct Told<'a> {
+    pub progress: &'a Progress<'a>,
+}
+
+impl Told<'_> {
+    pub fn at(&self, share: f64, text: &str) -> Result<()> {
+        if (self.progress)(share, text) { Ok(()) } else { Err(Error::Cancelled) }
+    }
+}
+
+impl Tried {
+    /// Where the last cause's values begin in the list of all that is fitted.
+    pub fn first_place(&self, count: usize) -> usize {
+        self.fitted.matrix.nrows() - super::point::OWN * self.fitted.jacobians.len() - count
+    }
+}
+
+/// Searches from a fitted base.
+pub fn search<'a>(base: Model<'a>, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
+    let base_left = Left::of(&base, &fitted.point)?;
+    let mut found = Found {
+        base: fitted.clone(),
+        left: base_left.clone(),
+        base_left,
+        model: base,
+        fitted,
+        rounds: vec![],
+    };
+    while found.model.causes.len() < MOST_CAUSES {
+        let n = found.rounds.len();
+        let done = 0.3 + 0.2 * n as f64;
+        told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
+        let looks = found.looks()?;
+        told.at(done + 0.08, "fitting the leading causes in full")?;
+        let tried = found.tried(looks, told)?;
+        let taken = tried.first().filter(|best| found.pays(best)).cloned();
+        found.rounds.push(Round { tried, taken: taken.is_some() });
+        let Some(best) = taken else { break };
+        found.model.causes.push(best.cause);
+        (found.fitted, found.left) = (best.fitted, best.left);
+    }
+    Ok(found)
+}
+
+impl Found<'_> {
+    /// First looks at every cause that is not in the model yet, the most promising first, one of each name.
+    fn looks(&self) -> Result<Vec<Look>> {
+        let scales = Scales::of(self.model.base, &self.fitted.point)?;
+        let is_new = |cause: &Cause| !self.model.causes.iter().any(|known| known.id == cause.id);
+        let mut looks: Vec<Look> = Vec::new();
+        for cause in catalogue(&scales).iter().filter(|cause| is_new(cause)) {
+            // A cause that cannot be simulated here (a stiff line on a short lever) is no candidate.
+            looks.extend(Look::at(&self.model, &self.fitted, cause).ok().flatten());
+        }
+        if !self.left.is_white() {
+            looks.extend(moments(&self.model, &self.fitted)?.into_iter().filter(|look| is_new(&look.cause)));
+            for coordinate in 0..4 {
+                let cause = learned_force(&scales, coordinate, &TERMS);
+                looks.extend(Look::at(&self.model, &self.fitted, &cause).ok().flatten());
+            }
+        }
+        looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        let mut leading: Vec<Look> = Vec::new();
+        for look in looks {
+            if look.cause.id == UNKNOWN || !leading.iter().any(|known| known.cause.id == look.cause.id) {
+                leading.push(look);
+            }
+        }
+        Ok(leading)
+    }
+
+    /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well;
+    /// such a one comes first where it takes nearly all that the named ones leave.
+    fn tried(&self, looks: Vec<Look>, told: &Told) -> Result<Vec<Tried>> {
+        let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
+        let mut tried = self.fitted_in_full(named, told)?;
+        let left = tried.first().map_or(self.left.excess(), |best| best.left.excess());
+        if left > UNNAMED_FROM * self.base_left.excess() {
+            let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
+            let found = in_parallel(unnamed.len().min(2), |k| self.fit(&unnamed[k], limit, true));
+            for unknown in found.into_iter().flatten() {
+                let takes_all = unknown.left.excess() < UNNAMED_LEAVES * left;
+                let place = if takes_all { 0 } else { tried.len() };
+                tried.insert(place, unknown);
+            }
+        }
+        Ok(tried)
+    }
+
+    fn fitted_in_full(&self, looks: Vec<Look>, told: &Told) -> Result<Vec<Tried>> {
+        let promises = |look: &Look| look.gain > if self.left.is_white() { LEAST_GAIN - 2.0 } else { 0.0 };
+        let leading: Vec<Look> = looks.into_iter().filter(promises).take(LEADING).collect();
+        let mut tried: Vec<Tried> = Vec::new();
+        // The first sets the measure; the others run side by side.
+        let (first, others) = leading.split_at(leading.len().min(1));
+        for look in first {
+            tried.extend(self.fit(look, f64::INFINITY, false));
+        }
+        told.at(0.5, "fitting the leading causes in full")?;
+        let best = tried.iter().map(|t| t.fitted.cost).fold(f64::INFINITY, f64::min);
+        tried.extend(in_parallel(others.len(), |k| self.fit(&others[k], best, true)).into_iter().flatten());
+        tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        Ok(tried)
+    }
+
+    /// Fits a cause in full; `None` where no start leads anywhere.
+    fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
+        let mut model = self.model.with(&look.cause);
+        model.alone = alone;
+        let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
+        let costs = starts.iter().map(|start| (model.chi2(start).unwrap_or(f64::INFINITY), start));
+        let (_, start) = costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
+        let fitted = model.fit(start, &|cost| cost > best + behind).ok()?;
+        let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
+        let left = Left::of(&model, &fitted.point).ok()?;
+        Some(Tried { cause: look.cause.clone(), fitted, gain, left })
+    }
+
+    fn pays(&self, best: &Tried) -> bool {
+        let Some(first) = self.rounds.first().and_then(|round| round.tried.first()) else {
+            return best.gain > LEAST_GAIN;
+        };
+        if self.left.is_white() {
+            best.gain > FURTHER_GAIN.max(FURTHER_SHARE * first.gain)
+        } else {
+            best.gain > LEAST_GAIN && best.left.excess() < (1.0 - FURTHER_TAKES) * self.left.excess()
+        }
+    }
+}
+
+/// Logarithm of the evidence of a model with a cause over that without, by Laplace's approximation of both integrals: the
+/// widths of the cause's priors count.
+pub fn gain(without: &Fitted, with: &Fitted, cause: &Cause, swings: usize) -> Option<f64> {
+    let widths: f64 = cause.expanded(swings).iter().map(|(p, _)| p.prior.1.ln()).sum();
+    let volumes = without.half_log_determinant()? - with.half_log_determinant()?;
+    Some(0.5 * (without.cost - with.cost) + volumes - widths)
+}
+
+impl<'a> Found<'a> {
+    /// A model fitted to the stretches that are not held out, and its χ² and number of rows in those that are.
+    pub fn held_out(model: &Model<'a>, fitted: &Fitted) -> Result<(f64, usize)> {
+        let fitting = Model { part: Part::Fitted, ..model.clone() };
+        let there = fitting.fit(&fitted.point, &|_| false)?;
+        let judging = Model { part: Part::HeldOut, ..model.clone() };
+        let rows = (0..model.base.swings.len()).map(|s| 3 * judging.blocks(s).len()).sum();
+        Ok((judging.chi2(&there.point)?, rows))
+    }
+}

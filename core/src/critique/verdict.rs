@@ -1,0 +1,164 @@
+//! From what the search found to what is said.
+
+use super::causes::UNKNOWN;
+use super::point::Cause;
+use super::result::{CauseResult, CauseVerdict, ParameterResult};
+use super::search::{Found, Round, Tried};
+
+/// Causes within this of the best, natural logarithm of the evidence, are not told from it: odds of 100 to 1.
+const NOT_TOLD: f64 = 4.6;
+/// What is left may be this share of what the base simulation left: laws differ a little from nature's.
+const LEFT_SHARE: f64 = 0.01;
+/// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
+const EXPONENT_U: f64 = 0.2;
+const EXPONENT_NEAR: f64 = 3.0;
+
+impl Found<'_> {
+    /// Whether structure remains that nothing accounts for.
+    pub fn is_unexplained(&self) -> bool {
+        let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
+        unnamed || (!self.left.is_white() && self.left.excess() > LEFT_SHARE * self.base_left.excess())
+    }
+
+    /// The round in which the last cause was taken.
+    fn decisive(&self) -> Option<&Round> {
+        self.rounds.iter().rev().find(|round| round.taken)
+    }
+
+    /// Causes that do as well as the last one taken, best first.
+    pub fn rivals(&self) -> Vec<&Tried> {
+        let Some(round) = self.decisive() else { return vec![] };
+        let Some(best) = round.tried.first() else { return vec![] };
+        // Where structure remains, evidence counts for less: in proportion to what is left.
+        let allowed = NOT_TOLD.max(0.02 * best.left.excess());
+        let near = |t: &&Tried| best.gain - t.gain < allowed && t.cause.id != UNKNOWN;
+        round.tried[1..].iter().filter(near).filter(|t| !is_special_case(best, t)).collect()
+    }
+
+    pub fn verdict(&self) -> CauseVerdict {
+        let named: Vec<String> = self.model.causes.iter().map(|cause| cause.id.into()).collect();
+        let rivals: Vec<String> = self.rivals().iter().map(|t| t.cause.id.into()).collect();
+        let unexplained = self.is_unexplained();
+        let status = match (unexplained, named.is_empty(), rivals.is_empty()) {
+            (true, ..) => "unexplained",
+            (false, true, _) => "adequate",
+            (false, false, true) => "explained",
+            (false, false, false) => "ambiguous",
+        };
+        let mut causes = named;
+        if unexplained && !causes.iter().any(|id| id == UNKNOWN) {
+            causes.push(UNKNOWN.into());
+        }
+        let indistinguishable_from = if status == "ambiguous" { rivals } else { vec![] };
+        let mut verdict =
+            CauseVerdict { status: status.into(), causes, indistinguishable_from, ..Default::default() };
+        verdict.text = self.in_words(&verdict);
+        verdict
+    }
+
+    fn in_words(&self, verdict: &CauseVerdict) -> String {
+        let named = verdict.causes.iter().filter(|id| *id != UNKNOWN).map(|id| named(id)).collect::<Vec<_>>().join(", and ");
+        match &*verdict.status {
+            "adequate" => "The simulation accounts for everything that the recordings show.".into(),
+            "explained" => format!("What the simulation left out: {named}."),
+            "ambiguous" => {
+                let others: Vec<&str> = verdict.indistinguishable_from.iter().map(|id| named_of(id)).collect();
+                format!(
+                    "What the simulation left out: {named}; but these recordings cannot tell that from: {}.",
+                    others.join("; or: ")
+                )
+            }
+            _ if named.is_empty() => "Something acts on the hull or the phone that no known cause accounts for.".into(),
+            _ => format!("The simulation left out that {named}; and something remains that no known cause accounts for."),
+        }
+    }
+
+    /// Every cause of the rounds with its probability in its round; those taken first.
+    pub fn causes(&self) -> Vec<CauseResult> {
+        let mut list: Vec<CauseResult> = Vec::new();
+        for round in &self.rounds {
+            let best = round.tried.first().map_or(0.0, |t| t.gain.max(0.0));
+            let odds = |gain: f64| (gain - best).exp();
+            let all: f64 = odds(0.0) + round.tried.iter().map(|t| odds(t.gain)).sum::<f64>();
+            for (n, tried) in round.tried.iter().enumerate() {
+                let taken = round.taken && n == 0;
+                if !taken && list.iter().any(|known| known.id == tried.cause.id) {
+                    continue;
+                }
+                list.push(CauseResult {
+                    id: tried.cause.id.into(),
+                    probability: odds(tried.gain) / all,
+                    log_evidence_gain: tried.gain,
+                    parameters: parameters(tried),
+                    text: sentence(tried.cause.id),
+                    taken,
+                });
+            }
+        }
+        if self.is_unexplained() && !list.iter().any(|c| c.id == UNKNOWN) {
+            list.push(CauseResult {
+                id: UNKNOWN.into(),
+                probability: 1.0,
+                log_evidence_gain: 0.5 * self.left.excess(),
+                parameters: Default::default(),
+                text: sentence(UNKNOWN),
+                taken: false,
+            });
+        }
+        list.sort_by(|a, b| b.taken.cmp(&a.taken).then(b.probability.total_cmp(&a.probability)));
+        list
+    }
+}
+
+/// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause.
+fn is_special_case(best: &Tried, other: &Tried) -> bool {
+    let pair = [best.cause.id, other.cause.id];
+    if !(pair.contains(&"quadratic_drag") && pair.contains(&"power_law_damping")) {
+        return false;
+    }
+    let power = if best.cause.id == "power_law_damping" { best } else { other };
+    let found = parameters(power).remove("exponent");
+    found.is_some_and(|e| e.u < EXPONENT_U && (e.value - 1.0).abs() < EXPONENT_NEAR * e.u)
+}
+
+/// Parameters of a cause in units of the rig.
+fn parameters(tried: &Tried) -> std::collections::BTreeMap<String, ParameterResult> {
+    let cause: &Cause = &tried.cause;
+    let values = tried.fitted.point.causes.last().cloned().unwrap_or_default();
+    let first = tried.first_place(values.len());
+    let covariance = tried.fitted.covariance();
+    let swings = tried.fitted.jacobians.len();
+    let mut found = std::collections::BTreeMap::new();
+    for (k, (parameter, own)) in cause.expanded(swings).into_iter().enumerate() {
+        let u = covariance.as_ref().map_or(f64::INFINITY, |c| c[(first + k, first + k)].max(0.0).sqrt());
+        let (value, u) = if parameter.is_log {
+            (values[k].exp(), values[k].exp() * u)
+        } else {
+            (values[k] * parameter.factor, u * parameter.factor)
+        };
+        let name = own.map_or(parameter.name.into(), |s| format!("{}_{}", parameter.name, s + 1));
+        found.insert(name, ParameterResult { value, u, unit: parameter.unit.into() });
+    }
+    found
+}
+
+/// What a cause is, as a sentence.
+fn sentence(id: &str) -> String {
+    let text = named_of(id);
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).chain(['.']).collect())
+}
+
+fn named(id: &str) -> String {
+    named_of(id).into()
+}
+
+/// What a cause is, in words.
+pub fn named_of(id: &str) -> &'static str {
+    if id == UNKNOWN {
+        return "something that no known cause accounts for";
+    }
+    let hull = crate::dynamics::effects::catalogue().into_iter();
+    let known = hull.chain(crate::dynamics::sensors::catalogue()).find(|kind| kind.id == id);
+    known.map_or("a cause without a description", |kind| kind.sentence)
+}
