@@ -9,7 +9,7 @@ use crate::inertia::measure::{Prepared, SwingWork, estimate};
 use crate::inertia::parameters::Layout;
 use crate::inertia::samples::{Own, Samples, SwingSetup};
 use crate::inertia::theory::swing_periods;
-use crate::recording::Session;
+use crate::recording::{Quantity, Session};
 
 use super::point::{Mount, OWN, Point};
 
@@ -50,10 +50,18 @@ impl<'a> Base<'a> {
     }
 
     /// Fits each swing by itself; what they agree on is where the fit of all begins.
-    pub fn begin(system: &'a System<'a>, works: &'a [SwingWork], x: &[f64]) -> Result<(Self, Point)> {
+    pub fn begin(
+        system: &'a System<'a>,
+        works: &'a [SwingWork],
+        inclines: &[Option<Quantity>],
+        x: &[f64],
+    ) -> Result<(Self, Point)> {
         let (session, layout) = (system.session, &system.layout);
         let mut begun: Vec<Begun> = Vec::new();
-        for (number, fit) in nearest_fits(system, works, x).into_iter().enumerate() {
+        let fits = nearest_fits(system, works, x);
+        let said: Vec<_> = fits.iter().map(|f| f.as_ref().map_or(vec![], |f| f.statements(false))).collect();
+        let agreed = system.agreed(&said, inclines);
+        for (number, fit) in fits.into_iter().enumerate() {
             let (Some(fit), Some(evidence)) = (fit, works[number].evidence.as_ref()) else { continue };
             let (model, fit) = fit.into_parts();
             let fastest_s = swing_periods(layout, &fit.x, model.setup.swing, model.setup.index)?
@@ -69,7 +77,7 @@ impl<'a> Base<'a> {
             let text = "no swing on two lines with gyroscope and accelerometer that a simulation can be fitted to";
             return Err(Error::no_result("criticism", text));
         }
-        let x = agreed(layout, &begun);
+        let x = agreed.unwrap_or_else(|| median(layout, &begun));
         let (mounts, which) = mounts(layout, &mut begun, &x);
         let owns = begun.iter().map(|b| own_of(&b.own)).collect();
         let swings = begun
@@ -101,7 +109,7 @@ struct Begun<'a> {
 }
 
 /// Parameters of the session from the fits of its swings: the median of each, so that one lost swing does no harm.
-fn agreed(layout: &Layout, begun: &[Begun]) -> Vec<f64> {
+fn median(layout: &Layout, begun: &[Begun]) -> Vec<f64> {
     let median = |i: usize| {
         let prior = layout.parameters[i].prior;
         // A swing that says nothing of a parameter leaves it at its prior.

@@ -7,7 +7,7 @@ use crate::frames::{Rotation, Vec3};
 use crate::inertia::by_samples::in_parallel;
 use crate::inertia::samples::Own;
 
-use super::point::{BIAS, Model, OWN, Point};
+use super::point::{BIAS, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 30;
 const MOST_DAMPING: f64 = 1e8;
@@ -16,6 +16,8 @@ const KEPT: f64 = 0.5;
 /// A fit ends where an undamped step promises less of χ² than this, or than this share of it.
 const CONVERGED: f64 = 1e-3;
 const CONVERGED_SHARE: f64 = 1e-7;
+/// Parts of the recordings that a fit from far away is led over, s.
+const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
 const PLACE_U_M: f64 = 5.0;
 const TURN_U_RAD: f64 = 1.0;
@@ -93,10 +95,32 @@ impl Model<'_> {
 
     /// Fits from a start, until nothing is left to gain or `stop` (of χ²) says that it is hopeless.
     pub fn fit(&self, start: &Point, stop: &(dyn Fn(f64) -> bool + Sync)) -> Result<Fitted> {
+        self.fit_with(start, None, stop)
+    }
+
+    /// Fits over longer and longer parts of the recordings: a phase known over one stays within a quarter of a cycle over
+    /// the next.
+    pub fn fit_growing(&self, start: &Point) -> Result<Fitted> {
+        let mut point = start.clone();
+        for horizon_s in HORIZONS_S {
+            let early = Model { part: Part::First(horizon_s), ..self.clone() };
+            point = early.fit(&point, &|_| false)?.point;
+        }
+        self.fit(&point, &|_| false)
+    }
+
+    /// The same beginning with derivatives that are known already, good near the start.
+    pub fn fit_with(
+        &self,
+        start: &Point,
+        known: Option<Vec<DMatrix<f64>>>,
+        stop: &(dyn Fn(f64) -> bool + Sync),
+    ) -> Result<Fitted> {
         let mut point = start.clone();
         let mut misfit = self.misfit(&point)?;
-        let mut jacobians = self.jacobians(&point)?;
-        let (mut fresh, mut damping) = (true, 1e-4);
+        let mut fresh = known.is_none();
+        let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
+        let mut damping = 1e-4;
         for n in 0..MOST_STEPS {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);

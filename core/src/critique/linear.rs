@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use nalgebra::DMatrix;
 
-use crate::dynamics::{Experiment, Path, Reading};
+use crate::dynamics::{Experiment, Fineness, Path, Reading};
 use crate::error::Result;
 use crate::frames::{Rotation, Vec3};
 use crate::inertia::samples::{LANES, SHARED_LANES, Sensor, Stream};
@@ -121,6 +121,24 @@ impl Model<'_> {
         Ok(out)
     }
 
+    /// Derivatives of this model, the last of whose causes was just added, from those without it.
+    pub fn widened(&self, without: &DMatrix<f64>, point: &Point, s: usize) -> Result<DMatrix<f64>> {
+        let blocks = self.blocks(s);
+        let Some((cause, last)) = self.causes.last().zip(self.causes.len().checked_sub(1)) else {
+            return Ok(without.clone());
+        };
+        let expanded = cause.expanded(self.base.swings.len());
+        let first = without.ncols() - OWN;
+        let mut out = without.clone().insert_columns(first, expanded.len(), 0.0);
+        let reader = Reader::new(self, point, s, &blocks)?;
+        for (k, (parameter, own)) in expanded.iter().enumerate() {
+            if own.is_none_or(|own| own == s) {
+                reader.fill_cause((last, k, parameter.step), cause.on_phone, first + k, &mut out)?;
+            }
+        }
+        Ok(out)
+    }
+
     /// By start, damping and the session's parameters as far as they move the hull.
     fn fill_motion(&self, point: &Point, s: usize, blocks: &[Block], out: &mut DMatrix<f64>) -> Result<()> {
         let swung = self.swing(s);
@@ -138,7 +156,8 @@ impl Model<'_> {
             let (places, of_stream): (Vec<usize>, Vec<&Block>) =
                 blocks.iter().enumerate().filter(|(_, b)| b.stream == stream).unzip();
             let times: Vec<f64> = of_stream.iter().map(|b| b.t_s).collect();
-            let slopes = experiment.slopes_of_motion(&LANES, pliant.fineness(), &times)?;
+            // Across kinks derivatives need no more than this to lead the way.
+            let slopes = experiment.slopes_of_motion(&LANES, Fineness::OF_FITS, &times)?;
             let sensor = &swung.samples.streams[stream];
             let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };
             for (n, (place, block)) in places.iter().zip(&of_stream).enumerate() {

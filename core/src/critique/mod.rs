@@ -45,10 +45,10 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     let x = by_periods(&mut prepared);
     told.at(0.05, "fitting each swing")?;
     let Prepared { works, system, inclines, warnings } = prepared;
-    let (base, start) = Base::begin(&system, &works, &x)?;
+    let (base, start) = Base::begin(&system, &works, &inclines, &x)?;
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
-    let fitted = model.fit(&start, &|_| false)?;
+    let fitted = model.fit_growing(&start)?;
     let found = search(model.clone(), fitted, &told)?;
     told.at(0.9, "judging by samples held out")?;
     conclude(loaded, &model, &found, &inclines, warnings)

@@ -127,11 +127,13 @@ pub struct Model<'a> {
 }
 
 /// Which samples count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Part {
     All,
     Fitted,
     HeldOut,
+    /// The first so many seconds.
+    First(f64),
 }
 
 /// A recording is cut into so many stretches …
@@ -151,6 +153,7 @@ impl Part {
                 Part::All => true,
                 Part::Fitted => !held_out,
                 Part::HeldOut => held_out,
+                Part::First(horizon_s) => t_s < horizon_s,
             }
     }
 }

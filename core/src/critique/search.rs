@@ -27,6 +27,8 @@ const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
 
+/// First looks are right to this share, where laws are not linear.
+const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
 const UNNAMED_FROM: f64 = 0.01;
 /// … and come first where they leave less than this share of that.
@@ -93,7 +95,9 @@ pub fn search<'a>(base: Model<'a>, fitted: Fitted, told: &Told) -> Result<Found<
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
         told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
+        let t0 = std::time::Instant::now();
         let looks = found.looks()?;
+        if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("looks took {:?}, left {:.0} rms {:.4}", t0.elapsed(), found.left.excess(), found.fitted.rms()); }
         told.at(done + 0.08, "fitting the leading causes in full")?;
         let tried = found.tried(looks, told)?;
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
@@ -123,6 +127,7 @@ impl Found<'_> {
             }
         }
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        if std::env::var("CRIT_DEBUG").is_ok() { for l in looks.iter().take(8) { eprintln!("   look {} {:.1}", l.cause.id, l.gain); } }
         let mut leading: Vec<Look> = Vec::new();
         for look in looks {
             if look.cause.id == UNKNOWN || !leading.iter().any(|known| known.cause.id == look.cause.id) {
@@ -161,22 +166,30 @@ impl Found<'_> {
         }
         told.at(0.5, "fitting the leading causes in full")?;
         let best = tried.iter().map(|t| t.fitted.cost).fold(f64::INFINITY, f64::min);
-        tried.extend(in_parallel(others.len(), |k| self.fit(&others[k], best, true)).into_iter().flatten());
+        // Beside a cause that leaves nothing, only those count that promise nearly as much.
+        let enough = tried.first().filter(|t| t.left.is_white()).map_or(0.0, |t| RIVAL_SHARE * t.gain);
+        let others: Vec<&Look> = others.iter().filter(|look| look.gain > enough).collect();
+        tried.extend(in_parallel(others.len(), |k| self.fit(others[k], best, true)).into_iter().flatten());
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         Ok(tried)
     }
 
     /// Fits a cause in full; `None` where no start leads anywhere.
     fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
+        let t0 = std::time::Instant::now();
+        if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("begin {} look {:.1}", look.cause.id, look.gain); }
         let mut model = self.model.with(&look.cause);
         model.alone = alone;
         let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
         let costs = starts.iter().map(|start| (model.chi2(start).unwrap_or(f64::INFINITY), start));
         let (_, start) = costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
         let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
-        let fitted = model.fit(start, &|cost| cost > best + behind).ok()?;
+        let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
+        let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
+        let fitted = model.fit_with(start, known, &|cost| cost > best + behind).ok()?;
         let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
+        if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("fit {} look {:.1} gain {gain:.1} left {:.0} of {:.0} {:?} q {:?}", look.cause.id, look.gain, left.excess(), self.left.excess(), t0.elapsed(), fitted.point.causes); }
         Some(Tried { cause: look.cause.clone(), fitted, gain, left })
     }
 

@@ -119,7 +119,7 @@ impl Fineness {
     pub const OF_FITS: Self =
         Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
     /// The same across kinks.
-    pub const OF_KINKED_FITS: Self = Self { largest_error: 1e-7, most_halvings: 7, ..Self::OF_FITS };
+    pub const OF_KINKED_FITS: Self = Self { largest_error: 1e-6, most_halvings: 5, ..Self::OF_FITS };
 }
 
 /// An integration under way.

@@ -256,7 +256,7 @@ impl System<'_> {
         system.solve(&self.layout.start()).ok()
     }
 
-    fn agreed(&self, said: &[Vec<Statement>], inclines: &[Option<Quantity>]) -> Option<Vec<f64>> {
+    pub(crate) fn agreed(&self, said: &[Vec<Statement>], inclines: &[Option<Quantity>]) -> Option<Vec<f64>> {
         Some(self.agreement(said, inclines)?.x)
     }
 

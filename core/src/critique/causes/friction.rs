@@ -84,7 +84,7 @@ fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
         numbers.extend([("give_rad", give_rad), ("give_m", give_rad * line_m)]);
         add(e, "presliding_bearing", &numbers)
     });
-    Cause { kinked: true, stiff: true, one_sided: true, ..cause("presliding_bearing", parameters, law) }
+    Cause { kinked: true, one_sided: true, ..cause("presliding_bearing", parameters, law) }
 }
 
 /// Strengths are shares of mass and inertia at 0.1 rad.
