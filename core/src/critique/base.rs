@@ -7,9 +7,9 @@ use crate::inertia::by_samples::nearest_fits;
 use crate::inertia::estimate::System;
 use crate::inertia::measure::{Prepared, SwingWork, estimate};
 use crate::inertia::parameters::Layout;
-use crate::inertia::samples::{Own, Samples, SwingSetup};
+use crate::inertia::samples::{Own, Samples, Sensor, SwingSetup};
 use crate::inertia::theory::swing_periods;
-use crate::recording::{Quantity, Session};
+use crate::recording::{self, Quantity, Repair, RepairKind, Session};
 
 use super::point::{Mount, OWN, Point};
 
@@ -69,7 +69,8 @@ impl<'a> Base<'a> {
                 .map(|(_, period_s)| *period_s)
                 .fold(FASTEST_PERIOD_S, f64::min);
             let turn_u_rad = model.turn_u_rad(&fit);
-            let samples = Samples::of(evidence, fastest_s).unwrap_or(model.samples);
+            let mut samples = Samples::of(evidence, fastest_s).unwrap_or(model.samples);
+            keep_off_limits(&mut samples, evidence);
             let (x, own) = (fit.x, fit.own);
             begun.push(Begun { setup: model.setup, samples, number, evidence, x, own, turn_u_rad });
         }
@@ -94,6 +95,23 @@ impl<'a> Base<'a> {
         let free = (0..layout.parameters.len()).filter(|i| layout.parameters[*i].prior.u > 0.0).collect();
         let base = Self { session, system, swings, mounts: mounts.len(), free };
         Ok((base, Point { x, mounts, causes: vec![], owns }))
+    }
+}
+
+/// Samples at a sensor's limit were lost; those beside the gaps would be chosen by their noise. So much is left out, s.
+const BESIDE_LIMIT_S: f64 = 0.15;
+
+/// Leaves out what lies beside gaps that a sensor's limit has torn.
+fn keep_off_limits(samples: &mut Samples, evidence: &Evidence) {
+    for stream in &mut samples.streams {
+        let sensor = match stream.sensor {
+            Sensor::Gyroscope => recording::Sensor::Gyroscope,
+            Sensor::Accelerometer => recording::Sensor::Accelerometer,
+        };
+        let was_lost = |r: &Repair| r.kind == RepairKind::Saturation && (r.sensor == sensor || r.text.contains(" and "));
+        if evidence.repairs.iter().any(was_lost) {
+            stream.leave_out_beside_gaps(BESIDE_LIMIT_S);
+        }
     }
 }
 

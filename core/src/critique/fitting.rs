@@ -98,15 +98,15 @@ impl Model<'_> {
         self.fit_with(start, None, stop)
     }
 
-    /// Fits over longer and longer parts of the recordings: a phase known over one stays within a quarter of a cycle over
+    /// Where fits over longer and longer parts of the recordings lead: a phase known over one stays within a quarter of a cycle over
     /// the next.
-    pub fn fit_growing(&self, start: &Point) -> Result<Fitted> {
+    pub fn grown(&self, start: &Point) -> Result<Point> {
         let mut point = start.clone();
         for horizon_s in HORIZONS_S {
             let early = Model { part: Part::First(horizon_s), ..self.clone() };
             point = early.fit(&point, &|_| false)?.point;
         }
-        self.fit(&point, &|_| false)
+        Ok(point)
     }
 
     /// The same beginning with derivatives that are known already, good near the start.

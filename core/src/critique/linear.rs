@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::frames::{Rotation, Vec3};
 use crate::inertia::samples::{LANES, SHARED_LANES, Sensor, Stream};
 
-use super::point::{BIAS, Model, OWN, Point};
+use super::point::{BIAS, Model, OWN, Part, Point};
 
 /// Steps of numerical derivatives by the phone's place, m, and turn, rad; by a clock's error.
 const PLACE_STEP_M: f64 = 1e-4;
@@ -32,7 +32,8 @@ impl Model<'_> {
         for (stream, all) in samples.streams.iter().enumerate() {
             for range in &all.blocks {
                 let t_s = all.t_s[range.clone()].iter().sum::<f64>() / range.len() as f64;
-                if self.part.has(t_s, samples.duration_s) {
+                let is_seen = all.t_s[range.end - 1] <= self.until_s(s);
+                if is_seen && self.part.has(t_s, samples.duration_s) {
                     blocks.push(Block { stream, range, t_s });
                 }
             }
@@ -51,12 +52,21 @@ impl Model<'_> {
         Ok(swung.samples.streams.iter().zip(readings).map(of).collect())
     }
 
-    /// Readings at the time of every sample, stream by stream.
+    /// So far a swing is looked at, s.
+    fn until_s(&self, s: usize) -> f64 {
+        let duration_s = self.swing(s).samples.duration_s;
+        if let Part::First(horizon_s) = self.part { duration_s.min(horizon_s) } else { duration_s }
+    }
+
+    /// Readings at the time of every sample that is looked at, stream by stream.
     pub fn readings(&self, point: &Point, s: usize) -> Result<Vec<Vec<Vec3>>> {
         let swung = self.swing(s);
         let experiment = self.experiment(point, s)?;
-        let path = experiment.motion(self.fineness(), swung.samples.duration_s)?;
-        let times: Vec<&[f64]> = swung.samples.streams.iter().map(|stream| &stream.t_s[..]).collect();
+        let until_s = self.until_s(s);
+        let path = experiment.motion(self.fineness(), until_s)?;
+        let seen = |stream: &Stream| stream.t_s.partition_point(|t| *t <= until_s);
+        let times: Vec<&[f64]> =
+            swung.samples.streams.iter().map(|stream| &stream.t_s[..seen(stream)]).collect();
         let sensors = swung.samples.streams.iter().map(|stream| stream.sensor);
         let all = read_all(&experiment, &path, &times)?;
         let part = |(readings, sensor): (Vec<Reading<f64>>, Sensor)| {
@@ -215,7 +225,7 @@ pub struct Reader<'a> {
 impl<'a> Reader<'a> {
     pub fn new(model: &'a Model<'a>, point: &'a Point, s: usize, blocks: &'a [Block<'a>]) -> Result<Self> {
         let experiment = model.experiment(point, s)?;
-        let path = experiment.motion(model.fineness(), model.swing(s).samples.duration_s)?;
+        let path = experiment.motion(model.fineness(), model.until_s(s))?;
         Ok(Self { model, point, s, blocks, path })
     }
 
@@ -227,7 +237,7 @@ impl<'a> Reader<'a> {
     /// Rows of another motion.
     pub fn moved(&self, point: &Point) -> Result<Vec<f64>> {
         let experiment = self.model.experiment(point, self.s)?;
-        let path = experiment.motion(self.model.fineness(), self.model.swing(self.s).samples.duration_s)?;
+        let path = experiment.motion(self.model.fineness(), self.model.until_s(self.s))?;
         self.read(&experiment, &path)
     }
 

@@ -4,6 +4,9 @@
 
 mod base;
 mod findings;
+mod learned;
+mod next_swing;
+mod traces;
 mod quantities;
 mod verdict;
 mod causes;
@@ -30,9 +33,12 @@ use crate::recording::{LoadedSession, Quantity};
 
 use base::{Base, by_periods};
 use findings::findings;
+use learned::learned;
+use next_swing::next_swing;
 use point::{Model, Part};
 use quantities::quantities;
 use search::{Found, Told, search};
+use traces::traces;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-critique/1";
@@ -48,8 +54,8 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     let (base, start) = Base::begin(&system, &works, &inclines, &x)?;
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
-    let fitted = model.fit_growing(&start)?;
-    let found = search(model.clone(), fitted, &told)?;
+    let fitted = model.fit(&model.grown(&start)?, &|_| false)?;
+    let found = search(model.clone(), start, fitted, &told)?;
     told.at(0.9, "judging by samples held out")?;
     conclude(loaded, &model, &found, &inclines, warnings)
 }
@@ -74,6 +80,7 @@ fn conclude(
         heldout_rms_over_noise: Some(rms(after)),
         quantities: quantities(&found.model, &found.fitted, found.left.inflation(), inclines)?,
     };
+    let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| next_swing(found, t));
     let shifts = shifts(&baseline, &extended);
     let gain = Gain {
         heldout_rms_ratio: Some(rms(before) / rms(after)),
@@ -86,14 +93,14 @@ fn conclude(
         title: title(&loaded.session),
         discrepancies: findings(base, &found.base, &found.base_left)?,
         causes: found.causes(),
-        verdict: found.verdict(),
+        verdict: CauseVerdict { next_swing: next, ..found.verdict() },
         baseline,
         extended,
         gain,
-        learned: None,
+        learned: learned(found, rms(after)),
         warnings,
     };
-    Ok(Criticism { critique, traces: vec![] })
+    Ok(Criticism { critique, traces: traces(base, found)? })
 }
 
 /// Changes of every quantity that both models give as a number.

@@ -71,8 +71,21 @@ pub struct Cause {
     pub stiff: bool,
     /// Strengths below zero have no physical meaning.
     pub one_sided: bool,
+    /// Which of the shapes without a name it is, if one.
+    pub form: Form,
     /// What a first look sees in its place, where its own parameters are no strengths.
     pub look: Option<Arc<LookAlike>>,
+}
+
+/// What a cause is beside its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A law with a name.
+    Law,
+    /// A learned force over a coordinate (see the effect `learned_force`).
+    Force(usize),
+    /// A knock in a swing.
+    Knock(usize),
 }
 
 /// A linear form of a cause: strengths without regard to how they hang together, and the cause's parameters that come

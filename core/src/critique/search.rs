@@ -7,7 +7,7 @@ use super::causes::{Scales, TERMS, UNKNOWN, catalogue, learned_force};
 use super::fitting::Fitted;
 use super::look::Look;
 use super::moments::moments;
-use super::point::{Cause, Model, Part};
+use super::point::{Cause, Model, Part, Point};
 use super::result::Progress;
 use super::white::Left;
 
@@ -22,11 +22,15 @@ const FURTHER_TAKES: f64 = 0.7;
 const MOST_CAUSES: usize = 3;
 /// So many are fitted in full in a round.
 const LEADING: usize = 5;
+/// And in a further round.
+const FURTHER: usize = 3;
 /// Shares of the way to where the first look points, from which a full fit may begin.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
 
+/// Residual over noise beyond which a model is so far from the data that fits begin with short parts of the recordings.
+const FAR: f64 = 2.0;
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
@@ -60,6 +64,10 @@ pub struct Found<'a> {
     pub fitted: Fitted,
     pub left: Left,
     pub rounds: Vec<Round>,
+    /// Without the last cause.
+    pub before: Option<Fitted>,
+    /// Where the fits of single swings lead.
+    begin: Point,
 }
 
 /// Work done and told of.
@@ -80,8 +88,8 @@ impl Tried {
     }
 }
 
-/// Searches from a fitted base.
-pub fn search<'a>(base: Model<'a>, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
+/// Searches from a fitted base and from where its fit began.
+pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
     let base_left = Left::of(&base, &fitted.point)?;
     let mut found = Found {
         base: fitted.clone(),
@@ -90,6 +98,8 @@ pub fn search<'a>(base: Model<'a>, fitted: Fitted, told: &Told) -> Result<Found<
         model: base,
         fitted,
         rounds: vec![],
+        before: None,
+        begin,
     };
     while found.model.causes.len() < MOST_CAUSES {
         let n = found.rounds.len();
@@ -103,13 +113,34 @@ pub fn search<'a>(base: Model<'a>, fitted: Fitted, told: &Told) -> Result<Found<
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         found.rounds.push(Round { tried, taken: taken.is_some() });
         let Some(best) = taken else { break };
-        found.model.causes.push(best.cause);
-        (found.fitted, found.left) = (best.fitted, best.left);
+        found.take(best);
     }
+    found.learn();
     Ok(found)
 }
 
 impl Found<'_> {
+    fn take(&mut self, best: Tried) {
+        self.before = Some(std::mem::replace(&mut self.fitted, best.fitted));
+        self.model.causes.push(best.cause);
+        self.left = best.left;
+    }
+
+    /// Where structure remains, the model is extended even without a name for it.
+    fn learn(&mut self) {
+        if !self.is_unexplained() || self.model.causes.iter().any(|c| c.id == UNKNOWN) {
+            return;
+        }
+        let Some(last) = self.rounds.last_mut().filter(|round| !round.taken) else { return };
+        let best = last.tried.iter().position(|t| t.cause.id == UNKNOWN && t.gain > LEAST_GAIN);
+        if let Some(best) = best {
+            let best = last.tried.remove(best);
+            last.tried.insert(0, best.clone());
+            last.taken = true;
+            self.take(best);
+        }
+    }
+
     /// First looks at every cause that is not in the model yet, the most promising first, one of each name.
     fn looks(&self) -> Result<Vec<Look>> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
@@ -147,7 +178,8 @@ impl Found<'_> {
             let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
             let found = in_parallel(unnamed.len().min(2), |k| self.fit(&unnamed[k], limit, true));
             for unknown in found.into_iter().flatten() {
-                let takes_all = unknown.left.excess() < UNNAMED_LEAVES * left;
+                let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
+                let takes_all = beats && unknown.left.excess() < UNNAMED_LEAVES * left;
                 let place = if takes_all { 0 } else { tried.len() };
                 tried.insert(place, unknown);
             }
@@ -157,7 +189,7 @@ impl Found<'_> {
 
     fn fitted_in_full(&self, looks: Vec<Look>, told: &Told) -> Result<Vec<Tried>> {
         let promises = |look: &Look| look.gain > if self.left.is_white() { LEAST_GAIN - 2.0 } else { 0.0 };
-        let leading: Vec<Look> = looks.into_iter().filter(promises).take(LEADING).collect();
+        let leading: Vec<Look> = looks.into_iter().filter(promises).take(if self.rounds.is_empty() { LEADING } else { FURTHER }).collect();
         let mut tried: Vec<Tried> = Vec::new();
         // The first sets the measure; the others run side by side.
         let (first, others) = leading.split_at(leading.len().min(1));
@@ -167,7 +199,8 @@ impl Found<'_> {
         told.at(0.5, "fitting the leading causes in full")?;
         let best = tried.iter().map(|t| t.fitted.cost).fold(f64::INFINITY, f64::min);
         // Beside a cause that leaves nothing, only those count that promise nearly as much.
-        let enough = tried.first().filter(|t| t.left.is_white()).map_or(0.0, |t| RIVAL_SHARE * t.gain);
+        let nearly_all = |t: &&Tried| t.left.excess() <= UNNAMED_FROM * self.left.excess();
+        let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
         let others: Vec<&Look> = others.iter().filter(|look| look.gain > enough).collect();
         tried.extend(in_parallel(others.len(), |k| self.fit(others[k], best, true)).into_iter().flatten());
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
@@ -180,13 +213,22 @@ impl Found<'_> {
         if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("begin {} look {:.1}", look.cause.id, look.gain); }
         let mut model = self.model.with(&look.cause);
         model.alone = alone;
-        let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
-        let costs = starts.iter().map(|start| (model.chi2(start).unwrap_or(f64::INFINITY), start));
-        let (_, start) = costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
         let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
-        let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
-        let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
-        let fitted = model.fit_with(start, known, &|cost| cost > best + behind).ok()?;
+        let hopeless = |cost| cost > best + behind;
+        let fitted = if self.fitted.rms() > FAR {
+            // Far from the data the base has bent itself to whatever helped: the way begins where the swings alone lead.
+            let mut start = self.begin.clone();
+            start.causes = self.fitted.point.causes.clone();
+            start.causes.push(look.cause.start(model.base.swings.len()));
+            model.fit(&model.grown(&start).ok()?, &hopeless).ok()?
+        } else {
+            let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
+            let costs = starts.iter().map(|start| (model.chi2(start).unwrap_or(f64::INFINITY), start));
+            let (_, start) = costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
+            let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
+            let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
+            model.fit_with(start, known, &hopeless).ok()?
+        };
         let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
         if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("fit {} look {:.1} gain {gain:.1} left {:.0} of {:.0} {:?} q {:?}", look.cause.id, look.gain, left.excess(), self.left.excess(), t0.elapsed(), fitted.point.causes); }

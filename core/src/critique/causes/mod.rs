@@ -18,7 +18,7 @@ use crate::inertia::theory::{mode_names, swing_body, swing_rig};
 use crate::recording::{ModeName, Orientation};
 
 use super::base::Base;
-use super::point::{Cause, CauseParameter, Point, Put};
+use super::point::{Cause, CauseParameter, Form, Point, Put};
 
 pub use outside::{TERMS, UNKNOWN, knock_at, learned_force};
 pub use phone::{mount_at, slip_at};
@@ -110,7 +110,7 @@ fn logarithm(name: &'static str, unit: &'static str, mean: f64, u: f64) -> Cause
 }
 
 fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
-    Cause { id, parameters, put, on_phone: false, kinked: false, stiff: false, one_sided: false, look: None }
+    Cause { id, parameters, put, on_phone: false, kinked: false, stiff: false, one_sided: false, form: Form::Law, look: None }
 }
 
 /// A [`Put`] from a function of the values.

@@ -1,6 +1,6 @@
 //! Shapes of what no cause of the catalogue accounts for: they find no name, but show what is missing.
 
-use super::super::point::{Cause, CauseParameter};
+use super::super::point::{Cause, CauseParameter, Form};
 use super::{Scales, add, cause, number, put, strength};
 
 /// Name of everything that no known cause accounts for.
@@ -34,7 +34,7 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         ];
         add(e, "knock", &numbers)
     });
-    Cause { stiff: true, ..cause(UNKNOWN, parameters, law) }
+    Cause { stiff: true, form: Form::Knock(swing), ..cause(UNKNOWN, parameters, law) }
 }
 
 /// Terms of a learned force, as the effect names them.
@@ -60,5 +60,5 @@ pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[&'static str])
         numbers.extend(terms.iter().zip(q).map(|(term, q)| (*term, q * force)));
         add(e, "learned_force", &numbers)
     });
-    cause(UNKNOWN, parameters, law)
+    Cause { form: Form::Force(coordinate), ..cause(UNKNOWN, parameters, law) }
 }

@@ -32,6 +32,36 @@ pub struct Stream {
     pub blocks: Vec<Range<usize>>,
 }
 
+impl Stream {
+    /// Leaves out samples so near to a gap of lost ones, s.
+    pub fn leave_out_beside_gaps(&mut self, beside_s: f64) {
+        let mut steps: Vec<f64> = self.t_s.windows(2).map(|t| t[1] - t[0]).collect();
+        steps.sort_by(f64::total_cmp);
+        let Some(usual_s) = steps.get(steps.len() / 2).copied() else { return };
+        let gaps: Vec<[f64; 2]> =
+            self.t_s.windows(2).filter(|t| t[1] - t[0] > 1.5 * usual_s).map(|t| [t[0], t[1]]).collect();
+        let is_near = |t: f64| gaps.iter().any(|[from, to]| t > from - beside_s && t < to + beside_s);
+        let kept: Vec<bool> = self.t_s.iter().map(|t| !is_near(*t)).collect();
+        // Blocks that lose a sample go: their others are few.
+        self.blocks.retain(|block| block.clone().all(|i| kept[i]));
+        let places: Vec<usize> = kept
+            .iter()
+            .scan(0, |next, kept| {
+                let place = *next;
+                *next += usize::from(*kept);
+                Some(place)
+            })
+            .collect();
+        for block in &mut self.blocks {
+            *block = places[block.start]..places[block.start] + block.len();
+        }
+        let mut keep = kept.iter();
+        self.t_s.retain(|_| keep.next().copied().unwrap_or(false));
+        let mut keep = kept.iter();
+        self.values.retain(|_| keep.next().copied().unwrap_or(false));
+    }
+}
+
 /// All samples of a swing.
 #[derive(Debug, Clone)]
 pub struct Samples {

@@ -1,0 +1,182 @@
+//! The missing force where no known cause accounts for it: learned inside the simulation, and the simplest closed form
+//! that does as well.
+
+use super::causes::{Scales, TERMS, UNKNOWN, learned_force};
+use super::fitting::Fitted;
+use super::look::Look;
+use super::point::{Form, Model};
+use super::result::LearnedForce;
+use super::search::{Found, LEAST_GAIN, gain};
+
+/// Positions and rates at which the force is told, shares of the scale.
+const GRID: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
+const COORDINATES: [&str; 4] = ["surge", "sway", "turn", "yaw"];
+
+/// The force that the last cause is, where it is one without a name.
+pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
+    let cause = found.model.causes.last().filter(|cause| cause.id == UNKNOWN)?;
+    match cause.form {
+        Form::Force(coordinate) => force(found, coordinate, heldout_rms),
+        Form::Knock(swing) => knock(found, swing, heldout_rms),
+        Form::Law => None,
+    }
+}
+
+fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
+    let values = found.fitted.point.causes.last()?;
+    let cause = found.model.causes.last()?;
+    let id = &found.model.swing(swing).setup.swing.id;
+    let parts: Vec<String> = cause.parameters[..4]
+        .iter()
+        .zip(values)
+        .map(|(p, v)| format!("{:.3} {} ({})", v * p.factor, p.unit, p.name.trim_end_matches("_n_s").trim_end_matches("_n_m_s")))
+        .collect();
+    let at_s = values[4];
+    Some(LearnedForce {
+        coordinate: "all".into(),
+        unit: "N".into(),
+        points: vec![],
+        equation: format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", ")),
+        text: format!("{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed"),
+        heldout_rms_over_noise: Some(heldout_rms),
+        closed_heldout_rms_over_noise: Some(heldout_rms),
+    })
+}
+
+fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedForce> {
+    let scales = Scales::of(found.model.base, &found.fitted.point).ok()?;
+    let mut before = found.model.clone();
+    before.causes.pop();
+    let without = found.before.as_ref()?;
+    let closed = closed_form(&before, without, &scales, coordinate)?;
+    let full = found.model.causes.last()?;
+    let unit = full.parameters.first()?.unit;
+    let (position, rate) = reach(&scales, coordinate);
+    let closed_model = before.with(&learned_force(&scales, coordinate, &closed.terms));
+    let (chi2, rows) = Found::held_out(&closed_model, &closed.fitted).ok()?;
+    let symbol = if coordinate < 2 { ("x", "v") } else { ("θ", "ω") };
+    let values = closed.fitted.point.causes.last()?;
+    let factor = full.parameters.first()?.factor;
+    let sum: Vec<String> = closed
+        .terms
+        .iter()
+        .zip(values)
+        .map(|(term, q)| {
+            let (powers, scale) = written(term, symbol, position, rate);
+            format!("{:+.4e} {powers}", -q * factor / scale)
+        })
+        .collect();
+    let name = if coordinate == 2 { if scales.pitches { "pitch" } else { "roll" } } else { COORDINATES[coordinate] };
+    let letter = if coordinate < 2 { "F" } else { "M" };
+    Some(LearnedForce {
+        coordinate: name.into(),
+        unit: unit.into(),
+        points: points(found, coordinate, position, rate)?,
+        equation: format!("{letter}_{name} = {} {unit}", sum.join(" ")),
+        text: format!(
+            "What is missing acts on the {name} and looks most like {}",
+            closed.terms.iter().map(|t| in_words(t)).collect::<Vec<_>>().join(" and ")
+        ),
+        heldout_rms_over_noise: Some(heldout_rms),
+        closed_heldout_rms_over_noise: Some((chi2 / rows.max(1) as f64).sqrt()),
+    })
+}
+
+/// Scales of position and rate, as the effect has them.
+fn reach(scales: &Scales, coordinate: usize) -> (f64, f64) {
+    let position = if coordinate < 2 { 0.1 * scales.line_m } else { 0.1 };
+    let rate_rad_s = if coordinate == 3 { scales.yaw_rad_s } else { scales.slowest_rad_s };
+    (position, position * rate_rad_s)
+}
+
+struct Closed {
+    terms: Vec<&'static str>,
+    fitted: Fitted,
+}
+
+/// The best single term, and a second where it pays.
+fn closed_form(before: &Model, without: &Fitted, scales: &Scales, coordinate: usize) -> Option<Closed> {
+    let mut terms: Vec<&'static str> = Vec::new();
+    let mut best: Option<(f64, Fitted)> = None;
+    for _ in 0..2 {
+        let looks = TERMS.iter().filter(|term| !terms.contains(term)).filter_map(|term| {
+            let with = [&terms[..], &[*term]].concat();
+            Look::at(before, without, &learned_force(scales, coordinate, &with)).ok().flatten().map(|l| (l, with))
+        });
+        let (look, with) = looks.max_by(|a, b| a.0.gain.total_cmp(&b.0.gain))?;
+        let model = before.with(&look.cause);
+        let fitted = model.fit(&look.start(before, without, 1.0), &|_| false).ok()?;
+        let gained = gain(without, &fitted, &look.cause, before.base.swings.len())?;
+        if best.as_ref().is_some_and(|(known, _)| gained < known + LEAST_GAIN) {
+            break;
+        }
+        (terms, best) = (with, Some((gained, fitted)));
+    }
+    Some(Closed { terms, fitted: best?.1 })
+}
+
+/// A term's letters and what they are over.
+fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (String, f64) {
+    let (mut text, mut scale) = (String::new(), 1.0);
+    for letter in term.chars() {
+        let (symbol, by) = match letter {
+            'x' => (x, position),
+            'v' => (v, rate),
+            _ => ("t", 100.0),
+        };
+        text.push_str(symbol);
+        scale *= by;
+    }
+    (text, scale)
+}
+
+fn in_words(term: &str) -> &'static str {
+    match term {
+        "xx" => "a spring that is stiffer on one side",
+        "xv" => "a drag that is stronger on one side",
+        "vv" => "a push that grows with the square of the speed, one way",
+        "xxx" => "a spring that is stiffer (or softer) at wide angles",
+        "xxv" => "a drag that is stronger away from the middle",
+        "xvv" => "a spring that is stiffer (or softer) at speed",
+        "vvv" => "a drag with the third power of the speed",
+        "xt" => "a spring that changes with time",
+        _ => "a drag that changes with time",
+    }
+}
+
+/// The force with its standard uncertainty on a grid of positions and rates at the start and after 100 s.
+fn points(found: &Found, coordinate: usize, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
+    let cause = found.model.causes.last()?;
+    let values = found.fitted.point.causes.last()?;
+    let covariance = found.fitted.covariance()?;
+    let last = found.fitted.jacobians.len() * super::point::OWN;
+    let first = found.fitted.matrix.nrows() - last - values.len();
+    let factor = cause.parameters.first()?.factor;
+    let mut points = Vec::new();
+    for t_s in [0.0, 100.0] {
+        for x in GRID {
+            for v in GRID {
+                let of = |term: &str| {
+                    term.chars().fold(-factor, |product, letter| {
+                        product * match letter {
+                            'x' => x,
+                            'v' => v,
+                            _ => t_s / 100.0,
+                        }
+                    })
+                };
+                let row: Vec<f64> = cause.parameters.iter().map(|p| of(p.name)).collect();
+                let force: f64 = row.iter().zip(values).map(|(r, q)| r * q).sum();
+                let mut variance = 0.0;
+                for (i, a) in row.iter().enumerate() {
+                    for (j, b) in row.iter().enumerate() {
+                        variance += a * b * covariance[(first + i, first + j)];
+                    }
+                }
+                points.push([x * position, v * rate, t_s, force, variance.max(0.0).sqrt()]);
+            }
+        }
+    }
+    debug_assert!(coordinate < COORDINATES.len());
+    Some(points)
+}
