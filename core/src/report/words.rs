@@ -21,6 +21,51 @@ pub(super) fn repair(kind: RepairKind) -> &'static str {
     }
 }
 
+/// A cause of what the simulation gets wrong, in words.
+pub(super) fn cause(id: &str) -> String {
+    match id {
+        "unknown" => "nothing known".into(),
+        "bearing_friction" => "dry bearing friction".into(),
+        "off_centre_cm" => "off-centre centre of mass".into(),
+        other => spaced(other),
+    }
+}
+
+/// A generalised force along a coordinate, in words.
+pub(super) fn force(coordinate: &str) -> &'static str {
+    match coordinate {
+        "yaw" => "torque about the vertical",
+        "turn" => "torque in pitch or roll",
+        "across" => "force across the suspension",
+        "along" => "force along the suspension",
+        _ => "force",
+    }
+}
+
+/// `N m s^2` as it is printed: `N m s²`; the unit of a bare number is not.
+pub(super) fn unit_text(unit: &str) -> String {
+    if unit == "1" {
+        return String::new();
+    }
+    let mut parts = unit.split('^');
+    let first = parts.next().unwrap_or_default().to_string();
+    parts.fold(first, |text, part| {
+        let end = part.find(|c: char| !matches!(c, '-' | '0'..='9')).unwrap_or(part.len());
+        text + &part[..end].chars().map(raised).collect::<String>() + &part[end..]
+    })
+}
+
+/// A digit or a minus set high.
+pub(super) fn raised(character: char) -> char {
+    match character {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => digit.to_digit(10).and_then(|n| char::from_u32(0x2070 + n)).unwrap_or(digit),
+    }
+}
+
 /// First letter large; a symbol such as `k_yaw_m` stays as it is.
 pub(super) fn sentence_case(text: &str) -> String {
     if text.split(' ').next().is_some_and(|word| word.contains('_')) {
