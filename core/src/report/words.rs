@@ -55,6 +55,12 @@ pub(super) fn unit_text(unit: &str) -> String {
     })
 }
 
+/// A name less the unit that it ends in: `yaw_n_m_s` in `N m s` is `yaw`.
+pub(super) fn without_unit<'a>(name: &'a str, unit: &str) -> &'a str {
+    let ending = unit.to_lowercase().replace('^', "").replace([' ', '/'], "_");
+    name.strip_suffix(&format!("_{ending}")).unwrap_or(name)
+}
+
 /// A digit or a minus set high.
 pub(super) fn raised(character: char) -> char {
     match character {
@@ -73,4 +79,24 @@ pub(super) fn sentence_case(text: &str) -> String {
     }
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_are_set_high() {
+        let written = ["m/s^2", "N m s^2", "rad s^-1", "kg m^2/rad", "N^2 m^-10 s", "1", ""].map(unit_text);
+        assert_eq!(written, ["m/s²", "N m s²", "rad s⁻¹", "kg m²/rad", "N² m⁻¹⁰ s", "", ""]);
+    }
+
+    #[test]
+    fn a_unit_is_not_said_twice() {
+        assert_eq!(without_unit("yaw_n_m_s", "N m s"), "yaw");
+        assert_eq!(without_unit("yaw_kg_m2_rad", "kg m^2/rad"), "yaw");
+        assert_eq!(without_unit("steady_x_m_s", "m/s"), "steady_x");
+        assert_eq!(without_unit("yaw_torque_coefficient", "N m s^2"), "yaw_torque_coefficient");
+        assert_eq!(without_unit("exponent", "1"), "exponent");
+    }
 }

@@ -12,6 +12,9 @@ use gyradius_core::report::{
     BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
     thinned,
 };
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Normal};
 use serde_json::json;
 
 fn quantity(value: f64, u: f64) -> QuantityResult {
@@ -359,8 +362,9 @@ fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> S
     let wave = |t: f64| amplitude * (TAU * t / period_s).cos();
     let extended: Vec<f64> = t_s.iter().map(|t| wave(*t) * (-t / 380.0).exp() / (1.0 + t / 200.0)).collect();
     let base = t_s.iter().map(|t| wave(*t) * (-t / 140.0).exp()).collect();
-    // The sum of four even draws has a standard deviation of 0.577.
-    let measured = extended.iter().enumerate().map(|(i, y)| y + noise_size * noise(i) / 0.577).collect();
+    // Seed 1: the same page every time.
+    let draws = Normal::new(0.0, noise_size).expect("a size").sample_iter(ChaCha8Rng::seed_from_u64(1));
+    let measured = extended.iter().zip(draws).map(|(y, noise)| y + noise).collect();
     SwingTrace {
         swing: swing.into(),
         channel: "turn rate about the phone's z".into(),

@@ -4,6 +4,7 @@ use super::Figure;
 use crate::critique::SwingTrace;
 use crate::report::chart::{Mark, Panel, colour, stacked};
 use crate::report::digits::significant;
+use crate::report::scale::extent;
 use crate::report::source::Curve;
 use crate::report::thin::thinned;
 
@@ -20,8 +21,8 @@ fn picture(i: usize, trace: &SwingTrace) -> Figure {
     let title = format!("{}: {}", trace.swing, trace.channel);
     let svg = stacked(&title, &curves.panels());
     let caption = format!(
-        "Above, the swing with both simulations, and the part where the base one is worst. Below, what each leaves, in units \
-         of the noise of one sample ({} {}); a simulation that lacks nothing stays about the band, structureless.",
+        "The swing, and what each simulation leaves of it in units of the noise of one sample ({} {}); the lines stand one \
+         noise either way. Last, the few cycles in which the base simulation is furthest off.",
         significant(trace.noise, 2),
         trace.unit
     );
@@ -35,6 +36,8 @@ struct Curves {
     close_up: [Curve; 3],
     before: Curve,
     after: Curve,
+    /// One noise above and below zero.
+    band: [Curve; 2],
 }
 
 impl Curves {
@@ -44,29 +47,32 @@ impl Curves {
                 .map(|y| thinned(part(&trace.t_s, from, to), part(y, from, to)))
         };
         let (from, to) = worst(trace);
+        let ends = extent(trace.t_s.iter().copied());
         Self {
             unit: trace.unit.clone(),
             whole: all(0, trace.t_s.len()),
             close_up: all(from, to),
             before: over_noise(trace, &trace.base),
             after: over_noise(trace, &trace.extended),
+            band: [-1.0, 1.0].map(|y| Curve::of(ends.into_iter().flatten().map(|t| (t, y)))),
         }
     }
 
     fn panels(&self) -> Vec<Panel<'_>> {
         let unit = &self.unit;
         let mut panels = vec![
-            overlaid(format!("whole record, {unit}"), &self.whole, 110.0),
-            overlaid(format!("where the base is worst, {unit}"), &self.close_up, 110.0),
-            residual("left by the base simulation, noise", &self.before, colour::SECOND),
+            overlaid(format!("whole record, {unit}"), &self.whole),
+            residual("left by the base simulation, noise", &self.before, &self.band, colour::SECOND),
         ];
         // Where nothing was missing there is but one simulation.
         if self.whole[1] != self.whole[2] {
-            panels.push(residual("left by the extended one, noise", &self.after, colour::MODEL));
+            panels.push(residual("left by the extended one, noise", &self.after, &self.band, colour::MODEL));
         }
         if let Some(last) = panels.last_mut() {
             last.x_label = "time, s";
         }
+        let close_up = overlaid(format!("where the base is worst, {unit}"), &self.close_up);
+        panels.push(Panel { x_label: "time, s", ..close_up });
         panels
     }
 }
@@ -76,14 +82,14 @@ fn line<'a>(curve: &'a Curve, colour: &'static str, width: f64) -> Mark<'a> {
     Mark::Line { x: &curve.x, y: &curve.y, colour, width }
 }
 
-fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3], height: f64) -> Panel<'_> {
+fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3]) -> Panel<'_> {
     Panel {
         heading,
         legend: vec![(colour::MEASURED, "measured"), (colour::SECOND, "base"), (colour::MODEL, "extended")],
         x_label: "",
         x_range: None,
         log_y: false,
-        height,
+        height: 110.0,
         marks: vec![
             line(measured, colour::MEASURED, 3.0),
             line(base, colour::SECOND, 0.9),
@@ -92,7 +98,7 @@ fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3], height: f6
     }
 }
 
-fn residual<'a>(heading: &str, curve: &'a Curve, colour: &'static str) -> Panel<'a> {
+fn residual<'a>(heading: &str, curve: &'a Curve, band: &'a [Curve; 2], colour: &'static str) -> Panel<'a> {
     Panel {
         heading: heading.into(),
         legend: vec![],
@@ -100,7 +106,11 @@ fn residual<'a>(heading: &str, curve: &'a Curve, colour: &'static str) -> Panel<
         x_range: None,
         log_y: false,
         height: 80.0,
-        marks: vec![line(curve, colour, 0.7), Mark::Level { y: 0.0, u: 1.0, name: "" }],
+        marks: vec![
+            line(curve, colour, 0.7),
+            line(&band[0], colour::INK, 0.8),
+            line(&band[1], colour::INK, 0.8),
+        ],
     }
 }
 

@@ -79,7 +79,7 @@ fn causes(critique: &Critique, out: &mut Markup) {
                 it gains against what its freedom costs: a logarithm of 5 is odds of 150 to 1.";
     out.element("p", &[], text);
     let rows: Vec<Vec<String>> = critique.causes.iter().map(|cause| cause_row(critique, cause)).collect();
-    let heads = ["Cause", "Probability", "Log evidence", "How strong", "In words"];
+    let heads = ["Cause", "Probability", "Log evidence", "What it is, and how strong"];
     table(out, &heads, &rows);
     figures(out, pictures::causes(critique).as_slice());
 }
@@ -90,19 +90,19 @@ fn cause_row(critique: &Critique, cause: &CauseResult) -> Vec<String> {
         (false, true) => " (cannot be told apart)",
         (false, false) => "",
     };
-    let parameters: Vec<String> = cause.parameters.iter().map(parameter).collect();
+    let text = Some(cause.text.clone()).filter(|text| !text.is_empty());
+    let said: Vec<String> = text.into_iter().chain(cause.parameters.iter().map(parameter)).collect();
     vec![
         words::sentence_case(&format!("{}{remark}", words::cause(&cause.id))),
         format!("{} %", percent(cause.probability)),
         signed(cause.log_evidence_gain, &significant(cause.log_evidence_gain, 3)),
-        if parameters.is_empty() { NOTHING.into() } else { parameters.join("; ") },
-        words::sentence_case(&cause.text),
+        words::sentence_case(&said.join("; ")),
     ]
 }
 
 /// `yaw torque coefficient 12.10 ± 0.30 N m s²`.
 fn parameter((name, parameter): (&String, &ParameterResult)) -> String {
-    let name = words::spaced(name);
+    let name = words::spaced(words::without_unit(name, &parameter.unit));
     // An uncertainty that is no number determines nothing either.
     if parameter.u <= UNDETERMINED * parameter.value.abs() {
         let figure = joined(&with_u(parameter.value, parameter.u), &words::unit_text(&parameter.unit));
@@ -254,7 +254,7 @@ fn discrepancies(all: &[Discrepancy], out: &mut Markup) {
     );
     let rest = all.len() - shown.len();
     if rest > 0 {
-        out.element("p", &[("class", "note")], &format!("{rest} more are in the data of this file."));
+        out.element("p", &[("class", "note")], &format!("{rest} more stand in the data of this file."));
     }
 }
 
