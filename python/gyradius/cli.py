@@ -240,7 +240,7 @@ def _measured(session: Session, limits: list[str] | None = None) -> Measurement:
 
 
 def _criticised(session: Session) -> Critique:
-    with counted(_errors(), session.title) as told:
+    with counted(_errors(), "criticising") as told:
         return session.critique(told)
 
 

@@ -54,7 +54,7 @@ def _parts(critique: Critique) -> list[RenderableType]:
 def _verdict(critique: Critique) -> Text:
     word, style = STATUS.get(critique.verdict.status, (critique.verdict.status, "bold"))
     said = critique.verdict.text or ", ".join(map(spaced, critique.verdict.causes))
-    return Text.assemble((word, style), f": {said}" if said else "")
+    return Text.assemble((word, style), f". {said[0].upper()}{said[1:]}" if said else "")
 
 
 def _causes(critique: Critique) -> RenderableType:
@@ -62,7 +62,7 @@ def _causes(critique: Critique) -> RenderableType:
     for cause in critique.causes:
         parameters = [parameter_text(name, parameter) for name, parameter in cause.parameters.items()]
         told_apart = cause.id not in critique.verdict.indistinguishable_from
-        remark = " (taken)" if cause.taken else "" if told_apart else " (not told apart)"
+        remark = " (extended model)" if cause.taken else "" if told_apart else " (not told apart)"
         evidence = "–" if cause.log_evidence_gain is None else f"{cause.log_evidence_gain:+.5g}"
         table.add_row(
             spaced(cause.id) + remark,
@@ -105,14 +105,19 @@ def percent(probability: float | None) -> str:
 
 
 def _discrepancies(critique: Critique) -> RenderableType:
-    table = grid(
-        "What the base simulation gets wrong", "swing", "what", "size", "sigma", "in words", words=("in words",)
-    )
+    columns = ("swing", "what", "size", "sigma", "in words")
+    table = grid("What the base simulation gets wrong", *columns, left=2, words=("in words",))
     for found in critique.discrepancies[:DISCREPANCY_ROWS]:
         size = f"{short(found.size)} {unit_text(found.unit)}".rstrip()
-        table.add_row(found.swing or "between", spaced(found.what), size, short(found.sigma), found.text)
+        table.add_row(
+            found.swing or "between",
+            spaced(found.what.replace("_vs_", " against ")),
+            size,
+            short(found.sigma),
+            found.text,
+        )
     rest = len(critique.discrepancies) - DISCREPANCY_ROWS
-    return Group(table, Text(f"  {rest} more stand in the JSON", style="dim")) if rest > 0 else table
+    return Group(table, Text(f"  and {rest} more, in the JSON", style="dim")) if rest > 0 else table
 
 
 def _quantities(critique: Critique) -> RenderableType:
@@ -160,7 +165,7 @@ def _gain(critique: Critique) -> RenderableType:
             ("held-out residual, base over extended:", gain.heldout_rms_ratio),
             ("gain of the log density of each held-out sample:", gain.log_score_per_sample),
         )
-        if value is not None
+        if value is not None and critique.verdict.status != "adequate"
     ]
     return Group(table, *said)
 

@@ -121,9 +121,9 @@ def test_what_is_no_criticism_is_refused() -> None:
 
 def test_tables_say_it_all() -> None:
     said = shown(made())
-    assert said.index("Ambiguous: a drag with the square") < said.index("Causes tried")
+    assert said.index("Ambiguous. A drag with the square") < said.index("Causes tried")
     for text in (
-        "quadratic drag (taken)",
+        "quadratic drag (extended model)",
         "power law damping (not told apart)",
         "62.0 %",
         "< 0.1 %",
@@ -133,7 +133,8 @@ def test_tables_say_it_all() -> None:
         "yaw 4.40 ± 0.20 N m s",
         "the decrement grows by 31 %",
         "0.0123 rad s⁻¹",
-        "1 more stand in the JSON",
+        "and 1 more, in the JSON",
+        "decay against amplitude",
         "1.05660 ± 0.00093 m",
         "1.0591 ± 0.0010 m",
         "+0.00250 m",
@@ -149,11 +150,12 @@ def test_tables_say_it_all() -> None:
 def test_tables_of_a_learned_force() -> None:
     said = shown(made("unexplained"))
     for text in (
-        "Unexplained: a torque remains",
+        "Unexplained. A torque remains",
         "a spring that is stiffer",
         "torque = -18.4 angle",
         "> 99.9 %",
         "1.07",
+        "stiffness 31.0 ± 2.0 N m/rad",
     ):
         assert text in said, text
 
@@ -162,11 +164,11 @@ def test_tables_of_nothing_missing() -> None:
     def nothing(data: dict) -> None:
         data["verdict"] = {"status": "adequate", "causes": [], "indistinguishable_from": [], "next_swing": None}
         data["causes"], data["discrepancies"] = [], []
-        data["gain"] = {"heldout_rms_ratio": None, "log_score_per_sample": None, "k_yaw_shift_m": None}
         data["extended"] = {"rms_over_noise": None, "heldout_rms_over_noise": None, "quantities": {}}
 
     said = shown(made(change=nothing))
     assert "Nothing is missing" in said
+    assert "base over extended" not in said
     assert "Causes tried" not in said
 
 

@@ -89,7 +89,7 @@ fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3]) -> Panel<'
         x_label: "",
         x_range: None,
         log_y: false,
-        height: 110.0,
+        height: 90.0,
         marks: vec![
             line(measured, colour::MEASURED, 3.0),
             line(base, colour::SECOND, 0.9),
@@ -105,7 +105,8 @@ fn residual<'a>(heading: &str, curve: &'a Curve, band: &'a [Curve; 2], colour: &
         x_label: "",
         x_range: None,
         log_y: false,
-        height: 80.0,
+        // High enough for ticks on both sides of zero.
+        height: 110.0,
         marks: vec![
             line(curve, colour, 0.7),
             line(&band[0], colour::INK, 0.8),

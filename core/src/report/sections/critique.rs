@@ -39,8 +39,11 @@ fn written(criticism: &Criticism, out: &mut Markup) {
     verdict(critique, out);
     warnings(critique, out);
     causes(critique, out);
-    gain(critique, out);
-    quantities(critique, out);
+    misfit(critique, out);
+    if !is_adequate(critique) {
+        gain(critique, out);
+        quantities(critique, out);
+    }
     learned(critique.learned.as_ref(), out);
     next_swing(critique.verdict.next_swing.as_ref(), out);
     discrepancies(&critique.discrepancies, out);
@@ -48,6 +51,11 @@ fn written(criticism: &Criticism, out: &mut Markup) {
         out.element("h3", &[], "Measured against simulated");
         figures(out, &pictures::against_simulations(&criticism.traces));
     }
+}
+
+/// True where nothing is missing: both simulations are one.
+fn is_adequate(critique: &Critique) -> bool {
+    critique.verdict.status == "adequate"
 }
 
 fn verdict(critique: &Critique, out: &mut Markup) {
@@ -60,7 +68,7 @@ fn verdict(critique: &Critique, out: &mut Markup) {
     out.within("p", &[("class", class)], |out| {
         out.element("strong", &[], word);
         if !critique.verdict.text.is_empty() {
-            out.write(&format!(": {}", critique.verdict.text));
+            out.write(&format!(". {}", words::sentence_case(&critique.verdict.text)));
         }
     });
 }
@@ -112,14 +120,20 @@ fn parameter((name, parameter): (&String, &ParameterResult)) -> String {
     }
 }
 
-fn gain(critique: &Critique, out: &mut Markup) {
-    out.element("h3", &[], "What it gains");
+fn misfit(critique: &Critique, out: &mut Markup) {
+    out.element("h3", &[], "How much is left");
     let ratio = |value: Option<f64>| value.map_or(NOTHING.into(), |value| significant(value, 3));
     let row = |name: &str, model: &ModelResult| {
         vec![name.to_string(), ratio(model.rms_over_noise), ratio(model.heldout_rms_over_noise)]
     };
-    let rows = [row("Base simulation", &critique.baseline), row("Extended simulation", &critique.extended)];
+    let mut rows = vec![row("Base simulation", &critique.baseline)];
+    if !is_adequate(critique) {
+        rows.push(row("Extended simulation", &critique.extended));
+    }
     table(out, &["Residual over noise", "Samples fitted", "Samples held out"], &rows);
+}
+
+fn gain(critique: &Critique, out: &mut Markup) {
     let gained = critique.gain.heldout_rms_ratio.map(|ratio| {
         format!(
             "On samples that took no part in the fit the residual is {} times smaller.",
@@ -254,14 +268,14 @@ fn discrepancies(all: &[Discrepancy], out: &mut Markup) {
     );
     let rest = all.len() - shown.len();
     if rest > 0 {
-        out.element("p", &[("class", "note")], &format!("{rest} more stand in the data of this file."));
+        out.element("p", &[("class", "note")], &format!("And {rest} more, in the data of this file."));
     }
 }
 
 fn row(found: &Discrepancy) -> Vec<String> {
     vec![
         if found.swing.is_empty() { "between swings".into() } else { found.swing.clone() },
-        words::sentence_case(&words::spaced(&found.what)),
+        words::sentence_case(&words::spaced(&found.what.replace("_vs_", " against "))),
         joined(&significant(found.size, 3), &words::unit_text(&found.unit)),
         format!("{} σ", sigmas(found.sigma)),
         words::sentence_case(&found.text),
