@@ -1,5 +1,7 @@
 //! Sources made by hand, with numbers near those of the paper's keelboat (Tables 1 and 2) and model hull (Table 3).
 
+#![allow(clippy::expect_used)]
+
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
