@@ -8,8 +8,20 @@
 The science is in the Rust core; this package converts, prints and draws.
 """
 
-from ._core import GyradiusError, InputError, NoResultError, __version__
+from ._core import CancelledError, GyradiusError, InputError, NoResultError, __version__
 from .arrays import Decomposition, Mode, decompose, evaluate_route, routes
+from .critique import (
+    CauseResult,
+    CauseVerdict,
+    Critique,
+    Discrepancy,
+    Gain,
+    LearnedForce,
+    ModelResult,
+    NextSwing,
+    ParameterResult,
+    SwingTrace,
+)
 from .imports import import_files
 from .measurement import (
     AmplitudePoint,
@@ -29,14 +41,24 @@ from .simulation import Rig, Simulation, read_rig, shipped_rigs, simulate
 __all__ = [
     "AmplitudePoint",
     "BudgetLine",
+    "CancelledError",
+    "CauseResult",
+    "CauseVerdict",
     "Claim",
+    "Critique",
     "Decomposition",
+    "Discrepancy",
+    "Gain",
     "GyradiusError",
     "InputError",
+    "LearnedForce",
     "Measurement",
     "Mode",
     "ModeResult",
+    "ModelResult",
+    "NextSwing",
     "NoResultError",
+    "ParameterResult",
     "Quantity",
     "Repair",
     "Rig",
@@ -44,6 +66,7 @@ __all__ = [
     "Session",
     "Simulation",
     "SwingResult",
+    "SwingTrace",
     "Verdict",
     "__version__",
     "decompose",

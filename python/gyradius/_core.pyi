@@ -1,5 +1,6 @@
 """The native module: thin conversions around the Rust core."""
 
+from collections.abc import Callable
 from typing import final
 
 import numpy as np
@@ -8,6 +9,8 @@ from numpy.typing import NDArray
 from .imports import ImportPlan
 
 __all__ = [
+    "CancelledError",
+    "Criticism",
     "Decomposition",
     "GyradiusError",
     "InputError",
@@ -39,6 +42,9 @@ class InputError(GyradiusError):
 class NoResultError(GyradiusError):
     """The data do not allow a result."""
 
+class CancelledError(GyradiusError):
+    """The work was stopped by whoever watched it."""
+
 @final
 class Session:
     """A session with its recordings."""
@@ -48,19 +54,29 @@ class Session:
     @property
     def swing_ids(self) -> list[str]: ...
     def measure(self, limits: list[str]) -> Measurement: ...
+    def critique(self, progress: Callable[[float, str], object] | None = None) -> Criticism: ...
 
 @final
 class Measurement:
     """The result of a session, as the core made it."""
 
     def to_json(self) -> str: ...
-    def to_html(self) -> str: ...
+    def to_html(self, critique: Criticism | None, no_critique: str | None) -> str: ...
     @property
     def recorded_swings(self) -> list[str]: ...
     def fits(
         self, swing_id: str
     ) -> list[tuple[list[str], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]]: ...
     def spectrum(self, swing_id: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+@final
+class Criticism:
+    """What the simulation gets wrong, as the core made it."""
+
+    @staticmethod
+    def from_json(critique: str, traces: str) -> Criticism: ...
+    def to_json(self) -> str: ...
+    def traces(self) -> list[tuple[str, str, str, float, list[NDArray[np.float64]]]]: ...
 
 @final
 class Decomposition:

@@ -14,11 +14,14 @@ from rich.table import Table
 from . import _core
 from .arguments import Orientation, Platform, Suspension, quantity, stated
 from .arrays import routes as catalogue
+from .critique import FORMAT as CRITIQUE
+from .critique import Critique
+from .critique_tables import show_critique
 from .imports import import_files
 from .measurement import Measurement
 from .outcome import BAD_INPUT, reported, write_json
-from .progress import working
-from .session import load, shipped_sessions
+from .progress import counted, working
+from .session import Session, load, shipped_sessions
 from .simulation import read_rig
 from .tables import show
 
@@ -50,6 +53,9 @@ def demo(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where reports and JSON go.")] = Path(
         "gyradius-demo"
     ),
+    critique: Annotated[
+        bool, typer.Option("--critique", help="Criticise the simulation too: minutes, not seconds.")
+    ] = False,
     json: Json = None,
 ) -> None:
     """Run the main job on the sessions that come with the package."""
@@ -59,7 +65,7 @@ def demo(
             raise _core.InputError("no sessions came with this package")
         output.mkdir(parents=True, exist_ok=True)
         console = _console(json)
-        measured = {name: _demo_one(console, name, path, output) for name, path in sessions.items()}
+        measured = {name: _demo_one(console, name, path, output, critique) for name, path in sessions.items()}
         if json is not None:
             write_json(_joined(measured), json)
         console.print("Reports:")
@@ -71,10 +77,20 @@ def demo(
 def measure(session: SessionPath, json: Json = None, limit: Limits = None, map_: Map = None) -> None:
     """Periods, gyradii, centre of mass and principal axes, each with its uncertainty and budget."""
     with reported(_errors(), json):
-        measurement = _measured(session, limit, map_)
+        measurement = _measured(_loaded(session, map_), limit)
         if json is not None:
             write_json(measurement.to_json(), json)
         show(_console(json), measurement)
+
+
+@app.command()
+def critique(session: SessionPath, json: Json = None) -> None:
+    """What the simulation gets wrong, why, the extended model and the gain."""
+    with reported(_errors(), json, CRITIQUE):
+        found = _criticised(_loaded(session))
+        if json is not None:
+            write_json(found.to_json(), json)
+        show_critique(_console(json), found)
 
 
 @app.command()
@@ -86,11 +102,15 @@ def report(
     ],
     json: Json = None,
     limit: Limits = None,
+    critique: Annotated[
+        bool, typer.Option("--critique/--no-critique", help="With what the simulation gets wrong, which takes minutes.")
+    ] = True,
 ) -> None:
     """Write one self-contained HTML file with pictures, or a PDF."""
     with reported(_errors(), json):
-        measurement = _measured(session, limit)
-        write_report(measurement, output)
+        loaded = _loaded(session)
+        measurement = _measured(loaded, limit)
+        write_report(measurement, output, _critique_or_reason(loaded) if critique else None)
         if json is not None:
             write_json(measurement.to_json(), json)
         _console(json).print(f"Report: {output}", soft_wrap=True, highlight=False, markup=False)
@@ -195,13 +215,12 @@ def _later(name: str) -> None:
     app.command(name, hidden=True, context_settings=settings, add_help_option=False)(command)
 
 
-for _name in ("critique", "plan"):
-    _later(_name)
+_later("plan")
 
 
-def write_report(measurement: Measurement, output: Path) -> None:
-    """Write a report as HTML, or as PDF where the name ends so."""
-    html = measurement.to_html()
+def write_report(measurement: Measurement, output: Path, critique: Critique | str | None = None) -> None:
+    """Write a report as HTML, or as PDF where the name ends so; with a criticism, or why there is none."""
+    html = measurement.to_html(critique)
     if output.suffix.lower() == ".pdf":
         from .pdf import write_pdf
 
@@ -210,15 +229,38 @@ def write_report(measurement: Measurement, output: Path) -> None:
         output.write_text(html, encoding="utf-8")
 
 
-def _measured(path: str, limits: list[str] | None = None, mapping: list[str] | None = None) -> Measurement:
-    with working(_errors(), f"measuring {path}"):
-        return load(path, mapping=mapping or []).measure(limits or [])
+def _loaded(path: str, mapping: list[str] | None = None) -> Session:
+    with working(_errors(), f"reading {path}"):
+        return load(path, mapping=mapping or [])
 
 
-def _demo_one(console: Console, name: str, path: Path, output: Path) -> Measurement:
-    measurement = _measured(str(path))
+def _measured(session: Session, limits: list[str] | None = None) -> Measurement:
+    with working(_errors(), f"measuring {session.title}"):
+        return session.measure(limits or [])
+
+
+def _criticised(session: Session) -> Critique:
+    with counted(_errors(), "criticising") as told:
+        return session.critique(told)
+
+
+def _critique_or_reason(session: Session) -> Critique | str:
+    try:
+        return _criticised(session)
+    except _core.GyradiusError as error:
+        _errors().print(f"no criticism: {error}", soft_wrap=True, highlight=False, markup=False)
+        return str(error)
+
+
+def _demo_one(console: Console, name: str, path: Path, output: Path, critique: bool) -> Measurement:
+    session = _loaded(str(path))
+    measurement = _measured(session)
     show(console, measurement)
-    write_report(measurement, output / f"{name}.html")
+    criticism = _critique_or_reason(session) if critique else None
+    if isinstance(criticism, Critique):
+        show_critique(console, criticism)
+        write_json(criticism.to_json(), str(output / f"{name}-critique.json"))
+    write_report(measurement, output / f"{name}.html", criticism)
     write_json(measurement.to_json(), str(output / f"{name}.json"))
     return measurement
 

@@ -8,19 +8,21 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, TypeVar
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from .records import frozen, record, records
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from .critique import Critique
+
 FORMAT = "gyradius-measurement/1"
-Record = TypeVar("Record")
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,9 +162,14 @@ class Measurement:
         """The JSON text, byte for byte as the core writes it."""
         return self._core.to_json()
 
-    def to_html(self) -> str:
-        """The report: one self-contained HTML file."""
-        return self._core.to_html()
+    def to_html(self, critique: Critique | str | None = None) -> str:
+        """The report: one self-contained HTML file.
+
+        ``critique`` is the same session's criticism, or the reason why there is none.
+        """
+        if critique is None or isinstance(critique, str):
+            return self._core.to_html(None, critique)
+        return self._core.to_html(critique._core, None)
 
     @property
     def recorded_swings(self) -> list[str]:
@@ -193,12 +200,12 @@ def view(core: _core.Measurement) -> Measurement:
         format=data["format"],
         title=data["title"],
         swings=tuple(_swing(item) for item in data["swings"]),
-        quantities={name: _record(Quantity, item) for name, item in data["quantities"].items()},
+        quantities={name: record(Quantity, item) for name, item in data["quantities"].items()},
         alternatives={name: tuple(map(_route, items)) for name, items in data["alternatives"].items()},
-        budget={name: _records(BudgetLine, items) for name, items in data["budget"].items()},
-        correlations=_frozen(data["correlations"]),
-        consistency=tuple(_record(Claim, {**item, "source": item["from"]}) for item in data["consistency"]),
-        verdicts=_records(Verdict, data["verdicts"]),
+        budget={name: records(BudgetLine, items) for name, items in data["budget"].items()},
+        correlations=frozen(data["correlations"]),
+        consistency=tuple(record(Claim, {**item, "source": item["from"]}) for item in data["consistency"]),
+        verdicts=records(Verdict, data["verdicts"]),
         warnings=tuple(data["warnings"]),
         _core=core,
     )
@@ -206,25 +213,12 @@ def view(core: _core.Measurement) -> Measurement:
 
 def _swing(item: dict[str, Any]) -> SwingResult:
     modes = tuple(_mode(mode) for mode in item["modes"])
-    return _record(SwingResult, {**item, "modes": modes, "repairs": _records(Repair, item["repairs"])})
+    return record(SwingResult, {**item, "modes": modes, "repairs": records(Repair, item["repairs"])})
 
 
 def _mode(item: dict[str, Any]) -> ModeResult:
-    return _record(ModeResult, {**item, "against_amplitude": _records(AmplitudePoint, item["against_amplitude"])})
+    return record(ModeResult, {**item, "against_amplitude": records(AmplitudePoint, item["against_amplitude"])})
 
 
 def _route(item: dict[str, Any]) -> Route:
-    return _record(Route, {**item, "sources": item["from"]})
-
-
-def _records(kind: type[Record], items: list[dict[str, Any]]) -> tuple[Record, ...]:
-    return tuple(_record(kind, item) for item in items)
-
-
-def _record(kind: type[Record], item: dict[str, Any]) -> Record:
-    known = [field.name for field in fields(kind)]  # type: ignore[arg-type]
-    return kind(**{name: _frozen(item[name]) for name in known if name in item})
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(_frozen(item) for item in value) if isinstance(value, list | tuple) else value
+    return record(Route, {**item, "sources": item["from"]})

@@ -23,18 +23,18 @@ INTERRUPTED = 130
 
 
 @contextmanager
-def reported(errors: Console, json_to: str | None = None) -> Iterator[None]:
-    """Turn what goes wrong inside into a message, the JSON and an exit status."""
+def reported(errors: Console, json_to: str | None = None, form: str = FORMAT) -> Iterator[None]:
+    """Turn what goes wrong inside into a message, the JSON (of format ``form``) and an exit status."""
     try:
         yield
     except GyradiusError as error:
         status = NO_RESULT if isinstance(error, NoResultError) else BAD_INPUT
-        _fail(errors, json_to, str(error), status, error.file, error.line)
+        _fail(errors, json_to, form, str(error), status, error.file, error.line)
     except BrokenPipeError:
         _silence_standard_output()
         raise typer.Exit(0) from None
     except OSError as error:
-        _fail(errors, json_to, f"{error.filename or 'output'}: {error.strerror or error}", BAD_INPUT)
+        _fail(errors, json_to, form, f"{error.filename or 'output'}: {error.strerror or error}", BAD_INPUT)
     except KeyboardInterrupt:
         raise typer.Exit(INTERRUPTED) from None
     except (typer.Exit, typer.Abort, typer.BadParameter):
@@ -43,7 +43,7 @@ def reported(errors: Console, json_to: str | None = None) -> Iterator[None]:
         if os.environ.get("GYRADIUS_TRACEBACK"):
             raise
         say = f"a mistake of this program, please report it: {type(error).__name__}: {error}"
-        _fail(errors, json_to, say, INTERNAL)
+        _fail(errors, json_to, form, say, INTERNAL)
 
 
 def write_json(text: str, target: str) -> None:
@@ -55,16 +55,17 @@ def write_json(text: str, target: str) -> None:
         Path(target).write_text(text, encoding="utf-8")
 
 
-def error_json(message: str, status: int, file: str | None, line: int | None) -> str:
-    """The measurement that there is not: the reason in its place."""
+def error_json(form: str, message: str, status: int, file: str | None, line: int | None) -> str:
+    """The result that there is not: the reason in its place."""
     kind = {NO_RESULT: "no_result", BAD_INPUT: "input"}.get(status, "internal")
     error = {"kind": kind, "message": message, "file": file, "line": line}
-    return json.dumps({"format": FORMAT, "error": error}, ensure_ascii=False, indent=2)
+    return json.dumps({"format": form, "error": error}, ensure_ascii=False, indent=2)
 
 
 def _fail(
     errors: Console,
     json_to: str | None,
+    form: str,
     message: str,
     status: int,
     file: str | None = None,
@@ -72,7 +73,7 @@ def _fail(
 ) -> None:
     if json_to is not None:
         try:
-            write_json(error_json(message, status, file, line), json_to)
+            write_json(error_json(form, message, status, file, line), json_to)
         except OSError as error:
             message, status = f"{message}; {json_to}: {error.strerror}", BAD_INPUT
     errors.print(Text(f"gyradius: {message}"), soft_wrap=True)

@@ -1,4 +1,4 @@
-"""Pictures of a measurement: each recording with its fit, what the fit leaves, and the spectrum.
+"""Pictures of a measurement and of its criticism: recordings with their fits and spectra, residuals of simulations.
 
 All arrays come from the core; here they are only drawn.
 """
@@ -17,10 +17,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from .critique import Critique, SwingTrace
     from .measurement import Measurement
 
 # Inches.
-WIDTH, ROW_HEIGHT = 12.0, 5.0
+WIDTH, ROW_HEIGHT, TRACE_HEIGHT = 12.0, 5.0, 3.0
 # The spectrum shows so many times the highest mode's frequency; above it there is noise.
 FREQUENCY_MARGIN = 4.0
 
@@ -36,6 +37,39 @@ def figure(measurement: Measurement, swing_ids: Sequence[str] = ()) -> Figure:
     for part, id_ in zip(page.subfigures(len(drawn), 1, squeeze=False).flat, drawn, strict=True):
         _swing(part, measurement, id_)
     return page
+
+
+def residuals(critique: Critique, swing_ids: Sequence[str] = ()) -> Figure:
+    """A row for each swing that was fitted: measured and simulated, and what each simulation leaves over the noise."""
+    from matplotlib.figure import Figure
+
+    drawn = [trace for trace in critique.traces if not swing_ids or trace.swing in swing_ids]
+    if not drawn:
+        raise _core.NoResultError("no swing to draw: none was fitted by the simulation")
+    page = Figure(figsize=(WIDTH, TRACE_HEIGHT * len(drawn)), layout="constrained")
+    for axes, trace in zip(page.subplots(len(drawn), 3, squeeze=False, sharex="row"), drawn, strict=True):
+        _overlaid(axes[0], trace)
+        _over_noise(axes[1], trace, trace.base, "left by the base simulation, noise")
+        _over_noise(axes[2], trace, trace.extended, "left by the extended one, noise")
+    return page
+
+
+def _overlaid(axes: Axes, trace: SwingTrace) -> None:
+    axes.plot(trace.t_s, trace.measured, ".", color="grey", markersize=1.5, label="measured")
+    axes.plot(trace.t_s, trace.base, color="C1", linewidth=0.8, label="base")
+    axes.plot(trace.t_s, trace.extended, color="C0", linewidth=0.8, label="extended")
+    axes.set_title(f"{trace.swing}: {trace.channel}, {trace.unit}", fontsize="small")
+    axes.legend(fontsize="x-small", loc="upper right", ncols=3)
+    axes.set_xlabel("t, s")
+
+
+def _over_noise(axes: Axes, trace: SwingTrace, simulated: NDArray[np.float64], title: str) -> None:
+    left = (trace.measured - simulated) / trace.noise
+    axes.plot(trace.t_s, left, ".", markersize=1.0, color="C0")
+    axes.axhspan(-1.0, 1.0, color="C1", alpha=0.3)
+    rms = float(np.sqrt(np.mean(left**2)))
+    axes.set_title(f"{title} (rms {rms:.3g})", fontsize="small")
+    axes.set_xlabel("t, s")
 
 
 def _swing(part: Any, measurement: Measurement, swing_id: str) -> None:

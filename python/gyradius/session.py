@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _core
+from . import critique as critiques
+from .critique import Critique
 from .measurement import Measurement, view
 
 if TYPE_CHECKING:
@@ -38,6 +40,14 @@ class Session:
         ``limits`` are class limits such as ``"k_pitch_m>=1.100"``, each of which gets a verdict.
         """
         return view(self._core.measure(list(limits)))
+
+    def critique(self, progress: Callable[[float, str], object] | None = None) -> Critique:
+        """What the simulation gets wrong, why, and what mending it gains.
+
+        This may take minutes. ``progress`` is told the share that is done and what is being done, and stops the work by
+        answering False (``CancelledError``); Ctrl-C stops it too.
+        """
+        return critiques.view(self._core.critique(progress))
 
     def plot(self, swing_id: str | None = None) -> Figure:
         """Each recording with its fit, the residual and the spectrum (one swing, or all)."""

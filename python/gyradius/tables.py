@@ -39,7 +39,7 @@ def show(console: Console, measurement: Measurement) -> None:
     said = {claim.text for claim in measurement.consistency if claim.flagged}
     for warning in measurement.warnings:
         if warning not in said:
-            console.print(_warning(warning))
+            console.print(warning_line(warning))
 
 
 def _parts(measurement: Measurement) -> list[RenderableType]:
@@ -57,25 +57,26 @@ def _parts(measurement: Measurement) -> list[RenderableType]:
     return parts
 
 
-def _table(title: str, *columns: str, left: int = 1) -> Table:
+def grid(title: str, *columns: str, left: int = 1, words: tuple[str, ...] = WORDS) -> Table:
+    """An empty table; the first columns, and those that hold words, stand to the left."""
     table = Table(
         title=title, title_justify="left", title_style="bold", header_style="dim", box=box.SIMPLE_HEAD, pad_edge=False
     )
     for position, column in enumerate(columns):
         # Names may break; a number and its uncertainty stay on one line.
-        is_name = position < left or column in WORDS
+        is_name = position < left or column in words
         table.add_column(column, justify="left" if is_name else "right", no_wrap=not is_name, overflow="fold")
     return table
 
 
 def _swings(swings: tuple[SwingResult, ...]) -> RenderableType:
-    table = _table("Swings", "swing", "mode", "period, s", "decay time, s", "amplitude", "dB", left=2)
+    table = grid("Swings", "swing", "mode", "period, s", "decay time, s", "amplitude", "dB", left=2)
     for swing in swings:
         for place, mode in enumerate(swing.modes):
             table.add_row("" if place else swing.id, *_mode_cells(mode), style="dim" if mode.parasitic else "")
         table.add_section()
     notes = [Text(f"  {swing.id}: {repair.text}", style="dim") for swing in swings for repair in swing.repairs]
-    return Group(table, *notes, *(_warning(f"{swing.id}: {text}") for swing in swings for text in swing.warnings))
+    return Group(table, *notes, *(warning_line(f"{swing.id}: {text}") for swing in swings for text in swing.warnings))
 
 
 def _mode_cells(mode: ModeResult) -> tuple[str, ...]:
@@ -92,7 +93,7 @@ def _mode_cells(mode: ModeResult) -> tuple[str, ...]:
 
 
 def _quantities(measurement: Measurement) -> Table:
-    table = _table("Result", "quantity", "value ± u", "95 %", "method", left=1)
+    table = grid("Result", "quantity", "value ± u", "95 %", "method", left=1)
     for name, quantity in measurement.quantities.items():
         for cells in _quantity_rows(name, quantity):
             table.add_row(*cells)
@@ -104,14 +105,14 @@ def _quantity_rows(name: str, quantity: Quantity) -> list[tuple[str, str, str, s
     if not isinstance(quantity.value, tuple):
         value = with_u(quantity.value, quantity.u, unit)
         return [(name, value, interval(quantity.interval_95, quantity.u), quantity.method)]
-    rows = [(label, with_u(value, u, unit)) for label, value, u in _elements(quantity)]
+    rows = [(label, with_u(value, u, unit)) for label, value, u in elements(quantity)]
     return [
         (f"{name} {label}" if i == 0 else label.rjust(len(f"{name} {label}")), text, "", "" if i else quantity.method)
         for i, (label, text) in enumerate(rows)
     ]
 
 
-def _elements(quantity: Quantity) -> list[tuple[str, Any, Any]]:
+def elements(quantity: Quantity) -> list[tuple[str, Any, Any]]:
     """Label, value and uncertainty: a vector by axis, a symmetric matrix by its six elements, zeros left out."""
     axes = "xyz"
     if not isinstance(quantity.value[0], tuple):
@@ -122,7 +123,7 @@ def _elements(quantity: Quantity) -> list[tuple[str, Any, Any]]:
 
 
 def _alternatives(measurement: Measurement) -> Table:
-    table = _table("Single routes", "quantity", "route", "equation", "from", "value", left=4)
+    table = grid("Single routes", "quantity", "route", "equation", "from", "value", left=4)
     for name, routes in measurement.alternatives.items():
         for route in routes:
             value = with_u(route.value, route.u, UNITS.get(name, ""))
@@ -134,7 +135,7 @@ def _alternatives(measurement: Measurement) -> Table:
 
 
 def _budget(measurement: Measurement) -> Table:
-    table = _table("Where the uncertainty comes from", "quantity", "input", "contribution", left=2)
+    table = grid("Where the uncertainty comes from", "quantity", "input", "contribution", left=2)
     for name, lines in measurement.budget.items():
         for line in lines[:BUDGET_ROWS]:
             table.add_row(name, spaced(line.input), f"{line.u_contribution:.2g} {UNITS.get(name, '')}")
@@ -142,7 +143,7 @@ def _budget(measurement: Measurement) -> Table:
 
 
 def _consistency(measurement: Measurement) -> RenderableType:
-    table = _table("Consistency", "claim", "stated", "implied", "sigma", "from")
+    table = grid("Consistency", "claim", "stated", "implied", "sigma", "from")
     for claim in measurement.consistency:
         table.add_row(*_claim_cells(claim), style="bold red" if claim.flagged else "")
     flagged = [claim for claim in measurement.consistency if claim.flagged]
@@ -160,7 +161,7 @@ def _claim_cells(claim: Claim) -> tuple[str, ...]:
 
 
 def _verdicts(measurement: Measurement) -> Table:
-    table = _table("Class limits", "quantity", "limit", "guard band", "probability", "verdict")
+    table = grid("Class limits", "quantity", "limit", "guard band", "probability", "verdict")
     colours = {"pass": "green", "fail": "bold red"}
     for verdict in measurement.verdicts:
         limit = f"{verdict.relation} {verdict.limit:g}"
@@ -175,5 +176,6 @@ def spaced(key: str) -> str:
     return key if key in UNITS else key.replace("_", " ")
 
 
-def _warning(text: str) -> Text:
+def warning_line(text: str) -> Text:
+    """What a reader must know."""
     return Text(f"  warning: {text}", style="yellow")

@@ -7,6 +7,7 @@
 use pyo3::prelude::*;
 
 mod arrays;
+mod critique;
 mod errors;
 mod import;
 mod measurement;
@@ -22,7 +23,9 @@ mod _core {
     #[pymodule_export]
     use super::arrays::{Decomposition, decompose};
     #[pymodule_export]
-    use super::errors::{GyradiusError, InputError, NoResultError};
+    use super::critique::Criticism;
+    #[pymodule_export]
+    use super::errors::{CancelledError, GyradiusError, InputError, NoResultError};
     #[pymodule_export]
     use super::import::import_files;
     #[pymodule_export]

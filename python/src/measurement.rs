@@ -11,6 +11,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 use crate::arrays::rows;
+use crate::critique::Criticism;
 use crate::errors::{detached, raise};
 
 /// Names of the channels, time stamps, samples and fit of one sensor.
@@ -49,9 +50,19 @@ impl Measurement {
         detached(py, || as_json(&self.inner.measurement))
     }
 
-    /// The report: one self-contained HTML file.
-    fn to_html(&self, py: Python<'_>) -> PyResult<String> {
-        detached(py, || Ok(report::html(&ReportSource::from_analysis(&self.inner, self.session.as_deref()))))
+    /// The report: one self-contained HTML file, with the session's criticism or the reason why there is none.
+    fn to_html(
+        &self,
+        py: Python<'_>,
+        critique: Option<Bound<'_, Criticism>>,
+        no_critique: Option<String>,
+    ) -> PyResult<String> {
+        let criticism = critique.map(|critique| critique.get().inner.clone());
+        detached(py, || {
+            let mut source = ReportSource::from_analysis(&self.inner, self.session.as_deref());
+            source.criticism = criticism.map(Ok).or(no_critique.map(Err));
+            Ok(report::html(&source))
+        })
     }
 
     /// Ids of the swings that have a recording with a fit.

@@ -3,13 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use gyradius_core::critique::criticise;
 use gyradius_core::inertia::{Analysis, MeasureOptions, analyse, measure_recording};
 use gyradius_core::recording::import::{ImportedData, import_files};
 use gyradius_core::recording::{LoadedSession, Recording, SESSION_FILE, Store, load_session, load_store};
 use gyradius_core::{Error, Result};
 use pyo3::prelude::*;
 
-use crate::errors::detached;
+use crate::critique::{Criticism, watched};
+use crate::errors::{detached, raise};
 use crate::import::{import_options, read_input};
 use crate::measurement::Measurement;
 
@@ -51,6 +53,19 @@ impl Session {
     fn measure(&self, py: Python<'_>, limits: Vec<String>) -> PyResult<Measurement> {
         let inner = detached(py, || self.loaded.analyse(&limits))?;
         Ok(Measurement::new(inner, self.loaded.session()))
+    }
+
+    /// Criticise the simulation; the callback is told a share and a text, and stops it by answering false.
+    #[pyo3(signature = (progress=None))]
+    fn critique(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Criticism> {
+        let loaded = match &self.loaded {
+            Loaded::Session(loaded) => loaded,
+            Loaded::Bare(recording) => {
+                let reason = "a bare recording tells no dimensions to simulate it by";
+                return Err(raise(py, &Error::no_result(&recording.name, reason)));
+            }
+        };
+        watched(py, progress, |progress| criticise(loaded, progress)).map(|inner| Criticism { inner })
     }
 }
 

@@ -54,6 +54,12 @@ pub(super) fn rounded(value: f64, u: f64) -> String {
     if value.is_finite() { minus(&format!("{value:.places$}")) } else { NOTHING.into() }
 }
 
+/// A difference's text with its sign; a zero has none.
+pub(super) fn signed(difference: f64, text: &str) -> String {
+    let is_zero = text.chars().all(|c| matches!(c, '0' | '.'));
+    if difference > 0.0 && !is_zero { format!("+{text}") } else { text.into() }
+}
+
 /// An interval with the digits of the uncertainty: `1.0548 … 1.0584`.
 pub(super) fn interval(bounds: [f64; 2], u: f64) -> String {
     format!("{} … {}", rounded(bounds[0], u), rounded(bounds[1], u))
@@ -98,6 +104,16 @@ pub(super) fn prefix(size: f64) -> (f64, &'static str) {
 /// A number of standard uncertainties: two digits, and nothing finer than a hundredth.
 pub(super) fn sigmas(value: f64) -> String {
     if value.abs() < 0.005 { "0".into() } else { significant((value * 100.0).round() / 100.0, 2) }
+}
+
+/// A probability in percent that does not round to certainty.
+pub(super) fn percent(probability: f64) -> String {
+    match 100.0 * probability {
+        p if !p.is_finite() => NOTHING.into(),
+        p if p > 99.9 => "over 99.9".into(),
+        p if p < 0.1 => "under 0.1".into(),
+        p => format!("{p:.1}"),
+    }
 }
 
 #[cfg(test)]

@@ -18,11 +18,12 @@ const CLOSE_UP_SHARE: f64 = 0.6;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl ReportSource {
-    /// Fills in everything that an analysis and its session tell; a date is for the caller to add.
+    /// Fills in everything that an analysis and its session tell; a date and a criticism are for the caller to add.
     pub fn from_analysis(analysis: &Analysis, loaded: Option<&LoadedSession>) -> Self {
         let session = loaded.map(|loaded| &loaded.session);
         Self {
             measurement: analysis.measurement.clone(),
+            criticism: None,
             body: session.map(body).unwrap_or_default(),
             stated: session.map(stated).unwrap_or_default(),
             recordings: analysis.evidence.iter().flatten().map(recording).collect(),

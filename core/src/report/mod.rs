@@ -1,13 +1,15 @@
 //! The result as a document: one self-contained HTML file, and its pictures for other layouts.
 //!
 //! # Conventions
-//! The file loads nothing: style and pictures are in it, the numbers too, as JSON in the element `gyradius-measurement`.
+//! The file loads nothing: style and pictures are in it, the numbers too, as JSON in the elements `gyradius-measurement`
+//! and, where the simulation was criticised, `gyradius-critique`.
 //! Text from outside is escaped wherever it lands. There is no clock: a date is what the operator wrote, or a blank.
 //! Numbers carry as many digits as two digits of their standard uncertainty allow.
 
 mod chart;
 mod digits;
 mod gather;
+mod headline;
 mod markup;
 mod page;
 mod pictures;

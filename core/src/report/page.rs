@@ -1,5 +1,8 @@
 //! The page around the report's parts, and all its pictures by themselves.
 
+use serde::Serialize;
+
+use super::headline::Headline;
 use super::markup::Markup;
 use super::pictures::{self, Figure};
 use super::sections;
@@ -32,11 +35,18 @@ fn head(source: &ReportSource, out: &mut Markup) {
     out.within("style", &[], |out| out.raw(STYLE));
 }
 
-/// The measurement as `measure --json` writes it.
+/// The results as `measure --json` and `critique --json` write them.
 fn numbers(source: &ReportSource, out: &mut Markup) {
-    // A measurement serialises whatever it holds; numbers that are none become null.
-    let json = serde_json::to_string(&source.measurement).unwrap_or_default();
-    let attributes = [("type", "application/json"), ("id", "gyradius-measurement")];
+    embedded("gyradius-measurement", &source.measurement, out);
+    if let Some(criticism) = source.criticised() {
+        embedded("gyradius-critique", &criticism.critique, out);
+    }
+}
+
+fn embedded(id: &str, result: &impl Serialize, out: &mut Markup) {
+    // A result serialises whatever it holds; numbers that are none become null.
+    let json = serde_json::to_string(result).unwrap_or_default();
+    let attributes = [("type", "application/json"), ("id", id)];
     out.within("script", &attributes, |out| out.json(&json));
 }
 
@@ -44,6 +54,11 @@ fn numbers(source: &ReportSource, out: &mut Markup) {
 pub fn figures(source: &ReportSource) -> Vec<Figure> {
     let measurement = &source.measurement;
     let mut all: Vec<Figure> = pictures::court(&measurement.consistency).into_iter().collect();
+    if let Some(criticism) = source.criticised() {
+        all.extend(pictures::causes(&criticism.critique));
+        all.extend(pictures::against_simulations(&criticism.traces));
+        all.extend(criticism.critique.learned.as_ref().and_then(pictures::learned_force));
+    }
     all.extend(pictures::budgets(measurement));
     for swing in &measurement.swings {
         if let Some(recording) = source.recordings.iter().find(|recording| recording.id == swing.id) {
@@ -52,6 +67,6 @@ pub fn figures(source: &ReportSource) -> Vec<Figure> {
         }
         all.extend(pictures::against_amplitude(swing));
     }
-    all.extend(pictures::ellipsoids(measurement));
+    all.extend(pictures::ellipsoids(&Headline::of(source).quantities));
     all
 }

@@ -1,6 +1,7 @@
 //! Scales of a chart: a range of values laid along a line of the drawing, with ticks at round numbers.
 
 use super::digits::minus;
+use super::words::raised;
 
 /// Beyond this a value is not drawn: differences of such values overflow.
 const LARGEST: f64 = 1e100;
@@ -124,13 +125,6 @@ fn tick_text(value: f64, step: f64, places: usize) -> String {
 
 /// `10⁻³`.
 fn power_of_ten(n: i32) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => char::from_u32(0x2070 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
-    };
     if n == 0 { "1".into() } else { format!("10{}", n.to_string().chars().map(raised).collect::<String>()) }
 }
 

@@ -1,13 +1,16 @@
 //! What a report is made from: plain data, so that any program can fill it in.
 
+use crate::critique::Criticism;
 use crate::inertia::Measurement;
 use crate::recording::Quantity;
 
 /// Everything in a report.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct ReportSource {
     /// The result.
     pub measurement: Measurement,
+    /// What the simulation gets wrong, or why nothing can be said of it; absent where nobody asked.
+    pub criticism: Option<Result<Criticism, String>>,
     /// The body that swung.
     pub body: BodyFacts,
     /// Dimensions and masses as stated.
@@ -18,6 +21,13 @@ pub struct ReportSource {
     pub measured_on: Option<String>,
     /// Program and version.
     pub generated_by: String,
+}
+
+impl ReportSource {
+    /// The criticism, where there is one.
+    pub fn criticised(&self) -> Option<&Criticism> {
+        self.criticism.as_ref()?.as_ref().ok()
+    }
 }
 
 /// The body as stated.

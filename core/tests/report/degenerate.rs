@@ -7,10 +7,10 @@ use serde_json::json;
 use crate::samples::keelboat;
 use crate::well_formed::assert_well_formed;
 
-const BAD: [f64; 8] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, 1e300, -1e300, 1e-300];
+pub const BAD: [f64; 8] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, 1e300, -1e300, 1e-300];
 
 /// No attribute of a drawing may hold anything but finite numbers.
-fn assert_finite(source: &ReportSource, what: &str) {
+pub fn assert_finite(source: &ReportSource, what: &str) {
     let page = html(source);
     assert_well_formed(&page);
     for figure in figures(source) {

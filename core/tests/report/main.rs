@@ -3,6 +3,7 @@
 //! `cargo test --test report` leaves a page of each sample under `target/tmp`, to be looked at in a browser.
 
 mod content;
+mod critique;
 mod degenerate;
 mod gathered;
 mod samples;

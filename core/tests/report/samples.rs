@@ -1,8 +1,11 @@
 //! Sources made by hand, with numbers near those of the paper's keelboat (Tables 1 and 2) and model hull (Table 3).
 
+#![allow(clippy::expect_used)]
+
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use gyradius_core::critique::{Criticism, SwingTrace};
 use gyradius_core::inertia::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };
@@ -11,6 +14,9 @@ use gyradius_core::report::{
     BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
     thinned,
 };
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Normal};
 use serde_json::json;
 
 fn quantity(value: f64, u: f64) -> QuantityResult {
@@ -229,6 +235,7 @@ pub fn keelboat() -> ReportSource {
         applies_to: applies_to.iter().map(|id| id.to_string()).collect(),
     };
     ReportSource {
+        criticism: None,
         measurement: Measurement {
             format: "gyradius-measurement/1".into(),
             title: "Keelboat of the paper".into(),
@@ -333,6 +340,43 @@ fn verdicts() -> Vec<Verdict> {
         verdict("k_yaw_m", 1.055, 0.957, "undecided"),
         verdict("k_roll_m", 0.65, 0.0, "fail"),
     ]
+}
+
+/// A drag that the data cannot tell from another damping, after `critiques/ambiguous.json`; its traces are made here.
+pub fn ambiguous() -> Criticism {
+    criticism(include_str!("critiques/ambiguous.json"))
+}
+
+/// A torque that no known cause gives, after `critiques/unexplained.json`.
+pub fn unexplained() -> Criticism {
+    criticism(include_str!("critiques/unexplained.json"))
+}
+
+fn criticism(json: &str) -> Criticism {
+    let critique = serde_json::from_str(json).expect("a critique");
+    let traces = vec![swing_trace("yaw-1", 4.391, 0.2, 0.002), swing_trace("pitch-1", 1.902, 0.05, 0.002)];
+    Criticism { critique, traces }
+}
+
+/// A swing that dies faster while it is wide; the base simulation lets it die evenly.
+fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> SwingTrace {
+    let t_s: Vec<f64> = (0..6000).map(|i| 0.02 * f64::from(i)).collect();
+    let wave = |t: f64| amplitude * (TAU * t / period_s).cos();
+    let extended: Vec<f64> = t_s.iter().map(|t| wave(*t) * (-t / 380.0).exp() / (1.0 + t / 200.0)).collect();
+    let base = t_s.iter().map(|t| wave(*t) * (-t / 140.0).exp()).collect();
+    // Seed 1: the same page every time.
+    let draws = Normal::new(0.0, noise_size).expect("a size").sample_iter(ChaCha8Rng::seed_from_u64(1));
+    let measured = extended.iter().zip(draws).map(|(y, noise)| y + noise).collect();
+    SwingTrace {
+        swing: swing.into(),
+        channel: "turn rate about the phone's z".into(),
+        unit: "rad/s".into(),
+        noise: noise_size,
+        t_s,
+        measured,
+        base,
+        extended,
+    }
 }
 
 /// A session that determines the yaw gyradius alone, in full agreement.

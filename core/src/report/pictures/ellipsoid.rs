@@ -5,8 +5,10 @@
 //! The side view is from starboard, bow to the right; the plan has port upwards; from astern port is left. A positive
 //! ψ lifts the bow end of the principal x axis.
 
+use std::collections::BTreeMap;
+
 use super::Figure;
-use crate::inertia::Measurement;
+use crate::inertia::QuantityResult;
 use crate::inertia::routes::ellipsoid::equivalent_semi_axes_m;
 use crate::report::chart::{self, WIDTH, colour, dashed, dot, line, number, text};
 use crate::report::digits::significant;
@@ -24,19 +26,21 @@ struct Known {
 }
 
 /// The two pictures; none where a gyradius is missing.
-pub(in crate::report) fn ellipsoids(measurement: &Measurement) -> Vec<Figure> {
-    let Some(known) = known(measurement) else { return vec![] };
+pub(in crate::report) fn ellipsoids(quantities: &BTreeMap<String, QuantityResult>) -> Vec<Figure> {
+    let Some(known) = known(quantities) else { return vec![] };
     [mass_equivalent(&known), inertia(&known)].into_iter().flatten().collect()
 }
 
 /// Why there is no picture.
-pub(in crate::report) fn no_ellipsoid_reason(measurement: &Measurement) -> Option<String> {
-    if known(measurement).is_some() {
+pub(in crate::report) fn no_ellipsoid_reason(
+    quantities: &BTreeMap<String, QuantityResult>,
+) -> Option<String> {
+    if known(quantities).is_some() {
         return None;
     }
     let missing: Vec<&str> = [("k_roll_m", "roll"), ("k_pitch_m", "pitch"), ("k_yaw_m", "yaw")]
         .iter()
-        .filter(|(key, _)| scalar(measurement, key).is_none())
+        .filter(|(key, _)| scalar(quantities, key).is_none())
         .map(|(_, name)| *name)
         .collect();
     let plural = if missing.len() == 1 { "gyradius is" } else { "gyradii are" };
@@ -46,16 +50,16 @@ pub(in crate::report) fn no_ellipsoid_reason(measurement: &Measurement) -> Optio
     ))
 }
 
-fn scalar(measurement: &Measurement, key: &str) -> Option<f64> {
-    measurement.quantities.get(key)?.value.as_f64().filter(|value| value.is_finite())
+fn scalar(quantities: &BTreeMap<String, QuantityResult>, key: &str) -> Option<f64> {
+    quantities.get(key)?.value.as_f64().filter(|value| value.is_finite())
 }
 
-fn known(measurement: &Measurement) -> Option<Known> {
-    let principal = measurement.quantities.get("principal_gyradii_m").and_then(|q| {
+fn known(quantities: &BTreeMap<String, QuantityResult>) -> Option<Known> {
+    let principal = quantities.get("principal_gyradii_m").and_then(|q| {
         let values: Vec<f64> = q.value.as_array()?.iter().filter_map(|v| v.as_f64()).collect();
         <[f64; 3]>::try_from(values).ok()
     });
-    let single = |key| scalar(measurement, key);
+    let single = |key| scalar(quantities, key);
     let about_hull = || Some([single("k_roll_m")?, single("k_pitch_m")?, single("k_yaw_m")?]);
     let gyradii_m = principal.or_else(about_hull)?;
     gyradii_m.iter().all(|k| k.is_finite() && *k > 0.0).then_some(Known {

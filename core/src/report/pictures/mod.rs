@@ -2,15 +2,21 @@
 
 mod amplitude;
 mod budget;
+mod causes;
 mod court;
 mod ellipsoid;
+mod force;
 mod recording;
+mod simulations;
 
 pub(super) use amplitude::against_amplitude;
 pub(super) use budget::budgets;
+pub(super) use causes::causes;
 pub(super) use court::{MOST_ROWS, court};
 pub(super) use ellipsoid::{ellipsoids, no_ellipsoid_reason};
+pub(super) use force::learned_force;
 pub(super) use recording::{fits, spectrum};
+pub(super) use simulations::against_simulations;
 
 /// A picture with what is said below it.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! How the result was got, in plain language: swings, equations, the joint estimate, single routes beside it.
 
 use crate::inertia::{Measurement, Route, SwingResult};
-use crate::report::digits::{NOTHING, interval, joined, significant, with_u, with_unit};
+use crate::report::digits::{NOTHING, interval, joined, rounded, signed, significant, with_u, with_unit};
 use crate::report::markup::Markup;
 use crate::report::source::{ReportSource, StatedFigure};
 use crate::report::table::{list, table};
@@ -101,7 +101,10 @@ fn routes(measurement: &Measurement, out: &mut Markup) {
 fn route_row(measurement: &Measurement, key: &str, route: &Route) -> Vec<String> {
     let unit = words::unit_of(key);
     let joint = measurement.quantities.get(key).and_then(|q| q.value.as_f64());
-    let difference = joint.map_or(NOTHING.into(), |joint| signed(route.value - joint, route.u));
+    let difference = joint.map_or(NOTHING.into(), |joint| {
+        let difference = route.value - joint;
+        signed(difference, &rounded(difference, route.u))
+    });
     vec![
         words::quantity_name(key),
         words::sentence_case(&words::route(&route.method)),
@@ -118,13 +121,6 @@ fn with_interval(key: &str, route: &Route, value: &str) -> String {
         "psi_deg" => format!("{value} ({})", interval(route.interval_95, route.u)),
         _ => value.into(),
     }
-}
-
-/// A difference with its sign, to the digits of an uncertainty.
-fn signed(difference: f64, u: f64) -> String {
-    let text = crate::report::digits::rounded(difference, u);
-    let is_zero = text.chars().all(|c| matches!(c, '0' | '.'));
-    if difference > 0.0 && !is_zero { format!("+{text}") } else { text }
 }
 
 fn correlations(measurement: &Measurement, out: &mut Markup) {

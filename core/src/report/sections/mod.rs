@@ -1,6 +1,7 @@
 //! The report's parts, in the order in which they stand.
 
 mod closing;
+mod critique;
 mod heading;
 mod method;
 mod parts;
@@ -18,6 +19,7 @@ pub(super) fn body(source: &ReportSource, out: &mut Markup) {
     result::write(source, out);
     method::write(source, out);
     parts::court(source, out);
+    critique::write(source, out);
     parts::budget(source, out);
     recordings::write(source, out);
     parts::ellipsoids(source, out);

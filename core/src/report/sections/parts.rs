@@ -2,6 +2,7 @@
 
 use crate::inertia::Claim;
 use crate::report::digits::{joined, sigmas, with_u};
+use crate::report::headline::Headline;
 use crate::report::markup::Markup;
 use crate::report::pictures;
 use crate::report::source::ReportSource;
@@ -84,19 +85,24 @@ pub(super) fn budget(source: &ReportSource, out: &mut Markup) {
         let text = "Each bar is an input's own uncertainty times the sensitivity of the result to it. Contributions add as \
                     squares: halving a bar that is half as long as the longest hardly helps.";
         out.element("p", &[], text);
+        if !Headline::of(source).replaced.is_empty() {
+            let text = "The bars are those of the fit without the causes that the criticism found.";
+            out.element("p", &[("class", "note")], text);
+        }
         figures(out, &pictures);
     });
 }
 
 pub(super) fn ellipsoids(source: &ReportSource, out: &mut Markup) {
-    if source.measurement.quantities.is_empty() {
+    let quantities = Headline::of(source).quantities;
+    if quantities.is_empty() {
         return;
     }
     out.within("section", &[("id", "ellipsoids")], |out| {
         out.element("h2", &[], "The inertia as a picture");
-        match pictures::no_ellipsoid_reason(&source.measurement) {
+        match pictures::no_ellipsoid_reason(&quantities) {
             Some(reason) => out.element("p", &[], &reason),
-            None => figures(out, &pictures::ellipsoids(&source.measurement)),
+            None => figures(out, &pictures::ellipsoids(&quantities)),
         }
     });
 }

@@ -3,24 +3,26 @@
 use serde_json::Value;
 
 use crate::inertia::{COVERAGE_95, QuantityResult, Verdict};
-use crate::report::digits::{NOTHING, interval, joined, significant, with_u};
+use crate::report::digits::{interval, joined, percent, significant, with_u};
+use crate::report::headline::Headline;
 use crate::report::markup::Markup;
 use crate::report::source::ReportSource;
 use crate::report::table::{list, matrix};
 use crate::report::words;
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
+    let headline = Headline::of(source);
     out.within("section", &[("id", "result")], |out| {
         out.element("h2", &[], "Result");
-        quantities(source, out);
-        verdicts(source, out);
+        quantities(&headline, out);
+        verdicts(&headline, out);
         warnings(source, out);
-        tensor(source, out);
+        tensor(&headline, out);
     });
 }
 
-fn quantities(source: &ReportSource, out: &mut Markup) {
-    let all = &source.measurement.quantities;
+fn quantities(headline: &Headline, out: &mut Markup) {
+    let all = &headline.quantities;
     let mut keys: Vec<&String> = all.keys().filter(|key| is_listed(&all[*key])).collect();
     if keys.is_empty() {
         let text = "The swings do not determine any inertia: below are the modes that were found.";
@@ -30,13 +32,20 @@ fn quantities(source: &ReportSource, out: &mut Markup) {
     keys.sort_by_key(|key| (words::rank(key), key.to_string()));
     out.within("div", &[("class", "scroll")], |out| {
         out.within("table", &[("class", "result")], |out| {
-            out.raw("<thead><tr><th>Quantity</th><th>Value ± u</th><th>95 % interval</th></tr></thead>");
-            out.within("tbody", &[], |out| keys.iter().for_each(|key| quantity(out, key, &all[*key])));
+            out.raw("<thead><tr><th>Quantity</th><th>Value ± u</th><th>95 % interval</th>");
+            out.raw(if headline.replaced.is_empty() { "" } else { "<th>Base simulation</th>" });
+            out.raw("</tr></thead>");
+            out.within("tbody", &[], |out| keys.iter().for_each(|key| quantity(out, key, headline)));
         });
     });
     let note = "u is one standard uncertainty: every input and what inputs share is counted. The interval holds the true \
                 value with a probability of 95 %, provided that what is stated below is true.";
     out.element("p", &[("class", "note")], note);
+    if !headline.replaced.is_empty() {
+        let note = "The simulation of a hull on its lines was found wanting. The values are those of the simulation with what was \
+                    found to be missing; the last column is without it. What was found stands below.";
+        out.element("p", &[("class", "note")], note);
+    }
 }
 
 /// Numbers and triples; a tensor has a table of its own.
@@ -45,9 +54,10 @@ fn is_listed(quantity: &QuantityResult) -> bool {
         || quantity.value.as_array().is_some_and(|list| list.iter().all(Value::is_number))
 }
 
-fn quantity(out: &mut Markup, key: &str, quantity: &QuantityResult) {
+fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
+    let quantity = &headline.quantities[key];
     if quantity.value.is_array() {
-        return triple(out, key, quantity);
+        return triple(out, key, headline);
     }
     out.within("tr", &[], |out| {
         out.within("th", &[], |out| {
@@ -61,22 +71,32 @@ fn quantity(out: &mut Markup, key: &str, quantity: &QuantityResult) {
         let u = quantity.u.as_f64().unwrap_or(0.0);
         let bounds = quantity.interval_95.map_or(String::new(), |bounds| interval(bounds, u));
         out.element("td", &[("class", "interval")], &bounds);
+        if !headline.replaced.is_empty() {
+            let base = headline.replaced.get(key).map_or(String::new(), |base| value_text(key, base));
+            out.element("td", &[("class", "base")], &base);
+        }
     });
 }
 
 /// One row for each axis.
-fn triple(out: &mut Markup, key: &str, quantity: &QuantityResult) {
+fn triple(out: &mut Markup, key: &str, headline: &Headline) {
     let name = if key == "principal_gyradii_m" {
         "Gyradius about principal".into()
     } else {
         words::quantity_name(key)
     };
-    for ((value, u), axis) in pairs(quantity).into_iter().zip(["x", "y", "z"]) {
+    let base = headline.replaced.get(key).map(pairs).unwrap_or_default();
+    let values = pairs(&headline.quantities[key]).into_iter().zip(["x", "y", "z"]);
+    for (i, ((value, u), axis)) in values.enumerate() {
         out.within("tr", &[], |out| {
             out.element("th", &[], &format!("{name} {axis}"));
             out.element("td", &[("class", "value")], &joined(&with_u(value, u), words::unit_of(key)));
             let half = COVERAGE_95 * u;
             out.element("td", &[("class", "interval")], &interval([value - half, value + half], u));
+            if !headline.replaced.is_empty() {
+                let base = base.get(i).map_or(String::new(), |(value, u)| with_u(*value, *u));
+                out.element("td", &[("class", "base")], &joined(&base, words::unit_of(key)));
+            }
         });
     }
 }
@@ -113,8 +133,8 @@ fn flat(value: &Value) -> Vec<f64> {
     }
 }
 
-fn verdicts(source: &ReportSource, out: &mut Markup) {
-    for verdict in &source.measurement.verdicts {
+fn verdicts(headline: &Headline, out: &mut Markup) {
+    for verdict in &headline.verdicts {
         let word = match &*verdict.verdict {
             "pass" => "Pass",
             "fail" => "Fail",
@@ -123,14 +143,14 @@ fn verdicts(source: &ReportSource, out: &mut Markup) {
         let class = format!("verdict {}", word.to_lowercase());
         out.within("p", &[("class", &class)], |out| {
             out.element("strong", &[], word);
-            out.write(&format!(": {}", verdict_text(source, verdict)));
+            out.write(&format!(": {}", verdict_text(headline, verdict)));
         });
     }
 }
 
-fn verdict_text(source: &ReportSource, verdict: &Verdict) -> String {
+fn verdict_text(headline: &Headline, verdict: &Verdict) -> String {
     let unit = words::unit_of(&verdict.quantity);
-    let measured = source.measurement.quantities.get(&verdict.quantity);
+    let measured = headline.quantities.get(&verdict.quantity);
     let value = measured.and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?)));
     let relation = match &*verdict.relation {
         ">=" => "at least",
@@ -154,19 +174,9 @@ fn verdict_text(source: &ReportSource, verdict: &Verdict) -> String {
     )
 }
 
-/// A probability in percent that does not round to certainty.
-fn percent(probability: f64) -> String {
-    match 100.0 * probability {
-        p if !p.is_finite() => NOTHING.into(),
-        p if p > 99.9 => "over 99.9".into(),
-        p if p < 0.1 => "under 0.1".into(),
-        p => format!("{p:.1}"),
-    }
-}
-
 /// The tensor about the centre of mass, and the correlations of the scalars.
-fn tensor(source: &ReportSource, out: &mut Markup) {
-    let Some(inertia) = source.measurement.quantities.get("inertia_kg_m2") else { return };
+fn tensor(headline: &Headline, out: &mut Markup) {
+    let Some(inertia) = headline.quantities.get("inertia_kg_m2") else { return };
     let (values, us) = (flat(&inertia.value), flat(&inertia.u));
     if values.len() != 9 {
         return;
@@ -182,6 +192,9 @@ fn tensor(source: &ReportSource, out: &mut Markup) {
         .collect();
     out.element("h3", &[], "Inertia about the centre of mass, hull axes, kg m²");
     matrix(out, &["", "x", "y", "z"], &rows);
+    if !headline.replaced.is_empty() && !headline.replaced.contains_key("inertia_kg_m2") {
+        out.element("p", &[("class", "note")], "By the base simulation.");
+    }
     if inertia.method.contains("taken as principal") {
         let text = "The products of inertia were not measured: the hull's axes are taken as principal.";
         out.element("p", &[("class", "note")], text);
