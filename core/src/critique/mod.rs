@@ -2,8 +2,10 @@
 //!
 //! May know `recording`, `signal`, `modes`, `dynamics`, `inertia`.
 
+mod by_periods;
 mod result;
 
+pub use by_periods::criticise_periods;
 pub use result::{
     CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterResult, Progress, SwingTrace,

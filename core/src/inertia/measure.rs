@@ -82,25 +82,10 @@ pub fn measure(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Measu
 
 /// Measures a session and keeps the evidence.
 pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
+    let Observations { mut system, mut works, inclines, gravity_warning } = observe(loaded)?;
     let session = &loaded.session;
-    let (gravity, gravity_warning) = effective_gravity(session)?;
-    let mut works: Vec<SwingWork> = session
-        .swings
-        .iter()
-        .zip(&loaded.data)
-        .map(|(swing, data)| work_swing(swing, &data.data, gravity.value))
-        .collect();
     let mut result = Measurement { format: FORMAT.into(), title: title(session), ..Default::default() };
     result.warnings.extend(gravity_warning);
-    if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
-        return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
-    }
-    let pitch = phone_pitches(session, &works);
-    let inclines = recorded_inclines(loaded, &works);
-    let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
-    let layout = Layout::of(session, gravity, &pitch, &yaws);
-    let mut system = System { session, layout, observations: vec![], statements: vec![], periods: vec![] };
-    system.observe(observations(session, &works, &[]), &inclines);
     let estimated = estimate(&mut system, session, &mut works, &inclines);
     match by_samples(&mut system, &mut works, &inclines, estimated) {
         Ok(solution) => {
@@ -114,6 +99,42 @@ pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analy
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
     Ok(Analysis { measurement: result, evidence })
+}
+
+/// The session's periods, freed of finite amplitude, with its stated figures as one system, and the solution; samples are
+/// not looked at beyond their periods.
+pub(crate) fn solved_periods(loaded: &LoadedSession) -> Result<(System<'_>, Solution)> {
+    let Observations { mut system, mut works, inclines, .. } = observe(loaded)?;
+    let solution = estimate(&mut system, &loaded.session, &mut works, &inclines)?;
+    Ok((system, solution))
+}
+
+/// What a session shows before anything is estimated from it.
+struct Observations<'a> {
+    system: System<'a>,
+    works: Vec<SwingWork>,
+    inclines: Vec<Option<Quantity>>,
+    gravity_warning: Option<String>,
+}
+
+fn observe(loaded: &LoadedSession) -> Result<Observations<'_>> {
+    let session = &loaded.session;
+    let (gravity, gravity_warning) = effective_gravity(session)?;
+    let works: Vec<SwingWork> = session
+        .swings
+        .iter()
+        .zip(&loaded.data)
+        .map(|(swing, data)| work_swing(swing, &data.data, gravity.value))
+        .collect();
+    if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
+        return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
+    }
+    let pitch = phone_pitches(session, &works);
+    let inclines = recorded_inclines(loaded, &works);
+    let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
+    let mut system = System::new(session, Layout::of(session, gravity, &pitch, &yaws));
+    system.observe(observations(session, &works, &[]), &inclines);
+    Ok(Observations { system, works, inclines, gravity_warning })
 }
 
 fn yaw_period_s(work: &SwingWork) -> Option<f64> {

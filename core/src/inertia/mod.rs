@@ -6,15 +6,15 @@ mod alternatives;
 mod beats;
 mod by_samples;
 mod court;
-mod estimate;
+pub(crate) mod estimate;
 mod measure;
 mod measurement;
 mod observe;
-mod outputs;
-mod parameters;
+pub(crate) mod outputs;
+pub(crate) mod parameters;
 pub mod routes;
 mod samples;
-mod theory;
+pub(crate) mod theory;
 mod traced;
 mod twin;
 pub(crate) mod words;
@@ -24,4 +24,5 @@ pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };
 pub use observe::Evidence;
+pub(crate) use measure::solved_periods;
 pub(crate) use outputs::COVERAGE_95;
