@@ -19,10 +19,10 @@ mod traced;
 mod twin;
 pub(crate) mod words;
 
+pub(crate) use measure::solved_periods;
 pub use measure::{Analysis, MeasureOptions, analyse, measure, measure_recording};
 pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };
 pub use observe::Evidence;
-pub(crate) use measure::solved_periods;
 pub(crate) use outputs::COVERAGE_95;

@@ -84,6 +84,8 @@ pub enum Shown {
     Times(fn(&Scales) -> f64),
     /// A factor over it.
     Over(fn(&Scales) -> f64),
+    /// Its size: periods do not tell its sign.
+    Size,
 }
 
 /// A cause.
@@ -130,12 +132,8 @@ const METRES: CauseNumber = CauseNumber {
 const SHARE: CauseNumber = CauseNumber { width: share, positive: true, ..METRES };
 
 /// Compliances are counted as the share by which sway seems to hang on longer lines: M g/(k l).
-const COMPLIANCE: CauseNumber = CauseNumber {
-    unit: "N/m",
-    by_mass: true,
-    shown: Shown::Over(Scales::sway_stiffness_n_m),
-    ..SHARE
-};
+const COMPLIANCE: CauseNumber =
+    CauseNumber { unit: "N/m", by_mass: true, shown: Shown::Over(Scales::sway_stiffness_n_m), ..SHARE };
 
 /// Share of the inertia that each radian of amplitude adds; that of the flying machine on two lines that swung in still air
 /// was some 0.2.
@@ -267,11 +265,11 @@ pub const CAUSES: [Cause; 12] = [
     Cause {
         id: "off_centre_cm",
         sentence: "the centre of mass does not lie mid-way between the lines",
-        // Its effect on periods is of the second order and has no sign.
+        // Its effect on periods is of the second order.
         numbers: &[CauseNumber {
             name: "along_m",
             width: |s| 0.05 * s.spacing_m,
-            positive: true,
+            shown: Shown::Size,
             ..METRES
         }],
         put: |p, hung| hung.body.cm_m += hung.axis * p[0],
@@ -279,7 +277,7 @@ pub const CAUSES: [Cause; 12] = [
     Cause {
         id: "unequal_lines",
         sentence: "one line is longer than the other, and the hull hangs aslant",
-        numbers: &[CauseNumber { name: "difference_m", positive: true, ..METRES }],
+        numbers: &[CauseNumber { name: "difference_m", shown: Shown::Size, ..METRES }],
         put: |p, hung| {
             for (i, line) in hung.rig.lines.iter_mut().enumerate() {
                 line.length_m += 0.5 * side(i) * p[0];
@@ -301,8 +299,3 @@ pub const CAUSES: [Cause; 12] = [
         put: |p, hung| hung.rig.gravity_m_s2 += p[0],
     },
 ];
-
-/// A cause by its name.
-pub fn cause(id: &str) -> Option<&'static Cause> {
-    CAUSES.iter().find(|cause| cause.id == id)
-}

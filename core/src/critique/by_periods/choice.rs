@@ -5,6 +5,7 @@ use super::model::{Fitted, Setting};
 use super::words::{self, Standing};
 use crate::critique::result::CauseResult;
 use crate::error::{Error, Result};
+use crate::inertia::estimate::Observed;
 
 /// A cause is taken where it gains as much: odds of 1000 to 1.
 const ENOUGH: f64 = 7.0;
@@ -38,7 +39,10 @@ impl<'a> Choice<'a> {
     /// Looks for causes, one after the other.
     pub fn of(setting: &Setting<'a>) -> Result<Self> {
         let base = setting.fit(&[]).ok_or_else(|| {
-            Error::no_result("joint estimate", "the stated dimensions and the periods have no common solution")
+            Error::no_result(
+                "joint estimate",
+                "the stated dimensions and the periods have no common solution",
+            )
         })?;
         let seen: Vec<&'static Cause> = CAUSES.iter().filter(|c| setting.is_seen(c)).collect();
         let mut choice = Self { base, rounds: vec![], rivals: vec![] };
@@ -52,6 +56,22 @@ impl<'a> Choice<'a> {
         }
         choice.rivals = choice.rivals(setting, &seen);
         Ok(choice)
+    }
+
+    /// The model without a swing, with the cause that then gains enough, if one does; `None` where the swing shows nothing.
+    pub fn without(&self, setting: &Setting<'a>, swing: usize) -> Option<Fitted<'a>> {
+        let is_its = |what: Observed| matches!(what, Observed::Period(i, _) if i == swing);
+        setting.system.observations.iter().find(|o| is_its(o.what))?;
+        let bare = setting.fit_without(&[], &is_its)?;
+        let causes = self.rounds.first().map_or(&[][..], |round| &round.tried);
+        let best = causes
+            .iter()
+            .filter_map(|tried| setting.fit_without(&tried.causes, &is_its))
+            .max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence));
+        match best {
+            Some(best) if best.log_evidence - bare.log_evidence >= ENOUGH => Some(best),
+            _ => Some(bare),
+        }
     }
 
     /// The rounds in which a cause was taken.
@@ -111,8 +131,7 @@ impl<'a> Round<'a> {
             causes.push(cause);
             setting.fit(&causes)
         };
-        let mut tried: Vec<Fitted> =
-            seen.iter().filter(|c| !is_known(c)).filter_map(|c| with(c)).collect();
+        let mut tried: Vec<Fitted> = seen.iter().filter(|c| !is_known(c)).filter_map(|c| with(c)).collect();
         tried.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
         Self { before: known.log_evidence, tried }
     }

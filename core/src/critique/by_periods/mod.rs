@@ -27,7 +27,7 @@ use words::Standing;
 /// # Errors
 /// Where the session's periods and dimensions have no common solution.
 pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<Criticism> {
-    let setting = Setting::new(solved_periods(loaded)?, analysis);
+    let setting = Setting::new(solved_periods(loaded)?, analysis)?;
     let choice = Choice::of(&setting)?;
     let critique = Critique {
         format: FORMAT.into(),

@@ -20,9 +20,16 @@ use crate::recording::{ModeName, Quantity, Swing};
 /// Step of numerical derivatives by a cause's number, in its width.
 const STEP: f64 = 1e-3;
 /// Where the solution starts, in the width: causes of the second order have no slope at zero.
-const START: f64 = 0.5;
+const STARTS: [f64; 2] = [0.5, 0.01];
+/// How far all stated uncertainties together may be off, as a logarithm: a factor of two.
+const UNCERTAINTIES_LOG_U: f64 = 0.7;
+/// Logarithms of factors that are tried: up to 3000.
+const LOG_STEP: f64 = 0.02;
+const LOG_STEPS: u32 = 400;
 /// A cause whose numbers at one width move no observation by more standard uncertainties is not seen in this session.
 const LEAST_SEEN: f64 = 0.1;
+/// How far the depth of a centre of mass may lie off 0.4 gyradii, as a logarithm (the paper's hulls: 0.4 and 0.8).
+const DEPTH_LOG_U: f64 = 0.7;
 /// An observation that the others predict no better than this, relative, tests nothing.
 const MOST_PREDICTED_U: f64 = 0.05;
 
@@ -62,11 +69,13 @@ pub struct HeldOut {
 
 impl<'a> Setting<'a> {
     /// From the solved periods of a session.
-    pub fn new((system, solution): (System<'a>, Solution), analysis: &Analysis) -> Self {
+    pub fn new((mut system, solution): (System<'a>, Solution), analysis: &Analysis) -> Result<Self> {
+        system.layout = with_sober_depths(&system.layout);
+        let solution = system.solve(&solution.x)?;
         let scales = Arc::new(scales(&system, &solution));
         let swings = &analysis.measurement.swings;
         let amplitudes = swings.iter().map(|swing| (swing.id.clone(), amplitudes(&swing.modes))).collect();
-        Self { system, solution, scales, amplitudes: Arc::new(amplitudes) }
+        Ok(Self { system, solution, scales, amplitudes: Arc::new(amplitudes) })
     }
 
     /// The model with these causes; `None` where it has no solution.
@@ -82,11 +91,48 @@ impl<'a> Setting<'a> {
     ) -> Option<Fitted<'a>> {
         let mut system = self.with(causes);
         system.observations.retain(|o| !is_left_out(o.what));
-        let mut start = self.solution.x.clone();
-        start.resize(system.layout.parameters.len(), START);
-        let solution = system.solve(&start).ok()?;
+        let solution = self.solve(&system)?;
         let log_evidence = log_evidence(&solution, causes)?;
+        let solution = self.on_the_right_side(&mut system, solution, causes)?;
         Some(Fitted { causes: causes.to_vec(), system, solution, log_evidence })
+    }
+
+    /// From nearer to zero where the solution is worse than that without causes.
+    fn solve(&self, system: &System) -> Option<Solution> {
+        let from = |size: f64| {
+            let mut start = self.solution.x.clone();
+            start.resize(system.layout.parameters.len(), size);
+            system.solve(&start).ok()
+        };
+        let first = from(STARTS[0]);
+        if first.as_ref().is_some_and(|s| s.chi2 <= self.solution.chi2 + 1e-6) {
+            return first;
+        }
+        first.into_iter().chain(from(STARTS[1])).min_by(|a, b| a.chi2.total_cmp(&b.chi2))
+    }
+
+    /// The solution with those numbers held at zero that cannot be negative and would be.
+    fn on_the_right_side(
+        &self,
+        system: &mut System,
+        solution: Solution,
+        causes: &[&'static Cause],
+    ) -> Option<Solution> {
+        let first = self.solution.x.len();
+        let numbers = causes.iter().flat_map(|cause| cause.numbers).enumerate();
+        let wrong: Vec<usize> = numbers
+            .filter(|(i, number)| number.positive && solution.x[first + i] < 0.0)
+            .map(|(i, _)| first + i)
+            .collect();
+        if wrong.is_empty() {
+            return Some(solution);
+        }
+        let mut start = solution.x;
+        for place in wrong {
+            start[place] = 0.0;
+            system.layout.parameters[place].prior.u = 0.0;
+        }
+        system.solve(&start).ok()
     }
 
     /// Whether a cause within what is believed of it moves any observation.
@@ -164,8 +210,15 @@ impl Theory {
         };
         let amplitudes = self.amplitudes.get(&swing.id).copied().unwrap_or_default();
         let effects = SmallEffects::default();
-        let mut hung =
-            Hung { rig, body, effects, clock_error: 0.0, axis: along.unit(), amplitudes, scales: &self.scales };
+        let mut hung = Hung {
+            rig,
+            body,
+            effects,
+            clock_error: 0.0,
+            axis: along.unit(),
+            amplitudes,
+            scales: &self.scales,
+        };
         self.put(x, &mut hung)?;
         let clock = 1.0 + hung.clock_error;
         if let Some(height) = index.axis_height {
@@ -208,6 +261,13 @@ impl Fitted<'_> {
         ChiSquared::new(dof).map_or(1.0, |d| d.sf(chi2))
     }
 
+    /// χ² beyond the median of what chance leaves.
+    pub fn beyond_chance(&self) -> f64 {
+        let Solution { chi2, dof, .. } = self.solution;
+        let median = ChiSquared::new(dof.max(0.5)).map_or(dof, |d| d.inverse_cdf(0.5));
+        (chi2 - median).max(0.0)
+    }
+
     /// Residual over noise; none where nothing is left over to judge by.
     pub fn rms_over_noise(&self) -> Option<f64> {
         let Solution { chi2, dof, .. } = self.solution;
@@ -241,6 +301,9 @@ impl Fitted<'_> {
 
 /// −χ²/2 − ½ ln det JᵀJ: what the Gaussian integral over all parameters leaves, their priors counted among the rows; and
 /// for each number that cannot be negative, ln 2 for the half of its prior and the share of the integral on that side.
+///
+/// Where a model leaves contradictions, all uncertainties may have been stated too small: at the price of [`scatter`].
+/// Otherwise whatever takes a little off a large contradiction would be called certain.
 fn log_evidence(solution: &Solution, causes: &[&'static Cause]) -> Option<f64> {
     let sizes: Vec<f64> = solution.jacobian.column_iter().map(|c| c.norm()).collect();
     let mut scaled = solution.jacobian.clone();
@@ -251,13 +314,38 @@ fn log_evidence(solution: &Solution, causes: &[&'static Cause]) -> Option<f64> {
     let normal = Normal::standard();
     let numbers = causes.iter().flat_map(|cause| cause.numbers);
     let first = solution.x.len() - numbers.clone().count();
+    let us: Vec<f64> = (first..solution.x.len()).map(|i| solution.u(i)).collect();
     let sides: f64 = numbers
-        .enumerate()
-        .filter(|(_, number)| number.positive)
-        .map(|(i, _)| solution.x[first + i] / solution.u(first + i))
-        .map(|z| (2.0 * normal.cdf(z)).max(f64::MIN_POSITIVE).ln())
+        .zip(solution.x[first..].iter().zip(&us))
+        .filter(|(number, _)| number.positive)
+        .map(|(_, (x, u))| (2.0 * normal.cdf(x / u)).max(f64::MIN_POSITIVE).ln())
         .sum();
-    Some(sides - 0.5 * solution.chi2 - half_log_det)
+    let logs = (0..=LOG_STEPS).map(|i| LOG_STEP * f64::from(i));
+    let fits = logs.map(|log| scatter(solution, &us, log)).fold(f64::NEG_INFINITY, f64::max);
+    Some(sides + fits - half_log_det)
+}
+
+/// −χ²/2 with all uncertainties larger by a factor s (its logarithm is given): χ² falls by s², the density of every degree
+/// of freedom by s, and the causes' numbers are known less well by up to s.
+fn scatter(solution: &Solution, us: &[f64], log: f64) -> f64 {
+    let shrunk = (-2.0 * log).exp();
+    let wider = |u: &f64| {
+        let information = (1.0 / (u * u) - 1.0).max(0.0);
+        0.5 * ((1.0 + information) / (1.0 + information * shrunk)).ln()
+    };
+    let numbers: f64 = us.iter().map(wider).sum();
+    numbers - 0.5 * solution.chi2 * shrunk - solution.dof * log - 0.5 * (log / UNCERTAINTIES_LOG_U).powi(2)
+}
+
+/// An estimate may leave the depth of a centre of mass open; a comparison of causes must not: lines a hair off parallel under
+/// a hull many metres deep would account for any sway.
+fn with_sober_depths(layout: &Layout) -> Layout {
+    let mut layout = layout.clone();
+    for place in layout.swings.iter().map(|s| s.log_depth) {
+        let prior = &mut layout.parameters[place].prior;
+        prior.u = prior.u.min(DEPTH_LOG_U);
+    }
+    layout
 }
 
 fn scales(system: &System, solution: &Solution) -> Scales {

@@ -40,8 +40,7 @@ const YAW: &[ModeName] = &[ModeName::Yaw];
 const SWAY: &[ModeName] = &[ModeName::Sway];
 const BOTH: &[ModeName] = &[ModeName::Yaw, ModeName::Sway];
 const PITCH: &[ModeName] = &[ModeName::PitchInPhase, ModeName::PitchOutOfPhase];
-const ALL: &[ModeName] =
-    &[ModeName::Yaw, ModeName::Sway, ModeName::PitchInPhase, ModeName::PitchOutOfPhase];
+const ALL: &[ModeName] = &[ModeName::Yaw, ModeName::Sway, ModeName::PitchInPhase, ModeName::PitchOutOfPhase];
 /// The simplest first: it is kept where others do no better.
 const EXCITED: [&[ModeName]; 5] = [YAW, SWAY, BOTH, PITCH, ALL];
 /// By how much a swing with more modes must be better.
@@ -110,7 +109,8 @@ impl Worth {
     }
 
     fn beats(&self, other: &Self) -> bool {
-        self.told > other.told || (self.told == other.told && self.told > 0 && self.least > BETTER * other.least)
+        self.told > other.told
+            || (self.told == other.told && self.told > 0 && self.least > BETTER * other.least)
     }
 }
 

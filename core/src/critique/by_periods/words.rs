@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
-use super::causes::{Cause, CauseNumber, Shown};
+use super::causes::{CauseNumber, Shown};
 use super::choice::Choice;
 use super::model::{Fitted, HeldOut, Setting};
 use crate::critique::result::{CauseResult, Discrepancy, ParameterResult};
@@ -17,6 +15,10 @@ use crate::recording::{ModeName, Quantity};
 const STANDS_OUT: f64 = 4.0;
 /// Beyond this a number of a cause is told from nothing.
 const TOLD: f64 = 2.0;
+/// Gravity, buoyancy taken off or not; what implies another value does not speak of gravity.
+const EARTH_M_S2: std::ops::Range<f64> = 9.75..9.85;
+/// A swing is hinted at where without it so much of the contradiction is left at most.
+const MOST_LEFT: f64 = 0.2;
 
 /// What follows from a choice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,10 +45,12 @@ impl Standing {
     }
 }
 
-/// A figure with two digits of its uncertainty.
+/// A figure with two digits of its uncertainty; a pure number has no unit.
 pub fn figure(q: Quantity, unit: &str) -> String {
-    let decimals = if q.u > 0.0 { (1.0 - q.u.log10().floor()).clamp(0.0, 9.0) as usize } else { 4 };
-    let (value, u) = (q.value, q.u);
+    let digit = if q.u > 0.0 { q.u.log10().floor() as i32 - 1 } else { -4 };
+    let decimals = (-digit).clamp(0, 9) as usize;
+    let round = |x: f64| if digit > 0 { (x / 10f64.powi(digit)).round() * 10f64.powi(digit) } else { x };
+    let (value, u, unit) = (round(q.value), round(q.u), if unit == "1" { "" } else { unit });
     format!("{value:.decimals$} ± {u:.decimals$} {unit}").trim_end().into()
 }
 
@@ -74,7 +78,9 @@ pub fn discrepancies(base: &Fitted) -> Vec<Discrepancy> {
             }
         })
         .collect();
-    found.sort_by(|a, b| b.sigma.total_cmp(&a.sigma));
+    // A period and the dimension that it contradicts differ by as much: the swing is named first.
+    let order = |d: &Discrepancy| (-(10.0 * d.sigma).round() as i64, d.what.clone());
+    found.sort_by_key(order);
     found
 }
 
@@ -121,6 +127,9 @@ fn swing_id(base: &Fitted, what: Observed) -> String {
 /// A stated figure against what the swings imply.
 fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> {
     let Parameter { name, role, prior, .. } = &base.system.layout.parameters[place];
+    if name == "gravity" && !EARTH_M_S2.contains(&held.predicted) {
+        return None;
+    }
     let unit = claim_unit(name);
     let implied_u = (held.u * held.u - prior.u * prior.u).max(0.0).sqrt();
     let text = format!(
@@ -171,7 +180,7 @@ fn shown_numbers(setting: &Setting, fitted: &Fitted) -> Vec<(&'static CauseNumbe
         .numbers
         .iter()
         .zip(own)
-        .filter(|(_, q)| cause.numbers.len() == 1 || q.u < 0.9)
+        .filter(|(_, q)| q.u > 0.0 && (cause.numbers.len() == 1 || q.u < 0.9))
         .map(|(number, q)| (number, shown(setting, number, *q)))
         .collect()
 }
@@ -185,6 +194,7 @@ fn shown(setting: &Setting, number: &CauseNumber, q: Quantity) -> ParameterResul
             let value = factor(scales) / (q.value * width);
             (value, (value * q.u / q.value).abs())
         }
+        Shown::Size => (q.value.abs() * width, q.u * width),
     };
     let each = if number.by_mass && !scales.mass_is_known { " for each kg" } else { "" };
     ParameterResult { value, u, unit: format!("{}{each}", number.unit) }
@@ -195,7 +205,7 @@ pub fn cause(setting: &Setting, fitted: &Fitted) -> String {
     let Some(cause) = fitted.causes.last() else { return String::new() };
     let numbers = fitted.numbers();
     let own = &numbers[numbers.len() - cause.numbers.len()..];
-    if own.iter().all(|q| q.value.abs() < TOLD * q.u) {
+    if own.iter().all(|q| q.value.abs() <= TOLD * q.u) {
         return format!("{}: the session shows nothing of it.", capital(cause.sentence));
     }
     format!("{}: {}.", capital(cause.sentence), figures(setting, fitted))
@@ -234,43 +244,33 @@ pub fn unknown(setting: &Setting, choice: &Choice) -> CauseResult {
         // ln of the likelihood with every variance larger by χ²/dof over that with none.
         log_evidence_gain: 0.5 * (chi2 - dof - dof * (chi2 / dof).ln()),
         parameters: BTreeMap::new(),
-        text: [Some(beyond), without_one(setting, choice)].into_iter().flatten().collect::<Vec<_>>().join(" "),
+        text: [Some(beyond), without_one(setting, choice)]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join(" "),
         taken: false,
     }
 }
 
-/// The swing, and the cause beside it, without which the least contradiction is left.
+/// The swing without which the least contradiction is left, with the cause that then suggests itself.
 fn without_one(setting: &Setting, choice: &Choice) -> Option<String> {
-    let tried: Vec<&[&'static Cause]> =
-        choice.rounds.first()?.tried.iter().map(|f| f.causes.as_slice()).collect();
-    let mut best: Option<(f64, usize, Fitted)> = None;
-    for (i, _) in setting.system.session.swings.iter().enumerate() {
-        let is_its = |what: Observed| matches!(what, Observed::Period(swing, _) if swing == i);
-        if !setting.system.observations.iter().any(|o| is_its(o.what)) {
-            continue;
-        }
-        for causes in std::iter::once(&[] as &[_]).chain(tried.iter().copied()) {
-            let Some(fitted) = setting.fit_without(causes, &is_its) else { continue };
-            let beyond = beyond_chance(&fitted);
-            if best.as_ref().is_none_or(|(least, ..)| beyond < *least) {
-                best = Some((beyond, i, fitted));
-            }
-        }
-    }
-    let (beyond, i, fitted) = best?;
-    let all = beyond_chance(choice.extended());
-    let id = &setting.system.session.swings[i].id;
+    let session = setting.system.session;
+    let attempts: Vec<(usize, Fitted)> =
+        (0..session.swings.len()).filter_map(|i| Some((i, choice.without(setting, i)?))).collect();
+    let count = attempts.len();
+    let (i, fitted) =
+        attempts.into_iter().min_by(|(_, a), (_, b)| a.beyond_chance().total_cmp(&b.beyond_chance()))?;
+    // Chosen among many: a single swing is blamed only where nearly all of the contradiction goes with it.
+    let is_much = fitted.beyond_chance() < MOST_LEFT * choice.extended().beyond_chance();
     let with = match fitted.causes.last() {
         Some(_) => format!(" and with one cause ({})", lower(&cause(setting, &fitted))),
         None => String::new(),
     };
-    // Chosen among many: a single swing is blamed only where nearly all of the contradiction goes with it.
-    (beyond < 0.2 * all).then(|| {
+    is_much.then(|| {
         format!(
-            "Without the swing {id}{with} χ² would be {:.0} with {:.1} degrees of freedom; that is the best of {} such attempts, and no more than a hint.",
-            fitted.solution.chi2,
-            fitted.solution.dof,
-            setting.system.session.swings.len() * (tried.len() + 1),
+            "Without the swing {}{with} χ² would be {:.0} with {:.1} degrees of freedom: of {count} swings left out in turn this one takes off the most, which is a hint and no more.",
+            session.swings[i].id, fitted.solution.chi2, fitted.solution.dof,
         )
     })
 }
@@ -280,13 +280,6 @@ fn lower(text: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// χ² beyond its median.
-fn beyond_chance(fitted: &Fitted) -> f64 {
-    let (chi2, dof) = (fitted.solution.chi2, fitted.solution.dof);
-    let median = ChiSquared::new(dof.max(0.5)).map_or(dof, |d| d.inverse_cdf(0.5));
-    (chi2 - median).max(0.0)
-}
-
 /// The verdict in words.
 pub fn verdict(choice: &Choice) -> String {
     let extended = choice.extended();
@@ -294,8 +287,12 @@ pub fn verdict(choice: &Choice) -> String {
     let rivals: Vec<String> = choice.rival_names().iter().map(|n| n.replace('_', " ")).collect();
     let named = listed(&names, "and");
     match choice.standing() {
-        Standing::Adequate => "Periods and dimensions agree within their uncertainties: nothing is missing.".into(),
-        Standing::Explained => format!("The contradictions go away with {named}, and with nothing else that was tried."),
+        Standing::Adequate => {
+            "Periods and dimensions agree within their uncertainties: nothing is missing.".into()
+        }
+        Standing::Explained => {
+            format!("The contradictions go away with {named}, and with nothing else that was tried.")
+        }
         Standing::Ambiguous => format!(
             "The contradictions go away with {named}; these periods cannot tell it from {}.{}",
             listed(&rivals, "or"),
@@ -307,7 +304,7 @@ pub fn verdict(choice: &Choice) -> String {
         Standing::Unexplained => {
             let instead = match rivals.is_empty() {
                 true => String::new(),
-                false => format!(" (or {} in place of one of them)", listed(&rivals, "or")),
+                false => format!(", which these periods cannot tell from {}", listed(&rivals, "or")),
             };
             format!(
                 "Most of the contradictions go away with {named}{instead}, but more remain than chance leaves.{}",
@@ -335,11 +332,7 @@ fn consequences(choice: &Choice) -> String {
     if most.value - least.value < most.u.max(least.u) {
         return String::new();
     }
-    format!(
-        " The yaw gyradius hangs on it: {} by one, {} by another.",
-        figure(least, "m"),
-        figure(most, "m")
-    )
+    format!(" The yaw gyradius hangs on it: {} by one, {} by another.", figure(least, "m"), figure(most, "m"))
 }
 
 /// Modes in words.
