@@ -92,7 +92,7 @@ impl<'a> Setting<'a> {
         let mut system = self.with(causes);
         system.observations.retain(|o| !is_left_out(o.what));
         let solution = self.solve(&system)?;
-        let log_evidence = log_evidence(&solution, causes)?;
+        let log_evidence = log_evidence(&system.layout, &solution, causes)?;
         let solution = self.on_the_right_side(&mut system, solution, causes)?;
         Some(Fitted { causes: causes.to_vec(), system, solution, log_evidence })
     }
@@ -304,7 +304,7 @@ impl Fitted<'_> {
 ///
 /// Where a model leaves contradictions, all uncertainties may have been stated too small: at the price of [`scatter`].
 /// Otherwise whatever takes a little off a large contradiction would be called certain.
-fn log_evidence(solution: &Solution, causes: &[&'static Cause]) -> Option<f64> {
+fn log_evidence(layout: &Layout, solution: &Solution, causes: &[&'static Cause]) -> Option<f64> {
     let sizes: Vec<f64> = solution.jacobian.column_iter().map(|c| c.norm()).collect();
     let mut scaled = solution.jacobian.clone();
     scaled.column_iter_mut().zip(&sizes).for_each(|(mut column, size)| column /= *size);
@@ -320,21 +320,33 @@ fn log_evidence(solution: &Solution, causes: &[&'static Cause]) -> Option<f64> {
         .filter(|(number, _)| number.positive)
         .map(|(_, (x, u))| (2.0 * normal.cdf(x / u)).max(f64::MIN_POSITIVE).ln())
         .sum();
+    let believed = believed(layout, solution, first);
     let logs = (0..=LOG_STEPS).map(|i| LOG_STEP * f64::from(i));
-    let fits = logs.map(|log| scatter(solution, &us, log)).fold(f64::NEG_INFINITY, f64::max);
+    let fits = logs.map(|log| scatter(solution, believed, &us, log)).fold(f64::NEG_INFINITY, f64::max);
     Some(sides + fits - half_log_det)
 }
 
-/// −χ²/2 with all uncertainties larger by a factor s (its logarithm is given): χ² falls by s², the density of every degree
-/// of freedom by s, and the causes' numbers are known less well by up to s.
-fn scatter(solution: &Solution, us: &[f64], log: f64) -> f64 {
+/// The part of χ² by which body and causes depart from what is believed of them beforehand; nobody stated that.
+fn believed(layout: &Layout, solution: &Solution, first_cause: usize) -> f64 {
+    let is_believed = |i: usize| i >= first_cause || layout.parameters[i].role == Role::Unknown;
+    let pull = |i: usize| {
+        let prior = layout.parameters[i].prior;
+        (solution.x[i] - prior.value) / prior.u
+    };
+    solution.free.iter().filter(|i| is_believed(**i)).map(|i| pull(*i).powi(2)).sum()
+}
+
+/// −χ²/2 with all stated uncertainties larger by a factor s (its logarithm is given): χ² but for what is `believed` falls
+/// by s², the density of every degree of freedom by s, and the causes' numbers are known less well by up to s.
+fn scatter(solution: &Solution, believed: f64, us: &[f64], log: f64) -> f64 {
     let shrunk = (-2.0 * log).exp();
     let wider = |u: &f64| {
         let information = (1.0 / (u * u) - 1.0).max(0.0);
         0.5 * ((1.0 + information) / (1.0 + information * shrunk)).ln()
     };
     let numbers: f64 = us.iter().map(wider).sum();
-    numbers - 0.5 * solution.chi2 * shrunk - solution.dof * log - 0.5 * (log / UNCERTAINTIES_LOG_U).powi(2)
+    let chi2 = believed + (solution.chi2 - believed) * shrunk;
+    numbers - 0.5 * chi2 - solution.dof * log - 0.5 * (log / UNCERTAINTIES_LOG_U).powi(2)
 }
 
 /// An estimate may leave the depth of a centre of mass open; a comparison of causes must not: lines a hair off parallel under
