@@ -21,6 +21,8 @@ use crate::recording::{ModeName, Quantity, Swing};
 const STEP: f64 = 1e-3;
 /// Where the solution starts, in the width: causes of the second order have no slope at zero.
 const STARTS: [f64; 2] = [0.5, 0.01];
+/// A cause that is not needed costs no more evidence than this when it is fitted well.
+const CAUGHT: f64 = 3.0;
 /// How far all stated uncertainties together may be off, as a logarithm: a factor of two.
 const UNCERTAINTIES_LOG_U: f64 = 0.7;
 /// Logarithms of factors that are tried: up to 3000.
@@ -42,6 +44,7 @@ pub struct Setting<'a> {
     /// Sizes of the session.
     pub scales: Arc<Scales>,
     amplitudes: Arc<BTreeMap<String, Amplitudes>>,
+    bare_log_evidence: f64,
 }
 
 /// A model that was fitted.
@@ -75,7 +78,8 @@ impl<'a> Setting<'a> {
         let scales = Arc::new(scales(&system, &solution));
         let swings = &analysis.measurement.swings;
         let amplitudes = swings.iter().map(|swing| (swing.id.clone(), amplitudes(&swing.modes))).collect();
-        Ok(Self { system, solution, scales, amplitudes: Arc::new(amplitudes) })
+        let bare_log_evidence = log_evidence(&system.layout, &solution, &[]).unwrap_or(f64::NEG_INFINITY);
+        Ok(Self { system, solution, scales, amplitudes: Arc::new(amplitudes), bare_log_evidence })
     }
 
     /// The model with these causes; `None` where it has no solution.
@@ -91,24 +95,25 @@ impl<'a> Setting<'a> {
     ) -> Option<Fitted<'a>> {
         let mut system = self.with(causes);
         system.observations.retain(|o| !is_left_out(o.what));
-        let solution = self.solve(&system)?;
-        let log_evidence = log_evidence(&system.layout, &solution, causes)?;
+        let first = self.solve(&system, causes, STARTS[0]);
+        let (solution, log_evidence) = match first {
+            // The solution got caught where two modes nearly coincide: nearer to zero the same model does better.
+            Some((_, evidence)) if evidence < self.bare_log_evidence - CAUGHT => {
+                let other = self.solve(&system, causes, STARTS[1]);
+                first.into_iter().chain(other).max_by(|a, b| a.1.total_cmp(&b.1))?
+            }
+            first => first?,
+        };
         let solution = self.on_the_right_side(&mut system, solution, causes)?;
         Some(Fitted { causes: causes.to_vec(), system, solution, log_evidence })
     }
 
-    /// From nearer to zero where the solution is worse than that without causes.
-    fn solve(&self, system: &System) -> Option<Solution> {
-        let from = |size: f64| {
-            let mut start = self.solution.x.clone();
-            start.resize(system.layout.parameters.len(), size);
-            system.solve(&start).ok()
-        };
-        let first = from(STARTS[0]);
-        if first.as_ref().is_some_and(|s| s.chi2 <= self.solution.chi2 + 1e-6) {
-            return first;
-        }
-        first.into_iter().chain(from(STARTS[1])).min_by(|a, b| a.chi2.total_cmp(&b.chi2))
+    fn solve(&self, system: &System, causes: &[&'static Cause], size: f64) -> Option<(Solution, f64)> {
+        let mut start = self.solution.x.clone();
+        start.resize(system.layout.parameters.len(), size);
+        let solution = system.solve(&start).ok()?;
+        let log_evidence = log_evidence(&system.layout, &solution, causes)?;
+        Some((solution, log_evidence))
     }
 
     /// The solution with those numbers held at zero that cannot be negative and would be.
