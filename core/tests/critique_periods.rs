@@ -139,10 +139,12 @@ fn drawn(
             swings.push(swing(&id, SwingData::PeriodsS(typed.collect()), *length, *spacing));
         }
     }
-    let data: Vec<LoadedSwing> =
-        swings.iter().map(|s| LoadedSwing { id: s.id.clone(), data: LoadedData::Typed }).collect();
-    let session = session("drawn", Some(Quantity::exact(hull.mass_kg)), 9.81, swings);
-    LoadedSession { session, source: "drawn".into(), data, inclines: vec![] }
+    typed(session("drawn", Some(Quantity::exact(hull.mass_kg)), 9.81, swings))
+}
+
+fn typed(session: Session) -> LoadedSession {
+    let data = session.swings.iter().map(|s| LoadedSwing { id: s.id.clone(), data: LoadedData::Typed });
+    LoadedSession { data: data.collect(), session, source: "drawn".into(), inclines: vec![] }
 }
 
 fn session(title: &str, mass_kg: Option<Quantity>, gravity: f64, swings: Vec<Swing>) -> Session {
@@ -301,6 +303,37 @@ fn torsion_shows_at_two_spacings_and_is_named_at_three() {
     named(8, "line_torsion", draw(&[1.0, 2.0]));
     let (hits, _) = named(8, "line_torsion", draw(&[0.8, 1.3, 2.4]));
     assert!(hits >= 6, "{hits}");
+}
+
+#[test]
+fn air_that_grows_with_the_amplitude_shows_in_swings_of_several_amplitudes() {
+    let (hits, all) = named(6, "amplitude_added_mass", |rng| {
+        let hull = hull(rng);
+        let share_by_radian = between(rng, 0.2, 0.4);
+        let (length, l) = taped(rng, 2.0 * hull.k_yaw_m, 5e-4 * hull.k_yaw_m);
+        let (spacing, _) = taped(rng, 1.8 * hull.k_yaw_m, 5e-4 * hull.k_yaw_m);
+        let swings: Vec<Swing> = [1.0, 3.0, 6.0]
+            .into_iter()
+            .map(|degrees: f64| {
+                let angle = degrees.to_radians();
+                // The pendulum's law, and (7) with the mass that the air adds at this amplitude.
+                let finite = 1.0 + angle.powi(2) / 16.0 + 11.0 * angle.powi(4) / 3072.0;
+                let heavier = 1.0 + share_by_radian * angle;
+                let period_s = TAU * (heavier * l / hull.gravity_m_s2).sqrt() * finite;
+                let read = Quantity::new(period_s * (1.0 + 3e-5 * normal(rng)), 3e-5 * period_s);
+                let data = SwingData::PeriodsS(BTreeMap::from([(ModeName::Sway, read)]));
+                let mut swing = swing(&format!("sway-{degrees}"), data, length, spacing);
+                swing.amplitude_deg.insert(ModeName::Sway, degrees);
+                swing
+            })
+            .collect();
+        typed(session("drawn", Some(Quantity::exact(hull.mass_kg)), 9.81, swings))
+    });
+    assert_eq!(hits, 6);
+    let sizes: Vec<_> =
+        all.iter().filter_map(|c| parameter(c, "amplitude_added_mass", "sway_kg_m")).collect();
+    println!("{sizes:?}");
+    assert!(sizes.len() == 6 && sizes.iter().all(|(value, u)| value / u > 10.0), "{sizes:?}");
 }
 
 // ---- measured sessions ----
