@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 
 use gyradius_core::constants::STANDARD_GRAVITY_M_S2 as G;
 use gyradius_core::dynamics::{
-    Damping, ModalPart, ModeKind, Rig, RigidBody, Sampling, SmallModes, State, SuspensionAxis, Trajectory,
-    ideal_phone, initial_state, mode_kind, simulate, small_modes,
+    Damping, ModalPart, ModeKind, Rig, RigidBody, Sampling, SmallEffects, SmallModes, State, SuspensionAxis,
+    Trajectory, ideal_phone, initial_state, mode_kind, simulate, small_modes,
 };
 use gyradius_core::frames::{Rotation, Vec3};
 
@@ -342,4 +342,35 @@ fn a_slack_line_is_reported() {
     assert!(slack.t_s > 0.3 && slack.t_s < 3.0, "{slack:?}");
     start.velocity_m_s = Vec3::new(0.0, 1.0, 0.0);
     assert!(run(&rig, &body, &start, 3.0, 0.02).slack.is_none());
+}
+
+/// Yaw stiffness m g d²/l + κ, sway mass m + a, and a support in series, which adds m/k to l/g; the double pendulum with a
+/// support that gives across swings on lines longer by m g/k in its translation alone.
+#[test]
+fn effects_on_small_oscillations_are_closed_forms() {
+    let body = model_hull();
+    let (l, d, mass) = (1.006, 0.28, body.mass_kg);
+    let rig = Rig::bifilar(SuspensionAxis::Athwartships, l, 2.0 * d, 2.0 * d, G).unwrap();
+    let modes = small_modes(&rig, &body).unwrap();
+    let period = |effects: &SmallEffects, kind: ModeKind| {
+        let changed = modes.with(&body, effects).unwrap();
+        changed.period_s(by_kind(&rig, &body, &changed, kind))
+    };
+    let (kappa, air_kg, gives_m_n) = (0.4, 1.3, Vec3::new(3e-4, 2e-4, 0.0));
+    let mut effects = SmallEffects { support_m_n: gives_m_n, ..SmallEffects::default() };
+    effects.stiffness[(5, 5)] = kappa;
+    effects.mass[(1, 1)] = air_kg;
+    let inertia = body.inertia_kg_m2[(2, 2)];
+    assert_close(
+        period(&effects, ModeKind::Yaw),
+        TAU * (inertia / (mass * G * d * d / l + kappa)).sqrt(),
+        1e-9,
+    );
+    // The support's spring carries the air as well: T² = 4π² (m + a) (l/(m g) + 1/k).
+    let sway = TAU * ((mass + air_kg) * (l / (mass * G) + gives_m_n.y)).sqrt();
+    assert_close(period(&effects, ModeKind::SwayLine), sway, 1e-9);
+    // In the translation of the suspension points the lines' spring m g/l and the support's are in series.
+    let (in_phase, out_of_phase) = double_pendulum_s(l + mass * G * gives_m_n.x, 0.253, 0.352);
+    assert_close(period(&effects, ModeKind::DoublePendulumInPhase), in_phase, 1e-9);
+    assert_close(period(&effects, ModeKind::DoublePendulumOutOfPhase), out_of_phase, 1e-9);
 }

@@ -16,9 +16,11 @@ mod point;
 mod look;
 mod moments;
 mod search;
+mod by_periods;
 mod result;
 mod white;
 
+pub use by_periods::criticise_periods;
 pub use result::{
     CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterResult, Progress, SwingTrace,
@@ -27,9 +29,9 @@ pub use result::{
 use std::collections::BTreeMap;
 
 use crate::error::Result;
-use crate::inertia::QuantityResult;
+use crate::inertia::{MeasureOptions, QuantityResult, analyse};
 use crate::inertia::measure::{Prepared, prepare, title};
-use crate::recording::{LoadedSession, Quantity};
+use crate::recording::{LoadedData, LoadedSession, Quantity};
 
 use base::{Base, by_periods};
 use findings::findings;
@@ -47,6 +49,9 @@ pub const FORMAT: &str = "gyradius-critique/1";
 pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
     let told = Told { progress };
     told.at(0.0, "reading the swings")?;
+    if !loaded.data.iter().any(|data| matches!(data.data, LoadedData::Recording(_))) {
+        return criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+    }
     let mut prepared = prepare(loaded)?;
     let x = by_periods(&mut prepared);
     told.at(0.05, "fitting each swing")?;

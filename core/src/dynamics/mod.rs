@@ -36,6 +36,6 @@ pub use real::{Dual, M3, Real, V3};
 pub use rig::{Line, Rig, RigidBody, SuspensionAxis};
 pub use scene::{Body, Dimensions, Hanging, LANES, Scene, Start};
 pub use sensor::{IdealPhone, ideal_phone};
-pub use small::{ModeKind, SmallModes, compound_pendulum_period_s, mode_kind, small_modes};
+pub use small::{ModeKind, SmallEffects, SmallModes, compound_pendulum_period_s, mode_kind, small_modes};
 pub use suspended::{Cord, MOST_LINES, Spring, Suspended};
 pub use trajectory::{Damping, ModalPart, Sampling, State, Trajectory, initial_state, placed, simulate};

@@ -1,6 +1,6 @@
 //! Small oscillations of the body about its rest pose: four modes of six coordinates less two lines.
 
-use nalgebra::{Matrix4, SymmetricEigen, Vector6};
+use nalgebra::{Matrix4, Matrix6, Matrix6x4, SymmetricEigen, Vector4, Vector6};
 
 use super::constraint::mass_matrix;
 use super::equilibrium::{Equilibrium, Newton, equilibrium};
@@ -37,6 +37,54 @@ impl SmallModes {
     /// Displacement of the centre of mass per unit of the modal coordinate, world axes, m.
     pub fn displacement(&self, i: usize) -> Vec3 {
         Vec3::from_column_slice(&self.shapes[i][..3])
+    }
+}
+
+/// What effects add to the small oscillations of a body on its lines.
+///
+/// # Conventions
+/// Matrices act on `[δr; θ]` as the shapes of [`SmallModes`] have it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SmallEffects {
+    /// Beside the stiffness that gravity and the lines give.
+    pub stiffness: Matrix6<f64>,
+    /// Mass that moves along without weight.
+    pub mass: Matrix6<f64>,
+    /// How far what the lines hang from gives way along each world axis, m/N; its own mass is left out.
+    pub support_m_n: Vec3,
+}
+
+impl SmallModes {
+    /// The modes with effects beside: exact for small oscillations about the same rest pose, as the lines leave the body
+    /// the same four coordinates.
+    ///
+    /// A support that gives by s/F lets the body follow by the same: to the flexibility K⁻¹ of the modal coordinates is
+    /// added w wᵀ s/F, w the pull on the support by unit modal forces.
+    pub fn with(&self, body: &RigidBody, effects: &SmallEffects) -> Result<Self> {
+        let shapes = Matrix6x4::from_fn(|row, mode| self.shapes[mode][row]);
+        let squares = Vector4::from(self.omega_rad_s.map(|omega| omega * omega));
+        let stiffness = Matrix4::from_diagonal(&squares) + shapes.transpose() * effects.stiffness * shapes;
+        let mass = Matrix4::identity() + shapes.transpose() * effects.mass * shapes;
+        let mut flexibility = stiffness.try_inverse().ok_or_else(|| failed("the stiffness is singular"))?;
+        for axis in 0..3 {
+            let pull = shapes.row(axis).transpose() * body.mass_kg;
+            flexibility += pull * pull.transpose() * effects.support_m_n[axis];
+        }
+        let lower = mass.cholesky().ok_or_else(|| failed("the mass matrix is singular"))?.l();
+        let upper_inverse =
+            lower.transpose().try_inverse().ok_or_else(|| failed("the mass matrix is singular"))?;
+        let eigen = SymmetricEigen::new(lower.transpose() * flexibility * lower);
+        let mut order = [0, 1, 2, 3];
+        order.sort_by(|&i, &j| eigen.eigenvalues[j].total_cmp(&eigen.eigenvalues[i]));
+        if eigen.eigenvalues[order[3]] <= 0.0 {
+            return Err(failed("the rest pose is not stable"));
+        }
+        let changed = shapes * upper_inverse * eigen.eigenvectors;
+        Ok(Self {
+            equilibrium: self.equilibrium,
+            omega_rad_s: order.map(|i| 1.0 / eigen.eigenvalues[i].sqrt()),
+            shapes: order.map(|i| changed.column(i).into_owned().into()),
+        })
     }
 }
 

@@ -3,13 +3,15 @@
 //! Observed periods and angles and stated figures are rows of one system; the covariance of the solution is the
 //! GUM's law of propagation (JCGM 100, 5.2) for a linearised measurement function, correlations kept.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::error::{Error, Result};
 use crate::recording::{InclineAngle, ModeName, Quantity, Session, Swing};
 
-use super::parameters::{Layout, Role};
+use super::parameters::{Layout, Role, SwingIndex};
 use super::samples::Statement;
 use super::theory::{incline_angle_deg, swing_periods};
 
@@ -64,7 +66,12 @@ pub struct System<'a> {
     pub statements: Vec<Statement>,
     /// Every small-amplitude period, those that entered through the samples too: what single routes start from.
     pub periods: Vec<Observation>,
+    /// How a swing's periods follow from the parameters.
+    pub theory: Arc<Theory>,
 }
+
+/// Small-amplitude undamped periods of one swing by mode, s.
+pub type Theory = dyn Fn(&Layout, &[f64], &Swing, &SwingIndex) -> Result<Vec<(ModeName, f64)>> + Send + Sync;
 
 /// The solution.
 #[derive(Debug, Clone)]
@@ -76,6 +83,8 @@ pub struct Solution {
     /// Change of each free parameter by one standard uncertainty of each row (rows: observations, then the free
     /// parameters' priors). The covariance is `gain · gainᵀ`.
     pub gain: DMatrix<f64>,
+    /// Change of each row of [`System::rows`] by each free parameter.
+    pub jacobian: DMatrix<f64>,
     /// Sum of squares and degrees of freedom (those the weak priors take are taken off).
     pub chi2: f64,
     /// Degrees of freedom.
@@ -84,7 +93,19 @@ pub struct Solution {
     pub birge: f64,
 }
 
-impl System<'_> {
+impl<'a> System<'a> {
+    /// Parameters without observations.
+    pub fn new(session: &'a Session, layout: Layout) -> Self {
+        System {
+            session,
+            layout,
+            observations: vec![],
+            statements: vec![],
+            periods: vec![],
+            theory: Arc::new(swing_periods),
+        }
+    }
+
     /// The same session with other parameters' priors.
     pub fn with(&self, layout: Layout) -> Self {
         System {
@@ -93,6 +114,7 @@ impl System<'_> {
             observations: self.observations.clone(),
             statements: self.statements.clone(),
             periods: self.periods.clone(),
+            theory: self.theory.clone(),
         }
     }
 
@@ -146,7 +168,7 @@ impl System<'_> {
             Observed::Period(i, mode) => {
                 let index = &self.layout.swings[i];
                 if periods[i].is_none() {
-                    periods[i] = swing_periods(&self.layout, x, &self.session.swings[i], index).ok();
+                    periods[i] = (self.theory)(&self.layout, x, &self.session.swings[i], index).ok();
                 }
                 let (_, period_s) = periods[i].as_ref()?.iter().find(|(name, _)| *name == mode)?;
                 Some(period_s * (1.0 + self.layout.clock_error(x, index)))
@@ -154,7 +176,8 @@ impl System<'_> {
         }
     }
 
-    fn rows(&self, x: &[f64], free: &[usize]) -> Option<DVector<f64>> {
+    /// What every observation, then every free parameter's prior, exceeds the prediction by, in standard uncertainties.
+    pub fn rows(&self, x: &[f64], free: &[usize]) -> Option<DVector<f64>> {
         let predicted = self.predict(x)?;
         let observed = self.observations.iter().zip(predicted).map(|(o, p)| (o.value.value - p) / o.value.u);
         let priors = free.iter().map(|i| {
@@ -197,7 +220,7 @@ impl System<'_> {
             .sum();
         let chi2 = rows.norm_squared();
         let dof = (self.observations.len() as f64 - taken).max(0.0);
-        Ok(Solution { x, free, gain, chi2, dof, birge: birge(chi2, dof) })
+        Ok(Solution { x, free, gain, jacobian, chi2, dof, birge: birge(chi2, dof) })
     }
 
     fn minimise(&self, mut x: Vec<f64>, free: &[usize]) -> Option<Vec<f64>> {

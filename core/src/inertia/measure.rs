@@ -105,7 +105,7 @@ pub(crate) fn prepare(loaded: &LoadedSession) -> Result<Prepared<'_>> {
     let inclines = recorded_inclines(loaded, &works);
     let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
     let layout = Layout::of(session, gravity, &pitch, &yaws);
-    let mut system = System { session, layout, observations: vec![], statements: vec![], periods: vec![] };
+    let mut system = System::new(session, layout);
     system.observe(observations(session, &works, &[]), &inclines);
     Ok(Prepared { works, inclines, system, warnings: gravity_warning.into_iter().collect() })
 }
@@ -129,6 +129,14 @@ pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analy
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
     Ok(Analysis { measurement: result, evidence })
+}
+
+/// The session's periods, freed of finite amplitude, with its stated figures as one system, and the solution; samples are
+/// not looked at beyond their periods.
+pub(crate) fn solved_periods(loaded: &LoadedSession) -> Result<(System<'_>, Solution)> {
+    let Prepared { mut system, mut works, inclines, .. } = prepare(loaded)?;
+    let solution = estimate(&mut system, &loaded.session, &mut works, &inclines)?;
+    Ok((system, solution))
 }
 
 fn yaw_period_s(work: &SwingWork) -> Option<f64> {

@@ -19,6 +19,7 @@ mod traced;
 mod twin;
 pub(crate) mod words;
 
+pub(crate) use measure::solved_periods;
 pub use measure::{Analysis, MeasureOptions, analyse, measure, measure_recording};
 pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,

@@ -107,7 +107,7 @@ pub fn swing_periods(
 }
 
 /// Eq. (22): the axis lies `axis_height_m` above the suspension points, along the suspension's direction.
-fn compound_period_s(body: &RigidBody, swing: &Swing, axis_height_m: f64, gravity_m_s2: f64) -> f64 {
+pub fn compound_period_s(body: &RigidBody, swing: &Swing, axis_height_m: f64, gravity_m_s2: f64) -> f64 {
     let unit = axis(swing.suspension.orientation).unit();
     let k2 = unit.dot(&(body.inertia_kg_m2 * unit)) / body.mass_kg;
     compound_pendulum_period_s(k2.sqrt(), axis_height_m - body.cm_m.z, gravity_m_s2)
