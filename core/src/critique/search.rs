@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::inertia::by_samples::in_parallel;
 
-use super::causes::{Scales, TERMS, UNKNOWN, catalogue, learned_force};
+use super::causes::{Scales, TERMS, UNKNOWN, catalogue, learned_force, mounts};
 use super::fitting::Fitted;
 use super::look::Look;
 use super::moments::moments;
@@ -152,8 +152,8 @@ impl Found<'_> {
         }
         if !self.left.is_white() {
             looks.extend(moments(&self.model, &self.fitted)?.into_iter().filter(|look| is_new(&look.cause)));
-            for coordinate in 0..4 {
-                let cause = learned_force(&scales, coordinate, &TERMS);
+            let shapes = (0..4).map(|coordinate| learned_force(&scales, coordinate, &TERMS));
+            for cause in mounts().into_iter().chain(shapes).filter(|cause| is_new(cause)) {
                 looks.extend(Look::at(&self.model, &self.fitted, &cause).ok().flatten());
             }
         }

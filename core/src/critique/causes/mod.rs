@@ -21,7 +21,7 @@ use super::base::Base;
 use super::point::{Cause, CauseParameter, Form, Point, Put};
 
 pub use outside::{TERMS, UNKNOWN, knock_at, learned_force};
-pub use phone::{mount_at, slip_at};
+pub use phone::{mounts, slip_at};
 
 /// What scales everyday strengths, from the fitted base.
 #[derive(Debug, Clone)]

@@ -1,6 +1,12 @@
 //! What the phone and its sensors get wrong.
 
-use super::super::point::{Cause, CauseParameter, sensor};
+use std::sync::Arc;
+
+use crate::dynamics::Experiment;
+use crate::error::Result;
+use crate::frames::Vec3;
+
+use super::super::point::{Cause, CauseParameter, LookAlike, sensor};
 use super::{cause, logarithm, number, put, strength};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -75,27 +81,46 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
     Cause { on_phone: true, ..cause("phone_slip", parameters, law) }
 }
 
-/// A mount that turns about one axis (unit vector `axis`, changed by two angles), driven on a lever across it.
-pub fn mount_at(frequency_hz: f64, axis: [f64; 3], lever_per_m: [f64; 3]) -> Cause {
-    let n = nalgebra::Vector3::from(axis).normalize();
-    let across = n.cross(&nalgebra::Vector3::ith(n.iamin(), 1.0)).normalize();
-    let other = n.cross(&across);
-    let lever = nalgebra::Vector3::from(lever_per_m);
-    let parameters = vec![
-        logarithm("frequency_hz", "Hz", frequency_hz, 0.5),
-        logarithm("damping_ratio", "1", 0.06, 1.0),
-        number("axis_turn_1_rad", "rad", 0.0, 1.0),
-        number("axis_turn_2_rad", "rad", 0.0, 1.0),
-        number("lever_1_per_m", "1/m", lever.dot(&across), 3.0),
-        number("lever_2_per_m", "1/m", lever.dot(&other), 3.0),
-    ];
-    let law = put(move |q, _, e| {
-        let axis = (n + across * q[2] + other * q[3]).normalize();
-        let lever = across * q[4] + other * q[5];
-        let lever = lever - axis * axis.dot(&lever);
+/// Frequency at which a first look sees a mount, Hz. Far above the swing's own a mount gives way at once, and its frequency
+/// is no more than how much it gives.
+const MOUNT_HZ: f64 = 5.0;
+const MOUNT_DAMPING: f64 = 0.06;
+/// Axes that a first look tries, phone axes.
+const MOUNT_AXES: [[f64; 3]; 7] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, 1.0, -1.0],
+];
+
+/// Mounts that turn about one axis, driven on a lever across it.
+pub fn mounts() -> Vec<Cause> {
+    MOUNT_AXES.map(mount).to_vec()
+}
+
+/// An axis and two directions across it.
+#[derive(Clone, Copy)]
+struct Hinge {
+    axis: Vec3,
+    across: [Vec3; 2],
+}
+
+impl Hinge {
+    fn along(axis: [f64; 3]) -> Self {
+        let axis = Vec3::from(axis).normalize();
+        let across = axis.cross(&Vec3::ith(axis.iamin(), 1.0)).normalize();
+        Self { axis, across: [across, axis.cross(&across)] }
+    }
+
+    fn put(axis: &Vec3, lever: &Vec3, (hz, zeta): (f64, f64), share: f64, e: &mut Experiment) -> Result<()> {
+        let lever = lever - axis * axis.dot(lever);
         let numbers = [
-            ("turn_hz", q[0].clamp(-1.0, 4.0).exp()),
-            ("damping_ratio", q[1].clamp(-7.0, -0.1).exp()),
+            ("turn_hz", hz),
+            ("damping_ratio", zeta),
+            ("turning_share", share),
             ("axis_x", axis.x),
             ("axis_y", axis.y),
             ("axis_z", axis.z),
@@ -105,6 +130,47 @@ pub fn mount_at(frequency_hz: f64, axis: [f64; 3], lever_per_m: [f64; 3]) -> Cau
         ];
         e.sensors.push(sensor("phone_mount_resonance", &numbers)?);
         Ok(())
-    });
-    Cause { on_phone: true, ..cause("phone_mount_resonance", parameters, law) }
+    }
 }
+
+fn mount(axis: [f64; 3]) -> Cause {
+    let hinge = Hinge::along(axis);
+    let parameters = vec![
+        logarithm("frequency_hz", "Hz", MOUNT_HZ, 0.7),
+        logarithm("damping_ratio", "1", MOUNT_DAMPING, 1.0),
+        number("axis_turn_1_rad", "rad", 0.0, 1.0),
+        number("axis_turn_2_rad", "rad", 0.0, 1.0),
+        number("lever_1_per_m", "1/m", 0.0, 3.0),
+        number("lever_2_per_m", "1/m", 0.0, 3.0),
+    ];
+    let law = put(move |q, _, e| {
+        let [one, other] = hinge.across;
+        let axis = (hinge.axis + one * q[2] + other * q[3]).normalize();
+        let hz_and_zeta = (q[0].clamp(-1.0, 4.0).exp(), q[1].clamp(-7.0, -0.1).exp());
+        Hinge::put(&axis, &(one * q[4] + other * q[5]), hz_and_zeta, 1.0, e)
+    });
+    let seen = vec![
+        strength("turning", "1", 1.0, 2.0),
+        strength("lever_1", "1/m", 1.0, 4.0),
+        strength("lever_2", "1/m", 1.0, 4.0),
+    ];
+    let parts = put(move |q, _, e| {
+        let lever = hinge.across[0] * q[1] + hinge.across[1] * q[2];
+        if q[..3] == [0.0; 3] {
+            return Ok(());
+        }
+        Hinge::put(&hinge.axis, &lever, (MOUNT_HZ, MOUNT_DAMPING), q[0], e)
+    });
+    let cause_of_parts = Cause { on_phone: true, ..cause("phone_mount_resonance", seen, parts) };
+    // A mount of another frequency gives by its square.
+    let nearest = |w: &[f64]| {
+        let share = w[0];
+        (share > LEAST_TURNING)
+            .then(|| vec![(MOUNT_HZ / share.sqrt()).ln(), f64::NAN, 0.0, 0.0, w[1] / share, w[2] / share])
+    };
+    let look = LookAlike { cause: cause_of_parts, nearest: Box::new(nearest) };
+    Cause { on_phone: true, look: Some(Arc::new(look)), ..cause("phone_mount_resonance", parameters, law) }
+}
+
+/// A mount that turns by less than this share of one at the look's frequency (above some 25 Hz) is not seen.
+const LEAST_TURNING: f64 = 0.04;

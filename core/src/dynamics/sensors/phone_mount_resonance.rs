@@ -25,6 +25,8 @@ numbers! {
         axis_y: "1",
         /// The same.
         axis_z: "1",
+        /// Share of the hull's turning about that axis that drives it: 1 for a mount, anything for its parts alone.
+        turning_share: "1",
         /// h, phone axes: height of the phone's centre of mass above the axis over its squared gyradius about it. The
         /// turn is then driven by −n·(h × (f − f₀)) too, f₀ the specific force at rest.
         lever_x_per_m: "1/m",
@@ -81,7 +83,7 @@ impl<S: Real> SensorEffect<S> for PhoneMountResonance<S> {
                 return -turning;
             }
             let force = to_phone * ride.mounted.force_at_place(&hull) - at_rest;
-            -axis * (axis.dot(&(turning + lever.cross(&force))) / square)
+            -axis * (axis.dot(&(turning * self.turning_share + lever.cross(&force))) / square)
         };
         let shifting = move |t: S| -ride.mounted.force_at_place(&(ride.hull)(t));
         let turn = self.driven(self.turn_hz, ride, turning)?;

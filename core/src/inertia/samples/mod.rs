@@ -17,8 +17,7 @@ mod record;
 mod scene;
 mod session;
 
-pub use fit::{Fit, Statement, SwingModel, fit};
-pub use marquardt::Moves;
+pub use fit::Statement;
 pub use record::{Samples, Sensor, Stream};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup};
 pub use session::FittedSwing;
