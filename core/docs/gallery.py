@@ -63,6 +63,13 @@ HULL: list[tuple[str, Numbers, Numbers, str]] = [
         "Every swing is another: what is left over grows and shrinks at the hull's own period.",
     ),
     ("buoyancy", {"displaced_air_kg": 0.8}, SWAY, "Slower by half of the air's part of the mass."),
+    ("knock", {"at_s": 30.0, "over_s": 0.1, "turn_z_n_m_s": 1.0}, YAW, "From one moment on it is another swing."),
+    (
+        "learned_force",
+        {"coordinate": 3.0, "scale_of_position": 0.1, "scale_of_rate": 0.1, "xxx": 0.3},
+        YAW,
+        "A force of any shape: here a spring that hardens.",
+    ),
 ]
 #: Effect, its numbers, whether the accelerometer shows it (else the gyroscope).
 SENSORS: list[tuple[str, Numbers, bool]] = [

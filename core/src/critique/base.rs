@@ -1,6 +1,6 @@
 //! The swings of a session that a simulation can be fitted to, and where the fit begins.
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::frames::{Rotation, Vec3, world_from_hull_pitched};
 use crate::inertia::Evidence;
 use crate::inertia::by_samples::nearest_fits;
@@ -49,13 +49,14 @@ impl<'a> Base<'a> {
         &self.system.layout
     }
 
-    /// Fits each swing by itself; what they agree on is where the fit of all begins.
+    /// Fits each swing by itself; what they agree on is where the fit of all begins. None where there is no swing on two
+    /// lines, with gyroscope and accelerometer, that a simulation can be fitted to.
     pub fn begin(
         system: &'a System<'a>,
         works: &'a [SwingWork],
         inclines: &[Option<Quantity>],
         x: &[f64],
-    ) -> Result<(Self, Point)> {
+    ) -> Result<Option<(Self, Point)>> {
         let (session, layout) = (system.session, &system.layout);
         let mut begun: Vec<Begun> = Vec::new();
         let fits = nearest_fits(system, works, x);
@@ -75,8 +76,7 @@ impl<'a> Base<'a> {
             begun.push(Begun { setup: model.setup, samples, number, evidence, x, own, turn_u_rad });
         }
         if begun.is_empty() {
-            let text = "no swing on two lines with gyroscope and accelerometer that a simulation can be fitted to";
-            return Err(Error::no_result("criticism", text));
+            return Ok(None);
         }
         let x = agreed.unwrap_or_else(|| median(layout, &begun));
         let (mounts, which) = mounts(layout, &mut begun, &x);
@@ -94,7 +94,7 @@ impl<'a> Base<'a> {
             .collect();
         let free = (0..layout.parameters.len()).filter(|i| layout.parameters[*i].prior.u > 0.0).collect();
         let base = Self { session, system, swings, mounts: mounts.len(), free };
-        Ok((base, Point { x, mounts, causes: vec![], owns }))
+        Ok(Some((base, Point { x, mounts, causes: vec![], owns })))
     }
 }
 
@@ -108,7 +108,8 @@ fn keep_off_limits(samples: &mut Samples, evidence: &Evidence) {
             Sensor::Gyroscope => recording::Sensor::Gyroscope,
             Sensor::Accelerometer => recording::Sensor::Accelerometer,
         };
-        let was_lost = |r: &Repair| r.kind == RepairKind::Saturation && (r.sensor == sensor || r.text.contains(" and "));
+        let was_lost =
+            |r: &Repair| r.kind == RepairKind::Saturation && (r.sensor == sensor || r.text.contains(" and "));
         if evidence.repairs.iter().any(was_lost) {
             stream.leave_out_beside_gaps(BESIDE_LIMIT_S);
         }
@@ -157,14 +158,19 @@ fn mounts(layout: &Layout, begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<u
         let pitch = world_from_hull_pitched(x[b.setup.index.pitch_deg].to_radians());
         let pose = |own: &Own| {
             let place = Vec3::new(own.values[13], own.values[14], own.values[15]);
-            Mount { place: pitch.inverse() * place, hull_from_phone: renormalised(pitch.inverse() * own.nominal) }
+            Mount {
+                place: pitch.inverse() * place,
+                hull_from_phone: renormalised(pitch.inverse() * own.nominal),
+            }
         };
         let tells = layout.parameters[b.setup.index.pitch_deg].prior.value.abs() > TELLING_PITCH_DEG;
         let ways = if tells { vec![b.own.clone()] } else { vec![b.own.clone(), b.own.turned_round()] };
         let nearest = |(mount, u): &(Mount, f64)| {
             let allowed = SAME_MOUNT_RAD.max(SAME_MOUNT_U * u.hypot(b.turn_u_rad));
             let away = ways.iter().map(|own| (mount.turned_from(&pose(own)), own));
-            away.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(away, _)| *away < allowed).map(|(_, own)| own.clone())
+            away.min_by(|a, b| a.0.total_cmp(&b.0))
+                .filter(|(away, _)| *away < allowed)
+                .map(|(_, own)| own.clone())
         };
         match mounts.iter().enumerate().find_map(|(k, known)| Some((k, nearest(known)?))) {
             Some((k, own)) => (which[i], b.own) = (k, own),

@@ -43,7 +43,9 @@ fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepanc
             size: rms,
             unit: "1".into(),
             sigma: excess.sqrt(),
-            text: format!("{id}: the simulation leaves {rms:.2} times the noise, and what it leaves is not noise"),
+            text: format!(
+                "{id}: the simulation leaves {rms:.2} times the noise, and what it leaves is not noise"
+            ),
         });
         all.extend(against_time(model, s, &rows));
         bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));

@@ -9,13 +9,17 @@ use crate::inertia::samples::Own;
 
 use super::point::{BIAS, Model, OWN, Part, Point};
 
-const MOST_STEPS: usize = 30;
+const MOST_STEPS: usize = 20;
+/// Of a stiff motion, whose simulation takes long.
+const MOST_STIFF_STEPS: usize = 8;
 const MOST_DAMPING: f64 = 1e8;
 /// A step that gains less than this share of what the derivatives promised asks for new ones.
 const KEPT: f64 = 0.5;
 /// A fit ends where an undamped step promises less of χ² than this, or than this share of it.
 const CONVERGED: f64 = 1e-3;
-const CONVERGED_SHARE: f64 = 1e-7;
+pub const CONVERGED_SHARE: f64 = 1e-7;
+/// Of a part of the recordings, this much less exactly.
+const NEARLY: f64 = 3e-3;
 /// Parts of the recordings that a fit from far away is led over, s.
 const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
@@ -95,7 +99,7 @@ impl Model<'_> {
 
     /// Fits from a start, until nothing is left to gain or `stop` (of χ²) says that it is hopeless.
     pub fn fit(&self, start: &Point, stop: &(dyn Fn(f64) -> bool + Sync)) -> Result<Fitted> {
-        self.fit_with(start, None, stop)
+        self.fit_with(start, None, CONVERGED_SHARE, stop)
     }
 
     /// Where fits over longer and longer parts of the recordings lead: a phase known over one stays within a quarter of a cycle over
@@ -104,16 +108,18 @@ impl Model<'_> {
         let mut point = start.clone();
         for horizon_s in HORIZONS_S {
             let early = Model { part: Part::First(horizon_s), ..self.clone() };
-            point = early.fit(&point, &|_| false)?.point;
+            point = early.fit_with(&point, None, NEARLY, &|_| false)?.point;
         }
         Ok(point)
     }
 
-    /// The same beginning with derivatives that are known already, good near the start.
+    /// The same beginning with derivatives that are known already, good near the start, until a step promises less than a
+    /// share of χ².
     pub fn fit_with(
         &self,
         start: &Point,
         known: Option<Vec<DMatrix<f64>>>,
+        enough_share: f64,
         stop: &(dyn Fn(f64) -> bool + Sync),
     ) -> Result<Fitted> {
         let mut point = start.clone();
@@ -121,7 +127,8 @@ impl Model<'_> {
         let mut fresh = known.is_none();
         let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
         let mut damping = 1e-4;
-        for n in 0..MOST_STEPS {
+        let most = if self.causes.iter().any(|c| c.stiff) { MOST_STIFF_STEPS } else { MOST_STEPS };
+        for n in 0..most {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
             let Some(step) = self.step(&point, &misfit, &matrix, &gradient, &mut damping) else {
@@ -134,7 +141,7 @@ impl Model<'_> {
             };
             let gained = misfit.cost - step.misfit.cost;
             (point, misfit) = (step.point, step.misfit);
-            let enough = step.promised < CONVERGED.max(CONVERGED_SHARE * misfit.cost);
+            let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
             if (enough && fresh) || (n > 3 && stop(misfit.cost)) {
                 break;
             }
@@ -193,7 +200,12 @@ impl Model<'_> {
         self.priors(point).iter().map(|(away, u)| (away / u).powi(2)).sum()
     }
 
-    fn normal(&self, point: &Point, misfit: &Misfit, jacobians: &[DMatrix<f64>]) -> (DMatrix<f64>, DVector<f64>) {
+    fn normal(
+        &self,
+        point: &Point,
+        misfit: &Misfit,
+        jacobians: &[DMatrix<f64>],
+    ) -> (DMatrix<f64>, DVector<f64>) {
         let places = Places::of(self);
         let size = places.all();
         let (mut matrix, mut gradient) = (DMatrix::zeros(size, size), DVector::zeros(size));
@@ -280,7 +292,8 @@ impl Model<'_> {
         self.base.free.iter().for_each(|i| there.x[*i] += take());
         for mount in &mut there.mounts {
             mount.place += Vec3::new(take(), take(), take());
-            let turned = mount.hull_from_phone * Rotation::from_scaled_axis(Vec3::new(take(), take(), take()));
+            let turned =
+                mount.hull_from_phone * Rotation::from_scaled_axis(Vec3::new(take(), take(), take()));
             mount.hull_from_phone = Rotation::new_normalize(turned.into_inner());
         }
         there.causes.iter_mut().flatten().for_each(|v| *v += take());

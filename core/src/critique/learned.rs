@@ -29,7 +29,14 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
     let parts: Vec<String> = cause.parameters[..4]
         .iter()
         .zip(values)
-        .map(|(p, v)| format!("{:.3} {} ({})", v * p.factor, p.unit, p.name.trim_end_matches("_n_s").trim_end_matches("_n_m_s")))
+        .map(|(p, v)| {
+            format!(
+                "{:.3} {} ({})",
+                v * p.factor,
+                p.unit,
+                p.name.trim_end_matches("_n_s").trim_end_matches("_n_m_s")
+            )
+        })
         .collect();
     let at_s = values[4];
     Some(LearnedForce {
@@ -37,7 +44,9 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
         unit: "N".into(),
         points: vec![],
         equation: format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", ")),
-        text: format!("{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed"),
+        text: format!(
+            "{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed"
+        ),
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some(heldout_rms),
     })
@@ -66,7 +75,8 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
             format!("{:+.4e} {powers}", -q * factor / scale)
         })
         .collect();
-    let name = if coordinate == 2 { if scales.pitches { "pitch" } else { "roll" } } else { COORDINATES[coordinate] };
+    let name =
+        if coordinate == 2 { if scales.pitches { "pitch" } else { "roll" } } else { COORDINATES[coordinate] };
     let letter = if coordinate < 2 { "F" } else { "M" };
     Some(LearnedForce {
         coordinate: name.into(),
@@ -101,7 +111,10 @@ fn closed_form(before: &Model, without: &Fitted, scales: &Scales, coordinate: us
     for _ in 0..2 {
         let looks = TERMS.iter().filter(|term| !terms.contains(term)).filter_map(|term| {
             let with = [&terms[..], &[*term]].concat();
-            Look::at(before, without, &learned_force(scales, coordinate, &with)).ok().flatten().map(|l| (l, with))
+            Look::at(before, without, &learned_force(scales, coordinate, &with))
+                .ok()
+                .flatten()
+                .map(|l| (l, with))
         });
         let (look, with) = looks.max_by(|a, b| a.0.gain.total_cmp(&b.0.gain))?;
         let model = before.with(&look.cause);
@@ -158,11 +171,12 @@ fn points(found: &Found, coordinate: usize, position: f64, rate: f64) -> Option<
             for v in GRID {
                 let of = |term: &str| {
                     term.chars().fold(-factor, |product, letter| {
-                        product * match letter {
-                            'x' => x,
-                            'v' => v,
-                            _ => t_s / 100.0,
-                        }
+                        product
+                            * match letter {
+                                'x' => x,
+                                'v' => v,
+                                _ => t_s / 100.0,
+                            }
                     })
                 };
                 let row: Vec<f64> = cause.parameters.iter().map(|p| of(p.name)).collect();

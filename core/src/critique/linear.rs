@@ -124,7 +124,8 @@ impl Model<'_> {
         }
         for k in 0..6 {
             let (sensor, axis) = (k / 3, k % 3);
-            let unit = blocks.iter().map(|b| if b.stream == sensor { Vec3::ith(axis, 1.0) } else { Vec3::zeros() });
+            let unit =
+                blocks.iter().map(|b| if b.stream == sensor { Vec3::ith(axis, 1.0) } else { Vec3::zeros() });
             let rows = self.as_rows(s, &blocks, &unit.collect::<Vec<_>>());
             out.column_mut(column + BIAS + k).copy_from_slice(&rows);
         }
@@ -156,7 +157,8 @@ impl Model<'_> {
         let free = &self.base.free;
         let mut pliant = self.clone();
         let mut there = point.clone();
-        there.causes = there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.stiff).map(|(v, _)| v).collect();
+        there.causes =
+            there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.stiff).map(|(v, _)| v).collect();
         pliant.causes.retain(|c| !c.stiff);
         let experiment = pliant.experiment(&there, s)?;
         let shared = swung.setup.shared_slopes(&point.x, &own, free)?;
@@ -246,7 +248,8 @@ impl<'a> Reader<'a> {
         let times: Vec<f64> = self.blocks.iter().map(|b| b.t_s).collect();
         // Both sensors' blocks lie at much the same times, one list after the other.
         let readings = experiment.readings_on(path, &times)?;
-        let picked = |(block, reading): (&Block, &Reading<f64>)| picked(streams[block.stream].sensor, reading);
+        let picked =
+            |(block, reading): (&Block, &Reading<f64>)| picked(streams[block.stream].sensor, reading);
         let values: Vec<Vec3> = self.blocks.iter().zip(&readings).map(picked).collect();
         Ok(self.model.as_rows(self.s, self.blocks, &values))
     }

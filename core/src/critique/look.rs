@@ -116,7 +116,12 @@ pub struct Solved {
 }
 
 impl Solved {
-    pub fn of(schur: &DMatrix<f64>, score: &DVector<f64>, u: &DVector<f64>, bounded: &[bool]) -> Option<Self> {
+    pub fn of(
+        schur: &DMatrix<f64>,
+        score: &DVector<f64>,
+        u: &DVector<f64>,
+        bounded: &[bool],
+    ) -> Option<Self> {
         let mut open: Vec<usize> = (0..score.len()).collect();
         loop {
             let part = DMatrix::from_fn(open.len(), open.len(), |i, j| schur[(open[i], open[j])]);

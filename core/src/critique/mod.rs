@@ -3,21 +3,21 @@
 //! May know `recording`, `signal`, `modes`, `dynamics`, `inertia`.
 
 mod base;
-mod findings;
-mod learned;
-mod next_swing;
-mod traces;
-mod quantities;
-mod verdict;
+mod by_periods;
 mod causes;
+mod findings;
 mod fitting;
+mod learned;
 mod linear;
-mod point;
 mod look;
 mod moments;
-mod search;
-mod by_periods;
+mod next_swing;
+mod point;
+mod quantities;
 mod result;
+mod search;
+mod traces;
+mod verdict;
 mod white;
 
 pub use by_periods::criticise_periods;
@@ -29,8 +29,8 @@ pub use result::{
 use std::collections::BTreeMap;
 
 use crate::error::Result;
-use crate::inertia::{MeasureOptions, QuantityResult, analyse};
 use crate::inertia::measure::{Prepared, prepare, title};
+use crate::inertia::{COVERAGE_95, MeasureOptions, QuantityResult, analyse};
 use crate::recording::{LoadedData, LoadedSession, Quantity};
 
 use base::{Base, by_periods};
@@ -56,7 +56,9 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     let x = by_periods(&mut prepared);
     told.at(0.05, "fitting each swing")?;
     let Prepared { works, system, inclines, warnings } = prepared;
-    let (base, start) = Base::begin(&system, &works, &inclines, &x)?;
+    let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
+        return criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+    };
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
     let fitted = model.fit(&model.grown(&start)?, &|_| false)?;
@@ -80,11 +82,15 @@ fn conclude(
         heldout_rms_over_noise: Some(rms(before)),
         quantities: quantities(base, &found.base, found.base_left.inflation(), inclines)?,
     };
-    let extended = ModelResult {
+    let mut extended = ModelResult {
         rms_over_noise: Some(found.fitted.rms()),
         heldout_rms_over_noise: Some(rms(after)),
         quantities: quantities(&found.model, &found.fitted, found.left.inflation(), inclines)?,
     };
+    for (weight, model, fitted) in found.rivals_in_full() {
+        let other = quantities(&model, &fitted, 1.0, inclines)?;
+        widen(&mut extended.quantities, &other, weight);
+    }
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| next_swing(found, t));
     let shifts = shifts(&baseline, &extended);
     let gain = Gain {
@@ -106,6 +112,25 @@ fn conclude(
         warnings,
     };
     Ok(Criticism { critique, traces: traces(base, found)? })
+}
+
+/// Takes into an uncertainty that another cause, of a weight beside the one taken, puts the figure elsewhere.
+fn widen(
+    quantities: &mut BTreeMap<String, QuantityResult>,
+    other: &BTreeMap<String, QuantityResult>,
+    weight: f64,
+) {
+    for (name, quantity) in quantities {
+        let Some(rival) = other.get(name) else { continue };
+        let number = |q: &QuantityResult| Some((q.value.as_f64()?, q.u.as_f64()?));
+        let (Some((value, u)), Some((elsewhere, other_u))) = (number(quantity), number(rival)) else {
+            continue;
+        };
+        let square = u * u + weight * ((elsewhere - value).powi(2) + other_u * other_u - u * u).max(0.0);
+        let half = COVERAGE_95 * square.sqrt();
+        quantity.u = square.sqrt().into();
+        quantity.interval_95 = Some([value - half, value + half]);
+    }
 }
 
 /// Changes of every quantity that both models give as a number.

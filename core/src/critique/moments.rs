@@ -46,14 +46,15 @@ impl Scan<'_> {
             let duration_s = self.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
             let coarse = (1..COARSE).map(|k| k as f64 * step_s);
-            let best = coarse.filter_map(|t| self.seen(event, s, t)).max_by(|a, b| a.gain.total_cmp(&b.gain))?;
+            let best =
+                coarse.filter_map(|t| self.seen(event, s, t)).max_by(|a, b| a.gain.total_cmp(&b.gain))?;
             // Twice finer about the best.
-            [step_s / 5.0, step_s / 40.0].into_iter().fold(Some(best), |best, step_s| {
-                let best = best?;
+            [step_s / 5.0, step_s / 40.0].into_iter().try_fold(best, |best, step_s| {
                 let half = (FINE / 2) as f64;
                 let from_s = best.t_s - half * step_s;
                 let near = (0..FINE).map(|k| from_s + k as f64 * step_s);
-                near.filter_map(|t| self.seen(event, s, t)).chain([best]).max_by(|a, b| a.gain.total_cmp(&b.gain))
+                let seen = near.filter_map(|t| self.seen(event, s, t)).chain([best]);
+                seen.max_by(|a, b| a.gain.total_cmp(&b.gain))
             })
         });
         let best = tried.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))?;
@@ -68,7 +69,13 @@ impl Scan<'_> {
             Event::Knock => 8,
         };
         let u = DVector::from_fn(count, |k, _| match event {
-            Event::Slip => if k < 3 { 0.01 } else { 0.02 },
+            Event::Slip => {
+                if k < 3 {
+                    0.01
+                } else {
+                    0.02
+                }
+            }
             Event::Knock => 0.03,
         });
         let mut outer = DMatrix::zeros(places.all(), count);
@@ -127,7 +134,9 @@ impl Scan<'_> {
         delta.rows_mut(0, split).copy_from(&seen.rest.rows(0, split));
         if event == Event::Slip {
             // Place first there, turn first here.
-            (0..3).for_each(|k| (delta[split + k], delta[split + 3 + k]) = (seen.strength[3 + k], seen.strength[k]));
+            (0..3).for_each(|k| {
+                (delta[split + k], delta[split + 3 + k]) = (seen.strength[3 + k], seen.strength[k])
+            });
         }
         let owns = places.all() - split;
         delta.rows_mut(split + cause.size(swings), owns).copy_from(&seen.rest.rows(split, owns));

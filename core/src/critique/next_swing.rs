@@ -26,7 +26,8 @@ const DECISIVE: f64 = 5.0;
 pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     let mut other = found.model.clone();
     *other.causes.last_mut()? = rival.cause.clone();
-    let design = Design { one: &found.model, other: &other, at: &found.fitted.point, rival: &rival.fitted.point };
+    let design =
+        Design { one: &found.model, other: &other, at: &found.fitted.point, rival: &rival.fitted.point };
     let mut best: Option<NextSwing> = None;
     for length in LENGTHS {
         for spacing in SPACINGS {
@@ -98,7 +99,8 @@ impl Design<'_> {
         };
         let (mine, theirs) = (changed(self.at), changed(self.rival));
         let blocks = self.one.blocks(S);
-        let (a, b) = (Reader::new(self.one, &mine, S, &blocks)?, Reader::new(self.other, &theirs, S, &blocks)?);
+        let (a, b) =
+            (Reader::new(self.one, &mine, S, &blocks)?, Reader::new(self.other, &theirs, S, &blocks)?);
         let difference = DVector::from_vec(b.reread(&theirs)?) - DVector::from_vec(a.reread(&mine)?);
         let jacobian = self.one.jacobian(&mine, S)?;
         let sigma = self.left(&jacobian, &difference, &mine);

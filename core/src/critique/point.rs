@@ -92,8 +92,11 @@ pub enum Form {
 /// nearest to them; none where nothing does.
 pub struct LookAlike {
     pub cause: Cause,
-    pub nearest: Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + Send + Sync>,
+    pub nearest: Nearest,
 }
+
+/// The parameters of a cause that come nearest to strengths that were seen.
+pub type Nearest = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + Send + Sync>;
 
 impl Cause {
     /// How many values its parameters have in a session of so many swings.

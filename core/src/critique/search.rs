@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::inertia::by_samples::in_parallel;
 
 use super::causes::{Scales, TERMS, UNKNOWN, catalogue, learned_force, mounts};
-use super::fitting::Fitted;
+use super::fitting::{CONVERGED_SHARE, Fitted};
 use super::look::Look;
 use super::moments::moments;
 use super::point::{Cause, Model, Part, Point};
@@ -105,9 +105,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
         told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
-        let t0 = std::time::Instant::now();
         let looks = found.looks()?;
-        if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("looks took {:?}, left {:.0} rms {:.4}", t0.elapsed(), found.left.excess(), found.fitted.rms()); }
         told.at(done + 0.08, "fitting the leading causes in full")?;
         let tried = found.tried(looks, told)?;
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
@@ -158,7 +156,6 @@ impl Found<'_> {
             }
         }
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        if std::env::var("CRIT_DEBUG").is_ok() { for l in looks.iter().take(8) { eprintln!("   look {} {:.1}", l.cause.id, l.gain); } }
         let mut leading: Vec<Look> = Vec::new();
         for look in looks {
             if look.cause.id == UNKNOWN || !leading.iter().any(|known| known.cause.id == look.cause.id) {
@@ -189,28 +186,33 @@ impl Found<'_> {
 
     fn fitted_in_full(&self, looks: Vec<Look>, told: &Told) -> Result<Vec<Tried>> {
         let promises = |look: &Look| look.gain > if self.left.is_white() { LEAST_GAIN - 2.0 } else { 0.0 };
-        let leading: Vec<Look> = looks.into_iter().filter(promises).take(if self.rounds.is_empty() { LEADING } else { FURTHER }).collect();
-        let mut tried: Vec<Tried> = Vec::new();
-        // The first sets the measure; the others run side by side.
-        let (first, others) = leading.split_at(leading.len().min(1));
-        for look in first {
-            tried.extend(self.fit(look, f64::INFINITY, false));
-        }
+        let leading: Vec<Look> = looks
+            .into_iter()
+            .filter(promises)
+            .take(if self.rounds.is_empty() { LEADING } else { FURTHER })
+            .collect();
+        // The first two set the measure.
+        let (first, others) = leading.split_at(leading.len().min(2));
+        let fit = |looks: &[&Look], best: f64| {
+            in_parallel(looks.len(), |k| self.fit(looks[k], best, true))
+                .into_iter()
+                .flatten()
+                .collect::<Vec<_>>()
+        };
+        let mut tried = fit(&first.iter().collect::<Vec<_>>(), f64::INFINITY);
+        tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         told.at(0.5, "fitting the leading causes in full")?;
-        let best = tried.iter().map(|t| t.fitted.cost).fold(f64::INFINITY, f64::min);
-        // Beside a cause that leaves nothing, only those count that promise nearly as much.
+        let best = tried.first().map_or(f64::INFINITY, |t| t.fitted.cost);
+        // Beside a cause that leaves next to nothing, only those count that promise nearly as much.
         let nearly_all = |t: &&Tried| t.left.excess() <= UNNAMED_FROM * self.left.excess();
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
-        let others: Vec<&Look> = others.iter().filter(|look| look.gain > enough).collect();
-        tried.extend(in_parallel(others.len(), |k| self.fit(others[k], best, true)).into_iter().flatten());
+        tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         Ok(tried)
     }
 
     /// Fits a cause in full; `None` where no start leads anywhere.
     fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
-        let t0 = std::time::Instant::now();
-        if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("begin {} look {:.1}", look.cause.id, look.gain); }
         let mut model = self.model.with(&look.cause);
         model.alone = alone;
         let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
@@ -227,11 +229,10 @@ impl Found<'_> {
             let (_, start) = costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
             let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
             let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
-            model.fit_with(start, known, &hopeless).ok()?
+            model.fit_with(start, known, CONVERGED_SHARE, &hopeless).ok()?
         };
         let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
-        if std::env::var("CRIT_DEBUG").is_ok() { eprintln!("fit {} look {:.1} gain {gain:.1} left {:.0} of {:.0} {:?} q {:?}", look.cause.id, look.gain, left.excess(), self.left.excess(), t0.elapsed(), fitted.point.causes); }
         Some(Tried { cause: look.cause.clone(), fitted, gain, left })
     }
 

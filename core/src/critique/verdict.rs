@@ -1,7 +1,11 @@
 //! From what the search found to what is said.
 
+use crate::recording::{RepairKind, Sensor};
+
+use super::base::Base;
 use super::causes::UNKNOWN;
-use super::point::Cause;
+use super::fitting::Fitted;
+use super::point::{Cause, Model};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::search::{Found, Round, Tried};
 
@@ -35,8 +39,24 @@ impl Found<'_> {
         round.tried[1..].iter().filter(near).filter(|t| !is_special_case(best, t)).collect()
     }
 
+    /// The rivals as models, each with its weight beside the cause taken.
+    pub fn rivals_in_full(&self) -> Vec<(f64, Model<'_>, Fitted)> {
+        let Some(best) = self.decisive().and_then(|round| round.tried.first()) else { return vec![] };
+        let rivals = self.rivals();
+        let odds = |t: &Tried| (t.gain - best.gain).exp();
+        let all: f64 = 1.0 + rivals.iter().map(|t| odds(t)).sum::<f64>();
+        let model = |t: &Tried| {
+            let mut model = self.model.clone();
+            model.causes.pop();
+            model.causes.push(t.cause.clone());
+            model
+        };
+        rivals.iter().map(|t| (odds(t) / all, model(t), t.fitted.clone())).collect()
+    }
+
     pub fn verdict(&self) -> CauseVerdict {
-        let named: Vec<String> = self.model.causes.iter().map(|cause| cause.id.into()).collect();
+        let mut named: Vec<String> = self.model.causes.iter().map(|cause| cause.id.into()).collect();
+        named.extend(saturation(self.model.base).map(|cause| cause.id));
         let rivals: Vec<String> = self.rivals().iter().map(|t| t.cause.id.into()).collect();
         let unexplained = self.is_unexplained();
         let status = match (unexplained, named.is_empty(), rivals.is_empty()) {
@@ -57,19 +77,30 @@ impl Found<'_> {
     }
 
     fn in_words(&self, verdict: &CauseVerdict) -> String {
-        let named = verdict.causes.iter().filter(|id| *id != UNKNOWN).map(|id| named(id)).collect::<Vec<_>>().join(", and ");
+        let named = verdict
+            .causes
+            .iter()
+            .filter(|id| *id != UNKNOWN)
+            .map(|id| named(id))
+            .collect::<Vec<_>>()
+            .join(", and ");
         match &*verdict.status {
             "adequate" => "The simulation accounts for everything that the recordings show.".into(),
             "explained" => format!("What the simulation left out: {named}."),
             "ambiguous" => {
-                let others: Vec<&str> = verdict.indistinguishable_from.iter().map(|id| named_of(id)).collect();
+                let others: Vec<&str> =
+                    verdict.indistinguishable_from.iter().map(|id| named_of(id)).collect();
                 format!(
                     "What the simulation left out: {named}; but these recordings cannot tell that from: {}.",
                     others.join("; or: ")
                 )
             }
-            _ if named.is_empty() => "Something acts on the hull or the phone that no known cause accounts for.".into(),
-            _ => format!("The simulation left out that {named}; and something remains that no known cause accounts for."),
+            _ if named.is_empty() => {
+                "Something acts on the hull or the phone that no known cause accounts for.".into()
+            }
+            _ => format!(
+                "The simulation left out that {named}; and something remains that no known cause accounts for."
+            ),
         }
     }
 
@@ -105,9 +136,45 @@ impl Found<'_> {
                 taken: false,
             });
         }
+        list.extend(saturation(self.model.base));
         list.sort_by(|a, b| b.taken.cmp(&a.taken).then(b.probability.total_cmp(&a.probability)));
         list
     }
+}
+
+/// Fewer readings at a sensor's limit than this are no matter.
+const LEAST_SATURATED: usize = 10;
+
+/// Readings at the end of a sensor's range show it by themselves: they were left out, and nothing needs to be fitted. Each
+/// of them, exactly alike as they are, counts for one nat at least.
+pub fn saturation(base: &Base) -> Option<CauseResult> {
+    let mut limits = std::collections::BTreeMap::new();
+    let mut count = 0;
+    for swung in &base.swings {
+        for repair in swung.evidence.repairs.iter().filter(|r| r.kind == RepairKind::Saturation) {
+            count += repair.count;
+            let (name, unit, k) = match repair.sensor {
+                Sensor::Gyroscope => ("gyro_rad_s", "rad/s", 0),
+                _ => ("acc_m_s2", "m/s^2", 1),
+            };
+            let largest = swung.samples.streams[k].values.iter().map(|v| v.amax()).fold(0.0, f64::max);
+            let noise = swung.samples.streams[k].noise.max();
+            let known: &mut ParameterResult = limits.entry(name.to_string()).or_insert(ParameterResult {
+                value: largest,
+                u: noise,
+                unit: unit.into(),
+            });
+            known.value = known.value.max(largest);
+        }
+    }
+    (count >= LEAST_SATURATED).then(|| CauseResult {
+        id: "saturation".into(),
+        probability: 1.0,
+        log_evidence_gain: count as f64,
+        parameters: limits,
+        text: sentence("saturation"),
+        taken: true,
+    })
 }
 
 /// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause.
@@ -146,7 +213,9 @@ fn parameters(tried: &Tried) -> std::collections::BTreeMap<String, ParameterResu
 fn sentence(id: &str) -> String {
     let text = named_of(id);
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).chain(['.']).collect())
+    letters
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().chain(letters).chain(['.']).collect())
 }
 
 fn named(id: &str) -> String {

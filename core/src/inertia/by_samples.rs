@@ -261,7 +261,12 @@ impl System<'_> {
     }
 
     /// Takes in what the fitted swings say, the periods of the others and the inclines.
-    pub(crate) fn state(&mut self, others: &[Observation], said: &[Vec<Statement>], inclines: &[Option<Quantity>]) {
+    pub(crate) fn state(
+        &mut self,
+        others: &[Observation],
+        said: &[Vec<Statement>],
+        inclines: &[Option<Quantity>],
+    ) {
         self.observations = others.to_vec();
         let beside = self.beside_swings(inclines);
         self.observations.extend(beside);

@@ -32,6 +32,9 @@ fn every_effect_of_the_body_that_was_asked_for_is_there() {
         "added_mass",
         "line_mass",
         "buoyancy",
+        // Those that show what has no name.
+        "knock",
+        "learned_force",
     ];
     let kinds = catalogue();
     for id in named {

@@ -30,13 +30,23 @@ fn ordinary(id: &str, number: &str) -> f64 {
         ("wind", _) => 0.5,
         ("line_torsion", "neutral_rad") => 0.1,
         ("added_mass" | "buoyancy", name) if !name.ends_with("_m") => 3.0,
+        ("internal_motion", name) if name.starts_with("start_") => 0.05,
         ("internal_motion", name) if !name.starts_with("place_") => 1.0,
+        (_, "give_m") => 0.02,
         ("bearing_friction" | "presliding_bearing", _) => 3.0,
+        ("knock", "at_s" | "over_s") => 2.0,
+        ("knock", _) => 5.0,
+        ("learned_force", "coordinate") => 3.0,
+        ("learned_force", "scale_of_position" | "scale_of_rate") => 0.2,
+        ("learned_force", _) => 5.0,
         (_, name) if ["excess_m", "difference_m", "forward_m", "to_port_m"].contains(&name) => 0.05,
         (_, name) if name.starts_with("place_") || name.starts_with("centre_") => 0.05,
         _ => 20.0,
     }
 }
+
+/// Whole numbers that choose something.
+const CHOICES: [&str; 2] = ["seed", "coordinate"];
 
 fn drawn(rng: &mut ChaCha8Rng, id: Option<&str>) -> Scene {
     let mut part =
@@ -61,7 +71,7 @@ fn drawn(rng: &mut ChaCha8Rng, id: Option<&str>) -> Scene {
         let scale = part(1.0).abs();
         let value = |name: &'static str| {
             let size = ordinary(id, name);
-            (name, if name == "seed" { size } else { scale * size })
+            (name, if CHOICES.contains(&name) { size } else { scale * size })
         };
         let numbers: Vec<_> = kind.numbers.iter().map(|n| value(n.name)).collect();
         scene.effects = vec![EffectValues::new(id, &numbers).unwrap()];
@@ -129,7 +139,7 @@ fn best_differences(scene: &Scene, i: usize, fineness: Fineness) -> (Vec<f64>, f
 }
 
 /// Numbers that a bifilar scene does not have or that are not differentiated by.
-const ASIDE: [&str; 3] = ["axis_height_m", "spread_m", "wind.seed"];
+const ASIDE: [&str; 4] = ["axis_height_m", "spread_m", "wind.seed", "learned_force.coordinate"];
 /// Derivatives are right to this part of their largest value.
 const RIGHT_TO: f64 = 1e-6;
 /// Differences that are known worse than to this cannot judge.

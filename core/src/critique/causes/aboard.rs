@@ -48,7 +48,8 @@ fn internal_motion(scales: &Scales, frequency_hz: f64) -> Cause {
         };
         slide.put(e)
     });
-    let look = LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
+    let look =
+        LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
     Cause { one_sided: true, look: Some(Arc::new(look)), ..cause("internal_motion", parameters, law) }
 }
 

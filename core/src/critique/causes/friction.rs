@@ -42,12 +42,8 @@ fn quadratic_drag(scales: &Scales) -> Cause {
 
 fn power_law_damping(scales: &Scales) -> Cause {
     let (i, mass) = (inertias(scales), scales.mass_kg);
-    let names = [
-        "surge_n_s_m",
-        "sway_n_s_m",
-        if scales.pitches { "pitch_n_m_s" } else { "roll_n_m_s" },
-        "yaw_n_m_s",
-    ];
+    let names =
+        ["surge_n_s_m", "sway_n_s_m", if scales.pitches { "pitch_n_m_s" } else { "roll_n_m_s" }, "yaw_n_m_s"];
     let mut parameters = four(names, ["N s/m", "N s/m", "N m s", "N m s"], i.map(|i| i * mass), 0.01);
     parameters.push(number("exponent", "1", 0.5, 0.2));
     let law = put(move |q, _, e| {

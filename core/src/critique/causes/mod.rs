@@ -83,13 +83,7 @@ impl Scales {
 
 /// Every variant of every cause that a simulation shows.
 pub fn catalogue(scales: &Scales) -> Vec<Cause> {
-    [
-        friction::causes(scales),
-        rigging::causes(scales),
-        aboard::causes(scales),
-        phone::causes(),
-    ]
-    .concat()
+    [friction::causes(scales), rigging::causes(scales), aboard::causes(scales), phone::causes()].concat()
 }
 
 /// A strength in proportion to which the effect grows.
@@ -101,7 +95,16 @@ fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> Caus
 /// A number that the effect depends on in other ways.
 fn number(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CauseParameter {
     let (prior, step) = ((mean, u), 0.02 * u);
-    CauseParameter { name, unit, factor: 1.0, is_log: false, prior, step, is_strength: false, of_swing: false }
+    CauseParameter {
+        name,
+        unit,
+        factor: 1.0,
+        is_log: false,
+        prior,
+        step,
+        is_strength: false,
+        of_swing: false,
+    }
 }
 
 /// The same by its logarithm.
@@ -110,7 +113,17 @@ fn logarithm(name: &'static str, unit: &'static str, mean: f64, u: f64) -> Cause
 }
 
 fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
-    Cause { id, parameters, put, on_phone: false, kinked: false, stiff: false, one_sided: false, form: Form::Law, look: None }
+    Cause {
+        id,
+        parameters,
+        put,
+        on_phone: false,
+        kinked: false,
+        stiff: false,
+        one_sided: false,
+        form: Form::Law,
+        look: None,
+    }
 }
 
 /// A [`Put`] from a function of the values.

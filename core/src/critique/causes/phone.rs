@@ -24,7 +24,8 @@ fn bias_drift(warm_up_s: f64) -> Cause {
     .concat();
     let unit = |k: usize| if k < 3 { "rad/s" } else { "m/s^2" };
     let u = |k: usize| if k < 3 { 3e-3 } else { 3e-2 };
-    let mut parameters: Vec<CauseParameter> = (0..6).map(|k| strength(names[k], unit(k), 1.0, u(k))).collect();
+    let mut parameters: Vec<CauseParameter> =
+        (0..6).map(|k| strength(names[k], unit(k), 1.0, u(k))).collect();
     parameters.push(logarithm("warm_up_s", "s", warm_up_s, 0.8));
     let law = put(move |q, _, e| {
         let mut numbers: Vec<(&str, f64)> = (0..6).map(|k| (names[k], q[k])).collect();

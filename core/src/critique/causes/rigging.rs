@@ -5,8 +5,9 @@ use super::{Scales, add, cause, logarithm, put, strength};
 
 /// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes and steel lie near.
 const LINE_DAMPING: f64 = 0.07;
-/// A light support follows the pull at once; its own frequency is set to this, Hz, some ten times that of a swing.
-const SUPPORT_HZ: f64 = 4.0;
+/// A light support follows the pull at once; its own frequency is set to this, Hz, some twenty
+/// times that of a swing.
+const SUPPORT_HZ: f64 = 8.0;
 
 pub fn causes(scales: &Scales) -> Vec<Cause> {
     let mut all: Vec<Cause> = [8.0, 40.0].map(|t| line_creep(scales, t)).to_vec();
@@ -53,8 +54,10 @@ fn line_stretch(scales: &Scales) -> Cause {
         // Of unit mass: each line carries g/2 and grows by the share q of its length.
         let stiffness = d.gravity_m_s2 / (2.0 * q[0] * d.line_length_m);
         let heave_rad_s = (2.0 * stiffness).max(0.0).sqrt();
-        let numbers =
-            [("force_per_strain_n", stiffness * d.line_length_m), ("delay_s", 2.0 * LINE_DAMPING / heave_rad_s)];
+        let numbers = [
+            ("force_per_strain_n", stiffness * d.line_length_m),
+            ("delay_s", 2.0 * LINE_DAMPING / heave_rad_s),
+        ];
         add(e, "line_stretch", &numbers)
     });
     Cause { stiff: true, one_sided: true, ..cause("line_stretch", parameters, law) }
@@ -104,7 +107,8 @@ fn off_centre_cm(scales: &Scales) -> Cause {
 /// Give under the hull's weight pulled sideways, as a share of the lines' length.
 fn support_compliance(scales: &Scales) -> Cause {
     let (line_m, gravity) = (scales.line_m, scales.gravity_m_s2);
-    let parameters = vec![coarse(strength("give_m_per_n", "m/N", line_m / (gravity * scales.mass_kg), 3e-3), 5e-4)];
+    let parameters =
+        vec![coarse(strength("give_m_per_n", "m/N", line_m / (gravity * scales.mass_kg), 3e-3), 5e-4)];
     let law = put(move |q, _, e| {
         if q[0] == 0.0 {
             return Ok(());
@@ -127,7 +131,11 @@ fn support_compliance(scales: &Scales) -> Cause {
 fn stated_length(scales: &Scales) -> Cause {
     let line_m = scales.line_m;
     let parameters = vec![strength("excess_m", "m", line_m, 0.01)];
-    cause("stated_length", parameters, put(move |q, _, e| add(e, "stated_length", &[("excess_m", q[0] * line_m)])))
+    cause(
+        "stated_length",
+        parameters,
+        put(move |q, _, e| add(e, "stated_length", &[("excess_m", q[0] * line_m)])),
+    )
 }
 
 fn stated_spacing(scales: &Scales) -> Cause {

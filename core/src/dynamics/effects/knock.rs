@@ -31,6 +31,7 @@ numbers! {
 impl<S> Described for Knock<S> {
     const ID: &'static str = "knock";
     const SENTENCE: &'static str = "something knocks at the hull in the middle of a swing";
+    const KINKED: bool = true;
 }
 
 impl<S: Real> Effect<S> for Knock<S> {

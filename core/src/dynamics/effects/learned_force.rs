@@ -39,7 +39,8 @@ numbers! {
 
 impl<S> Described for LearnedForce<S> {
     const ID: &'static str = "learned_force";
-    const SENTENCE: &'static str = "a force that nobody has named acts on the hull, a function of its position and speed";
+    const SENTENCE: &'static str =
+        "a force that nobody has named acts on the hull, a function of its position and speed";
     const POSITIVE: &'static [&'static str] = &["scale_of_position", "scale_of_rate"];
 }
 
