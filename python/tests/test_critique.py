@@ -345,3 +345,25 @@ def test_progress_is_silent_where_nobody_looks() -> None:
         told(0.5, "fitting")
         time.sleep(1.2)
     assert console.file.getvalue() == ""  # type: ignore[attr-defined]
+
+
+def test_the_engine_stops_when_it_is_told_to() -> None:
+    session = gyradius.load(ROOT / "python/gyradius/sessions/boat-park")
+    told: list[float] = []
+
+    def stop_at_the_third(share: float, _text: str) -> bool:
+        told.append(share)
+        return len(told) < 3
+
+    with pytest.raises(gyradius.CancelledError):
+        session.critique(stop_at_the_third)
+    assert len(told) == 3 and told == sorted(told)
+
+
+def test_the_paper_s_keelboat_is_flagged() -> None:
+    # Its stated line length does not go with its sway: errata.md and section 6 of the paper (1.5 % between the routes).
+    critique = gyradius.load(ROOT / "python/gyradius/sessions/keelboat").critique()
+    assert critique.verdict.status in ("unexplained", "ambiguous")
+    assert any(d.sigma > 5 for d in critique.discrepancies)
+    # Every cause that the paper's section 6 thinks of is ranked.
+    assert {"stated_length", "support_compliance"} <= {c.id for c in critique.causes}

@@ -22,6 +22,8 @@ pub const CONVERGED_SHARE: f64 = 1e-7;
 const NEARLY: f64 = 3e-3;
 /// Parts of the recordings that a fit from far away is led over, s.
 const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
+/// Steps over each of them.
+const EARLY_STEPS: usize = 6;
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
 const PLACE_U_M: f64 = 5.0;
 const TURN_U_RAD: f64 = 1.0;
@@ -127,7 +129,7 @@ impl Model<'_> {
         let mut fresh = known.is_none();
         let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
         let mut damping = 1e-4;
-        let most = if self.causes.iter().any(|c| c.stiff) { MOST_STIFF_STEPS } else { MOST_STEPS };
+        let most = self.most_steps();
         for n in 0..most {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
@@ -154,6 +156,16 @@ impl Model<'_> {
         self.pin(&point, &mut matrix, &mut gradient);
         let rows = misfit.rows.iter().map(|rows| rows.len()).sum();
         Ok(Fitted { point, cost: misfit.cost, chi2: misfit.chi2(), rows, matrix, gradient, jacobians })
+    }
+
+    fn most_steps(&self) -> usize {
+        if matches!(self.part, Part::First(_)) && !self.causes.is_empty() {
+            EARLY_STEPS
+        } else if self.causes.iter().any(|c| c.stiff) {
+            MOST_STIFF_STEPS
+        } else {
+            MOST_STEPS
+        }
     }
 
     fn jacobians(&self, point: &Point) -> Result<Vec<DMatrix<f64>>> {

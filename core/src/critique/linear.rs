@@ -106,6 +106,7 @@ impl Model<'_> {
         let mut out = DMatrix::zeros(3 * blocks.len(), free.len() + 6 + causes + OWN);
         self.fill_motion(point, s, &blocks, &mut out)?;
         let reader = Reader::new(self, point, s, &blocks)?;
+        let here = reader.reread(point)?;
         self.fill_clock_and_pitch(point, &reader, &mut out)?;
         let mut column = free.len();
         for k in 0..6 {
@@ -117,7 +118,7 @@ impl Model<'_> {
         for (c, cause) in self.causes.iter().enumerate() {
             for (k, (parameter, own)) in cause.expanded(self.base.swings.len()).iter().enumerate() {
                 if own.is_none_or(|own| own == s) {
-                    reader.fill_cause((c, k, parameter.step), cause.on_phone, column, &mut out)?;
+                    reader.fill_cause((c, k, parameter.step), (cause.on_phone, &here), column, &mut out)?;
                 }
                 column += 1;
             }
@@ -142,9 +143,10 @@ impl Model<'_> {
         let first = without.ncols() - OWN;
         let mut out = without.clone().insert_columns(first, expanded.len(), 0.0);
         let reader = Reader::new(self, point, s, &blocks)?;
+        let here = reader.reread(point)?;
         for (k, (parameter, own)) in expanded.iter().enumerate() {
             if own.is_none_or(|own| own == s) {
-                reader.fill_cause((last, k, parameter.step), cause.on_phone, first + k, &mut out)?;
+                reader.fill_cause((last, k, parameter.step), (cause.on_phone, &here), first + k, &mut out)?;
             }
         }
         Ok(out)
@@ -257,21 +259,17 @@ impl<'a> Reader<'a> {
     fn fill_cause(
         &self,
         (cause, k, step): (usize, usize, f64),
-        on_phone: bool,
+        (on_phone, here): (bool, &[f64]),
         column: usize,
         out: &mut DMatrix<f64>,
     ) -> Result<()> {
-        let moved = |sign: f64| {
+        let moved = |by: f64| {
             let mut moved = self.point.clone();
-            moved.causes[cause][k] += sign * step;
+            moved.causes[cause][k] += by;
             if on_phone { self.reread(&moved) } else { self.moved(&moved) }
         };
-        let up = moved(1.0)?;
-        // Below zero some laws have no meaning.
-        match moved(-1.0) {
-            Ok(down) => set(out, column, &up, &down, 2.0 * step),
-            Err(_) => set(out, column, &up, &self.reread(self.point)?, step),
-        }
+        // Forwards: half as many simulations, and below zero some laws have no meaning.
+        set(out, column, &moved(step)?, here, step);
         Ok(())
     }
 }

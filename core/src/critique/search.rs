@@ -20,8 +20,10 @@ const FURTHER_SHARE: f64 = 3e-3;
 /// A further cause must take so much of what is left beyond noise.
 const FURTHER_TAKES: f64 = 0.7;
 const MOST_CAUSES: usize = 3;
+/// What is being done when the leading causes are tried.
+const FULL: &str = "fitting the leading causes in full";
 /// So many are fitted in full in a round.
-const LEADING: usize = 5;
+const LEADING: usize = 4;
 /// And in a further round.
 const FURTHER: usize = 3;
 /// Shares of the way to where the first look points, from which a full fit may begin.
@@ -106,8 +108,8 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
         let done = 0.3 + 0.2 * n as f64;
         told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
         let looks = found.looks()?;
-        told.at(done + 0.08, "fitting the leading causes in full")?;
-        let tried = found.tried(looks, told)?;
+        told.at(done + 0.08, FULL)?;
+        let tried = found.tried(looks, &|| told.at(done + 0.13, FULL))?;
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         found.rounds.push(Round { tried, taken: taken.is_some() });
         let Some(best) = taken else { break };
@@ -167,9 +169,9 @@ impl Found<'_> {
 
     /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well;
     /// such a one comes first where it takes nearly all that the named ones leave.
-    fn tried(&self, looks: Vec<Look>, told: &Told) -> Result<Vec<Tried>> {
+    fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
         let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
-        let mut tried = self.fitted_in_full(named, told)?;
+        let mut tried = self.fitted_in_full(named, half_way)?;
         let left = tried.first().map_or(self.left.excess(), |best| best.left.excess());
         if left > UNNAMED_FROM * self.base_left.excess() {
             let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
@@ -184,7 +186,7 @@ impl Found<'_> {
         Ok(tried)
     }
 
-    fn fitted_in_full(&self, looks: Vec<Look>, told: &Told) -> Result<Vec<Tried>> {
+    fn fitted_in_full(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
         let promises = |look: &Look| look.gain > if self.left.is_white() { LEAST_GAIN - 2.0 } else { 0.0 };
         let leading: Vec<Look> = looks
             .into_iter()
@@ -201,7 +203,7 @@ impl Found<'_> {
         };
         let mut tried = fit(&first.iter().collect::<Vec<_>>(), f64::INFINITY);
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        told.at(0.5, "fitting the leading causes in full")?;
+        half_way()?;
         let best = tried.first().map_or(f64::INFINITY, |t| t.fitted.cost);
         // Beside a cause that leaves next to nothing, only those count that promise nearly as much.
         let nearly_all = |t: &&Tried| t.left.excess() <= UNNAMED_FROM * self.left.excess();
