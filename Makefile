@@ -12,13 +12,15 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-blind test-hidden blind blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-blind test-hidden blind hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
+	@echo "make hidden  whether the critique finds what is hidden in N=200 fresh sessions (4 of them in make test): some hours"
+	@echo "make peers   the same of sparse regression and least squares, on N=20 swings in yaw"
 	@echo "make bench   speed of the analysis, and its speed and precision beside other methods"
 
 demo: package
@@ -58,13 +60,24 @@ test-python: package
 test-blind: package blind-tools
 	@$(STEP) blind $(BIN)/python -m pytest -q -rA --strict-markers tests/blind
 
-# The generator of hidden effects against closed forms and another integrator; what it draws is judged by tests/hidden/judge.py.
-test-hidden: blind-tools
+# The generator of hidden effects against closed forms and another integrator, and the critique on a few of its sessions.
+test-hidden: package blind-tools
 	@$(STEP) hidden $(BIN)/python -m pytest -q -rA --strict-markers tests/hidden
 
 N ?= 200
 blind: package blind-tools
 	@$(BIN)/python tests/blind/coverage.py --count $(N)
+
+# The critique on fresh sessions with hidden effects; writes tests/hidden/RESULTS.md.
+hidden: package blind-tools
+	$(BIN)/python tests/hidden/judge.py --count $(N) --report tests/hidden/RESULTS.md
+
+# Other methods beside it; what they need is installed here and nowhere else. Writes tests/hidden/PEERS.md.
+peers: N = 20
+peers: package blind-tools
+	@$(BIN)/python -m pip --quiet install -r tests/hidden/peers-requirements.txt
+	$(BIN)/python -m pytest -q tests/hidden/test_peers.py
+	$(BIN)/python tests/hidden/peers.py --count $(N) --report tests/hidden/PEERS.md
 
 blind-tools: $(BIN)/maturin
 	@$(BIN)/python -m pip --quiet install -r tests/requirements.txt

@@ -22,10 +22,12 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 import sessions
 from borrowed import blind, promises
 from scipy.stats import binom
 
+COMMAND = f"{sys.executable} -m gyradius critique"
 DETECTABLE_SIGMA, SEPARABLE_COSINE = 10.0, 0.95
 HELDOUT_LIMIT = 1.1  # of the noise
 ALIKE = 2.0  # extended uncertainties: a base model no further from the truth than this is not told from a right one
@@ -41,6 +43,13 @@ RATES = {
     "k_yaw_m nearer than the base model's, where that is off": 0.90,
     "k_pitch_m nearer than the base model's, where that is off": 0.90,
     "held-out error within 1.1 of the noise": 0.95,
+}
+# What is judged together on a few sessions; no session has two marks in one of these.
+A_FEW = {
+    "verdict": ["named right, where testable", "complete models called adequate", "outside the catalogue called unexplained"],
+    "k_yaw_m": ["k_yaw_m inside its 95 % interval"],
+    "k_pitch_m": ["k_pitch_m inside its 95 % interval"],
+    "held-out error": ["held-out error within 1.1 of the noise"],
 }
 AT_MOST = {q: 0.98 for q in RATES if "inside" in q}  # intervals too wide are wrong too
 
@@ -141,6 +150,26 @@ def most(count: int, rate: float, tests: int) -> int:
     return int(binom.isf(promises.RISK / tests, count, rate))
 
 
+def fewest(chances: list[float], risk: float) -> int:
+    """Fewer of these events than this happen with probability below `risk`, each having its own chance."""
+    spread = np.ones(1)
+    for chance in chances:
+        spread = np.convolve(spread, [1 - chance, chance])
+    return int(np.searchsorted(np.cumsum(spread), risk, "right"))
+
+
+def reasons_in_a_few(outcomes: list[Outcome]) -> list[str]:
+    """What fails a program on a few sessions: no answer, or so few right in one of the groups of A_FEW that one that meets
+    the rates does so less than once in a thousand runs. (`judge` looks at every rate by itself, and is for many sessions.)"""
+    reasons = [f"{o.name}: {o.trouble}" for o in outcomes if o.trouble]
+    for label, rates in A_FEW.items():
+        marks = [(RATES[rate], o.marks[rate]) for o in outcomes for rate in rates if rate in o.marks]
+        met, needed = sum(mark for _, mark in marks), fewest([chance for chance, _ in marks], promises.RISK / len(A_FEW))
+        if met < needed:
+            reasons.append(f"{label}: {met} of {len(marks)}, {needed} needed")
+    return reasons
+
+
 def judge(outcomes: list[Outcome]) -> tuple[list[str], list[str]]:
     """Lines of a Markdown table of the rates, and reasons to fail."""
     reasons = [f"{o.name}: {o.trouble}" for o in outcomes if o.trouble]
@@ -189,6 +218,17 @@ def confusion(outcomes: list[Outcome]) -> list[str]:
     return lines
 
 
+def gains(outcomes: list[Outcome]) -> list[str]:
+    """Markdown: held-out error of the base model over that of the extended one, by what was hidden."""
+    lines = ["| hidden | sessions | held-out error, base over extended: median | least | largest |", "|---|---|---|---|---|"]
+    for sort in sessions.SHARES:
+        ratios = [((o.result or {}).get("gain") or {}).get("heldout_rms_ratio") for o in outcomes if o.truth["sort"] == sort]
+        known = [r for r in ratios if r is not None]
+        if known:
+            lines.append(f"| {sort} | {len(known)} | {np.median(known):.2f} | {min(known):.2f} | {max(known):.1f} |")
+    return lines
+
+
 def missed(outcomes: list[Outcome]) -> list[str]:
     """Sessions that miss a verdict where it counts, so that they can be looked into."""
     lines = []
@@ -200,9 +240,9 @@ def missed(outcomes: list[Outcome]) -> list[str]:
     return lines
 
 
-def run(folder: Path, names: list[str], command: list[str], workers: int = 2) -> list[Outcome]:
+def run(folder: Path, names: list[str], command: list[str], workers: int = 2, timeout_s: float = 600.0) -> list[Outcome]:
     """Ask the program about the sessions of a folder, and judge."""
-    return promises.judged(folder, names, partial(critique, command), judge_session, workers)
+    return promises.judged(folder, names, partial(critique, command, timeout_s=timeout_s), judge_session, workers)
 
 
 def generate(folder: Path, seed: int, count: int, effect: str | None = None, workers: int = 2) -> list[str]:
@@ -211,12 +251,18 @@ def generate(folder: Path, seed: int, count: int, effect: str | None = None, wor
         return list(pool.map(partial(sessions.make, folder, seed, wanted=effect, detect=True), range(count)))
 
 
-def report(outcomes: list[Outcome], title: str) -> tuple[str, list[str]]:
+def report(outcomes: list[Outcome], title: str, drawn_by: str) -> tuple[str, list[str]]:
     """Markdown, and the reasons to fail."""
     rates, reasons = judge(outcomes)
     failing = [f"- FAILS {r}" for r in reasons] or ["- nothing fails"]
-    parts = [[f"# {title}"], rates, failing, confusion(outcomes), missed(outcomes)]
+    parts = [[f"# {title}"], [drawn_by], rates, failing, confusion(outcomes), gains(outcomes), missed(outcomes)]
     return "\n\n".join("\n".join(p) for p in parts if p) + "\n", reasons
+
+
+def again(options: argparse.Namespace, seed: int) -> str:
+    """The command that draws the same sessions."""
+    effect = f" --effect {options.effect}" if options.effect else ""
+    return f"python tests/hidden/judge.py --count {options.count} --seed {seed}{effect}"
 
 
 def main() -> int:
@@ -225,7 +271,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=20)
     parser.add_argument("--seed", type=int, default=None)
     parser.add_argument("--effect", default=None, help="hide this in every session")
-    parser.add_argument("--command", default=f"{sys.executable} -m gyradius critique")
+    parser.add_argument("--command", default=COMMAND)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--keep", type=Path, default=None, help="folder to keep the sessions in")
     parser.add_argument("--again", type=Path, default=None, help="judge on the sessions of this folder, generate none")
@@ -240,7 +286,8 @@ def main() -> int:
             print(f"seed {seed}, {options.count} sessions", flush=True)
             names = generate(folder, seed, options.count, options.effect, options.workers)
         outcomes = run(folder, names, shlex.split(options.command), options.workers)
-    text, reasons = report(outcomes, f"Hidden effects: {len(outcomes)} sessions" + (f", seed {seed}" if seed is not None else ""))
+    drawn_by = f"Drawn by `{again(options, seed)}`." if seed is not None else f"Drawn before, in {folder}."
+    text, reasons = report(outcomes, f"Hidden effects: {len(outcomes)} sessions", drawn_by)
     print(text)
     if options.report:
         options.report.write_text(text)

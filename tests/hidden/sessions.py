@@ -47,8 +47,17 @@ def draw_names(rng, wanted: str | None) -> list[str]:
     return rng.choice(pool, {"none": 0, "one": 1, "outside": 1, "two": 2}[sort], replace=False).tolist()
 
 
-def draw_plans(rng, hull: blind.Hull, two_rigs: bool) -> list[blind.Plan]:
-    """Two to four swings, all motions among them; where wanted, at two line lengths or at two spacings."""
+@dataclass(frozen=True)
+class Kind:
+    """What sort of session is drawn."""
+
+    styles: tuple  # of one rig: for each swing what is set going
+    lasting_s: tuple = (110, 130)
+    one_rig: bool = False  # else some are swung at two line lengths or at two spacings
+
+
+def draw_plans(rng, hull: blind.Hull, two_rigs: bool, kind: Kind) -> list[blind.Plan]:
+    """The swings; where wanted, at two line lengths or at two spacings."""
     spacing, line = hull.k_yaw_m * rng.uniform(0.7, 1.8), draw_line(rng, hull)
     lines = blind.stated(rng, line, 0.001, 0.003)
     rigs = [(line, lines, spacing, blind.stated(rng, spacing, 0.0005, 0.001))]
@@ -60,22 +69,25 @@ def draw_plans(rng, hull: blind.Hull, two_rigs: bool) -> list[blind.Plan]:
     elif two_rigs:
         other = spacing * rng.choice([rng.uniform(0.6, 0.8), rng.uniform(1.25, 1.6)])
         rigs.append((line, lines, other, blind.stated(rng, other, 0.0005, 0.001)))
-    swings = [("yaw", "sway"), ("pitch",)] if two_rigs else STYLES[rng.integers(len(STYLES))]
+    swings = [("yaw", "sway"), ("pitch",)] if two_rigs else kind.styles[rng.integers(len(kind.styles))]
     plans = []
     for rig in rigs:
         for excited in swings:
             name = "-".join(excited) if len(excited) < 3 else "all"
             count = sum(p.id.startswith(name) for p in plans) + 1
-            plans.append(blind.Plan(f"{name}-{count}", tuple(excited), *rig, duration_s=rng.uniform(110, 130)))
+            plans.append(blind.Plan(f"{name}-{count}", tuple(excited), *rig, duration_s=rng.uniform(*kind.lasting_s)))
     return plans
 
 
-STYLES = (
-    (("yaw", "sway"), ("pitch",)),
-    (("yaw",), ("sway",), ("pitch",)),
-    (("yaw", "sway", "pitch"), ("yaw", "sway", "pitch")),
-    (("yaw", "sway"), ("pitch",), ("yaw", "sway", "pitch")),
-    (("yaw",), ("yaw",), ("sway",), ("pitch",)),
+# Two to four swings, all motions among them.
+USUAL = Kind(
+    (
+        (("yaw", "sway"), ("pitch",)),
+        (("yaw",), ("sway",), ("pitch",)),
+        (("yaw", "sway", "pitch"), ("yaw", "sway", "pitch")),
+        (("yaw", "sway"), ("pitch",), ("yaw", "sway", "pitch")),
+        (("yaw",), ("yaw",), ("sway",), ("pitch",)),
+    )
 )
 
 
@@ -84,13 +96,13 @@ def draw_line(rng, hull: blind.Hull) -> float:
     return blind.log_uniform(rng, max(0.5, 0.25 * hull.length_m), 4.0)
 
 
-def draw_hung(rng, two_rigs: bool) -> tuple[blind.Hull, list]:
+def draw_hung(rng, two_rigs: bool, kind: Kind) -> tuple[blind.Hull, list]:
     """A hull and its swings; half keep 4 % from the Kane-Tseng resonances."""
     kane = 0.04 if rng.random() < 0.5 else 0.0
     while True:
         hull = blind.draw_hull(rng, False)
         drag = blind.damping(rng, hull)
-        hungs = [blind.hang(rng, hull, plan, drag) for plan in draw_plans(rng, hull, two_rigs)]
+        hungs = [blind.hang(rng, hull, plan, drag) for plan in draw_plans(rng, hull, two_rigs, kind)]
         if all(blind.acceptable(h, 0.03, kane) for h in hungs):
             return hull, hungs
 
@@ -118,11 +130,11 @@ def tapes_of(hungs: list) -> list[Tape]:
     return list(found.values())
 
 
-def draw(rng, wanted: str | None = None) -> tuple[Session, list[Hidden]]:
+def draw(rng, wanted: str | None = None, kind: Kind = USUAL) -> tuple[Session, list[Hidden]]:
     """A session of the base model, and what is to be hidden in it."""
     names = draw_names(rng, wanted)
-    two_rigs = rng.random() < (0.85 if any(ALL[n].two_rigs for n in names) else 0.3)
-    hull, hungs = draw_hung(rng, two_rigs)
+    two_rigs = rng.random() < (0.85 if any(ALL[n].two_rigs for n in names) else 0.3) and not kind.one_rig
+    hull, hungs = draw_hung(rng, two_rigs, kind)
     phone = blind.draw_phone(rng, hull)
     phone.one_clock = True
     for hung in hungs:
@@ -183,13 +195,21 @@ def make(out: Path, seed: int, number: int, wanted: str | None = None, detect: b
     """Write one session and its truth; returns its name, which gives nothing away."""
     rng = np.random.default_rng([seed, number])
     session, hidden = draw(rng, wanted)
-    truth = truth_of([seed, number], session, hidden)
-    if detect:
-        import detect as detection
+    return save(rng, out, [seed, number], session, hidden, studied(session, hidden) if detect else None)
 
-        truth["detection"] = detection.study(session, hidden)
-    name = f"{number:04d}"
-    write(rng, out / name, f"Hull {seed}/{number}", spoiled(session, hidden))
+
+def studied(session: Session, hidden: list[Hidden]) -> dict:
+    """How far the hidden stands out."""
+    import detect
+
+    return detect.study(session, hidden)
+
+
+def save(rng, out: Path, seed: list, session: Session, hidden: list[Hidden], detection: dict | None) -> str:
+    """Write a session that was drawn from `seed`, whose last number names it, and its truth; returns the name."""
+    name = f"{seed[-1]:04d}"
+    truth = truth_of(seed, session, hidden) | ({"detection": detection} if detection else {})
+    write(rng, out / name, f"Hull {seed[0]}/{seed[-1]}", spoiled(session, hidden))
     (out / f"{name}.truth.json").write_text(json.dumps(truth, indent=1, default=float))
     return name
 

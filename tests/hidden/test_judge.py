@@ -50,6 +50,27 @@ def test_an_honest_program_passes_and_a_boastful_one_fails():
     assert all(judge.judge(made_up(rng, 600, 1.0, 5.0))[1] for _ in range(20))
 
 
+def test_a_few_sessions_fail_what_is_wrong_in_each():
+    """400 programs that just meet the rates on four sessions; one always wrong, one without an answer."""
+    seed = blind.fresh_seed()
+    print("seed", seed)
+    rng = np.random.default_rng(seed)
+    truths = [made_up_truth(rng, sort) for sort in ("none", "one", "one", "outside")]
+    few = lambda skill: [judge.judge_session("x", t, made_up_answer(rng, t, skill, 1.0), "") for t in truths]
+    failures = sum(bool(judge.reasons_in_a_few(few(0.94))) for _ in range(400))
+    assert failures <= 5  # at most 0.4 expected; six or more has probability 4e-6
+    assert [r.split(":")[0] for r in judge.reasons_in_a_few(few(0.0))] == ["verdict", "held-out error"]
+    assert judge.reasons_in_a_few([*few(1.0), judge.judge_session("y", truths[0], None, "exit 1")]) == ["y: exit 1"]
+
+
+def test_the_bound_is_that_of_the_binomial_where_all_chances_are_alike():
+    """P(0 of 4) = 0.08^4 = 4.1e-5, P(at most 1) = 1.9e-3; of two with 0.95 even none at all has 2.5e-3."""
+    assert judge.fewest([0.92] * 4, 2.5e-4) == 1
+    assert judge.fewest([0.92] * 4, 2e-3) == 2
+    assert judge.fewest([0.95] * 2, 2.5e-4) == 0
+    assert judge.fewest([], 2.5e-4) == 0
+
+
 def outcome(sort: str, verdict: dict, **more) -> judge.Outcome:
     """One made-up answer, otherwise right."""
     rng = np.random.default_rng(3)

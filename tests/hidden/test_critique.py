@@ -1,0 +1,153 @@
+"""The program as its users run it, on four fresh sessions with and without something hidden.
+
+Four sessions say little about rates: a program that errs in one of three may pass. What is caught: no answer, an answer that is
+not of the contract's form, and an answer that is wrong in every session. `make hidden` judges the rates, on many.
+"""
+
+import math
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+
+import judge
+import numpy as np
+import pytest
+import sessions
+from borrowed import blind
+
+APART = ["amplitude_added_mass", "bearing_friction", "bias_drift", "phone_slip", "unequal_lines"]  # about every second is testable
+HIDDEN = [["none"], APART, APART, ["hardening_spring"]]
+SMALL = sessions.Kind(((("yaw", "sway"), ("pitch",)), (("yaw", "sway", "pitch"),) * 2), lasting_s=(70, 80), one_rig=True)
+TRIES = 8  # for one that is testable; else the last is taken, and its verdict does not count
+TIMEOUT_S = 400.0
+
+
+def draw(folder, seed: int, number: int) -> str:
+    """One session with its truth; of those with something hidden, one where it stands out and looks like no other."""
+    rng = np.random.default_rng([seed, number])
+    for _ in range(TRIES):
+        session, hidden = sessions.draw(rng, str(rng.choice(HIDDEN[number])), SMALL)
+        if not hidden:
+            detection = {"effects": []}
+            break
+        detection = sessions.studied(session, hidden)
+        sort = "one" if hidden[0].name in APART else "outside"
+        if judge.Outcome("", {"sort": sort, "detection": detection}).testable():
+            break
+    return sessions.save(rng, folder, [seed, number], session, hidden, detection)
+
+
+def test_answers_on_unseen_sessions(tmp_path):
+    """One complete session, two with one cause, one with a spring that the catalogue lacks."""
+    pytest.importorskip("gyradius", reason="the package is not installed")
+    seed = blind.fresh_seed()
+    print("seed", seed, flush=True)
+    with ProcessPoolExecutor(2) as pool:
+        names = list(pool.map(partial(draw, tmp_path, seed), range(len(HIDDEN))))
+    outcomes = judge.run(tmp_path, names, judge.COMMAND.split(), 2, TIMEOUT_S)
+    print(judge.report(outcomes, "Four sessions", f"Seed {seed}.")[0])
+    assert judge.reasons_in_a_few(outcomes) == []
+    assert {o.name: against_contract(o.result) for o in outcomes} == {o.name: [] for o in outcomes}
+
+
+def is_number(value) -> bool:
+    """A finite one."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def is_text(value) -> bool:
+    return isinstance(value, str)
+
+
+def is_share(value) -> bool:
+    return is_number(value) and 0 <= value <= 1
+
+
+def is_positive(value) -> bool:
+    return is_number(value) and value > 0
+
+
+def is_gain(value) -> bool:
+    """An extension may cost a little on samples that it has not seen, and no more."""
+    return is_number(value) and value > 0.8
+
+
+QUANTITY = {"value": is_number, "u": is_positive}
+MODEL = {"rms_over_noise": is_positive, "heldout_rms_over_noise": is_positive,
+         "quantities": {name: QUANTITY for name in judge.QUANTITIES}}  # fmt: skip
+# A dict names keys that must be there, others may; a list holds the form of each of its items.
+CRITIQUE = {
+    "format": "gyradius-critique/1".__eq__,
+    "baseline": MODEL,
+    "discrepancies": [{"swing": is_text, "what": is_text, "size": is_number, "unit": is_text, "sigma": is_number, "text": is_text}],
+    "causes": [{"id": is_text, "probability": is_share, "log_evidence_gain": is_number, "parameters": lambda v: isinstance(v, dict)}],
+    "verdict": {
+        "status": ["adequate", "explained", "ambiguous", "unexplained"].__contains__,
+        "causes": [is_text],
+        "indistinguishable_from": [is_text],
+        "next_swing": lambda v: v is None or isinstance(v, dict),
+    },
+    "extended": MODEL,
+    "gain": {"heldout_rms_ratio": is_gain, "log_score_per_sample": is_number, "k_yaw_shift_m": is_number},
+}
+PARAMETER = {"value": is_number, "u": is_number, "unit": is_text}
+
+
+def misfits(value, form, where: str = "") -> list[str]:
+    """Places where a value is not of a form."""
+    if isinstance(form, dict):
+        if not isinstance(value, dict):
+            return [f"{where}: {value!r}"]
+        return [m for key, f in form.items() for m in misfits(value.get(key), f, f"{where}.{key}")]
+    if isinstance(form, list):
+        if not isinstance(value, list):
+            return [f"{where}: {value!r}"]
+        return [m for n, item in enumerate(value) for m in misfits(item, form[0], f"{where}[{n}]")]
+    return [] if form(value) else [f"{where}: {value!r}"]
+
+
+def against_contract(result: dict) -> list[str]:
+    """Where an answer is not what `critique --json` promises."""
+    found = misfits(result, CRITIQUE)
+    if found:
+        return found
+    for cause in result["causes"]:
+        found += [m for name, p in cause["parameters"].items() for m in misfits(p, PARAMETER, f"{cause['id']}.{name}")]
+    verdict = result["verdict"]
+    if (verdict["causes"] == []) != (verdict["status"] == "adequate"):
+        found.append(f"{verdict['status']} with causes {verdict['causes']}")
+    return found
+
+
+def answered() -> dict:
+    """A made-up answer of the contract's form."""
+    model = {"rms_over_noise": 1.0, "heldout_rms_over_noise": 1.0, "quantities": {q: {"value": 1.0, "u": 0.1} for q in judge.QUANTITIES}}
+    return {
+        "format": "gyradius-critique/1", "baseline": model, "discrepancies": [], "extended": model,
+        "causes": [{"id": "wind", "probability": 1.0, "log_evidence_gain": 9.0, "parameters": {"x": {"value": 1, "u": 0.1, "unit": "1"}}}],
+        "verdict": {"status": "explained", "causes": ["wind"], "indistinguishable_from": [], "next_swing": None},
+        "gain": {"heldout_rms_ratio": 1.1, "log_score_per_sample": 0.1, "k_yaw_shift_m": 0.0},
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "part, key, value",
+    [
+        ("format", None, "gyradius-critique/2"),
+        ("verdict", "status", "fine"),
+        ("verdict", "status", "adequate"),
+        ("verdict", "causes", []),
+        ("gain", "heldout_rms_ratio", 0.7),
+        ("gain", "log_score_per_sample", math.nan),
+        ("gain", "k_yaw_shift_m", None),
+        ("extended", "quantities", {}),
+        ("discrepancies", None, [{}]),
+        ("causes", None, [answered()["causes"][0] | {"probability": 1.1}]),
+        ("causes", None, [answered()["causes"][0] | {"parameters": {"x": {"value": math.inf, "u": 0.1, "unit": "1"}}}]),
+    ],
+)
+def test_each_breach_of_the_contract_is_seen(part, key, value):
+    """One change to an answer that is right."""
+    assert against_contract(answered()) == []
+    changed = answered()
+    changed[part] = value if key is None else changed[part] | {key: value}
+    assert against_contract(changed) != []
