@@ -16,6 +16,9 @@ const PLACE_STEP_M: f64 = 1e-4;
 const TURN_STEP_RAD: f64 = 1e-5;
 const CLOCK_STEP: f64 = 1e-6;
 
+/// Derivatives by a cause of no more parameters than this are taken to both sides.
+const TWO_SIDED: usize = 2;
+
 /// A block of samples that counts.
 pub struct Block<'a> {
     pub stream: usize,
@@ -268,8 +271,13 @@ impl<'a> Reader<'a> {
             moved.causes[cause][k] += by;
             if on_phone { self.reread(&moved) } else { self.moved(&moved) }
         };
-        // Forwards: half as many simulations, and below zero some laws have no meaning.
-        set(out, column, &moved(step)?, here, step);
+        let up = moved(step)?;
+        // What shifts a period must be known better than a step forwards tells; below zero some laws have no meaning.
+        let few = self.point.causes[cause].len() <= TWO_SIDED;
+        match few.then(|| moved(-step)) {
+            Some(Ok(down)) => set(out, column, &up, &down, 2.0 * step),
+            _ => set(out, column, &up, here, step),
+        }
         Ok(())
     }
 }

@@ -172,10 +172,18 @@ fn columns(
         if own.is_some_and(|own| own != s) {
             continue;
         }
-        let mut moved = at.clone();
-        moved.causes[last][*k] += parameter.step;
-        let there = if cause.on_phone { reader.reread(&moved)? } else { reader.moved(&moved)? };
-        let change = there.iter().zip(&zero).map(|(t, z)| (t - z) / parameter.step);
+        let moved = |by: f64| {
+            let mut moved = at.clone();
+            moved.causes[last][*k] += by;
+            if cause.on_phone { reader.reread(&moved) } else { reader.moved(&moved) }
+        };
+        let up = moved(parameter.step)?;
+        // The base absorbs nearly all of what shifts a period: the little that is left must not be an error of the step.
+        let (down, by) = match moved(-parameter.step) {
+            Ok(down) if !cause.stiff => (down, 2.0 * parameter.step),
+            _ => (zero.clone(), parameter.step),
+        };
+        let change = up.iter().zip(&down).map(|(u, d)| (u - d) / by);
         sensitivity.column_mut(column).iter_mut().zip(change).for_each(|(cell, c)| *cell = c);
     }
     let residual = DVector::from_vec(extended.rows(at, s)?);

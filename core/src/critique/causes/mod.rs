@@ -88,7 +88,7 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
 
 /// A strength in proportion to which the effect grows.
 fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> CauseParameter {
-    let (prior, step) = ((0.0, u), 0.02 * u);
+    let (prior, step) = ((0.0, u), 0.01 * u);
     CauseParameter { name, unit, factor, is_log: false, prior, step, is_strength: true, of_swing: false }
 }
 
