@@ -19,6 +19,10 @@ const SAME_MOUNT_RAD: f64 = 0.25;
 const SAME_MOUNT_U: f64 = 4.0;
 /// A hull pitched by more tells bow from stern, degrees.
 const TELLING_PITCH_DEG: f64 = 3.0;
+/// The roll gyradius stays within so many standard deviations of hulls' …
+const ROLL_U: f64 = 3.0;
+/// … and the product of inertia below this share of what no body can exceed.
+const MOST_PRODUCT: f64 = 0.7;
 /// Samples are averaged over a sixteenth of this or of the fastest period, s: what moves inside a hull is followed up to
 /// some 2.5 Hz.
 const FASTEST_PERIOD_S: f64 = 0.4;
@@ -47,6 +51,19 @@ pub struct Base<'a> {
 impl<'a> Base<'a> {
     pub fn layout(&self) -> &'a Layout {
         &self.system.layout
+    }
+
+    /// Keeps the roll gyradius and the product of inertia, of which level swings say nearly nothing, to those of a body: a
+    /// simulation that lacks something would bend them out of all shape.
+    pub fn keep_a_body(&self, x: &mut [f64]) {
+        let layout = self.layout();
+        let [roll, _, yaw] = layout.log_gyradii;
+        let prior = layout.parameters[roll].prior;
+        x[roll] = x[roll].clamp(prior.value - ROLL_U * prior.u, prior.value + ROLL_U * prior.u);
+        // I_xx/M and I_zz/M; their product is the square of the largest I_xz/M.
+        let (xx, zz) = ((2.0 * (x[roll] + x[yaw])).exp(), (2.0 * x[yaw]).exp());
+        let most = MOST_PRODUCT * (xx * zz).sqrt();
+        x[layout.product_xz] = x[layout.product_xz].clamp(-most, most);
     }
 
     /// Fits each swing by itself; what they agree on is where the fit of all begins. None where there is no swing on two

@@ -134,11 +134,9 @@ impl Model<'_> {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
             let Some(step) = self.step(&point, &misfit, &matrix, &gradient, &mut damping) else {
-                if fresh {
-                    break;
-                }
-                jacobians = self.jacobians(&point)?;
-                fresh = true;
+                let renewed = if fresh { None } else { self.jacobians(&point).ok() };
+                let Some(renewed) = renewed else { break };
+                (jacobians, fresh) = (renewed, true);
                 continue;
             };
             let gained = misfit.cost - step.misfit.cost;
@@ -149,7 +147,9 @@ impl Model<'_> {
             }
             fresh = enough || gained < KEPT * step.promised;
             if fresh {
-                jacobians = self.jacobians(&point)?;
+                // At the edge of what can be simulated there are none: the fit ends there.
+                let Ok(renewed) = self.jacobians(&point) else { break };
+                jacobians = renewed;
             }
         }
         let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
@@ -287,8 +287,9 @@ impl Model<'_> {
         }
     }
 
-    /// With no strength below zero that has no meaning there.
+    /// With a body that there can be, and no strength below zero that has no meaning there.
     pub fn bounded(&self, mut point: Point) -> Point {
+        self.base.keep_a_body(&mut point.x);
         let swings = self.base.swings.len();
         for (cause, values) in self.causes.iter().zip(&mut point.causes) {
             cause.one_sided_places(swings).into_iter().for_each(|k| values[k] = values[k].max(0.0));
