@@ -115,6 +115,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
         let Some(best) = taken else { break };
         found.take(best);
     }
+    found.prune();
     found.learn();
     Ok(found)
 }
@@ -124,6 +125,25 @@ impl Found<'_> {
         self.before = Some(std::mem::replace(&mut self.fitted, best.fitted));
         self.model.causes.push(best.cause);
         self.left = best.left;
+    }
+
+    /// A cause taken first may owe its gain to one that was taken later: without it nothing is then lost, and it goes.
+    fn prune(&mut self) {
+        let swings = self.model.base.swings.len();
+        for k in (0..self.model.causes.len().saturating_sub(1)).rev() {
+            let mut model = self.model.clone();
+            let cause = model.causes.remove(k);
+            let mut start = self.fitted.point.clone();
+            start.causes.remove(k);
+            let Ok(without) = model.fit(&start, &|_| false) else { continue };
+            let Some(lost) = gain(&without, &self.fitted, &cause, swings) else { continue };
+            let Ok(left) = Left::of(&model, &without.point) else { continue };
+            let shows = left.excess() > self.left.excess();
+            if lost < if shows { LEAST_GAIN } else { FURTHER_GAIN } {
+                (self.model, self.fitted, self.left) = (model, without, left);
+                self.rounds[k].taken = false;
+            }
+        }
     }
 
     /// Where structure remains, the model is extended even without a name for it.
