@@ -38,13 +38,14 @@ GIVEN = """What each is given:
   power has the exponent 1.5. Terms are taken away one by one; the number that stays is chosen on the last third of each swing.
 - **Least squares**: the same rate and rig, the exact equation of a swing in yaw alone with linear drag, and one equation more for each
   effect below in the very form that the generator uses; the one of least BIC counts.
-- **gyradius**: the session's folder as a user has it. It is not told that the hull swings in yaw alone nor which effects are in
-  question, and must choose among all of its causes. *undecided with it*: it says that the data cannot tell, and the effect is among
-  those left.
+- **gyradius**: the session's folder as a user has it, accelerometer and all axes of the gyroscope included. It is not told that the
+  hull swings in yaw alone nor which effects are in question, and must choose among all of its causes. *undecided with it*: it says
+  that the data cannot tell, and the effect is among those left.
 
-The first two cannot answer outside their lists, and they get no sway or pitch to be confused by; that is in their favour. A spring that
-hardens is in their lists and not in gyradius' catalogue: there *unexplained* is right. Twisting lines are not asked for: in yaw, on
-one rig, they are a linear spring that every method takes for another inertia."""
+In favour of the others: short lists that hold the effect, and swings without the sway and pitch that they could not follow. In favour
+of gyradius: more channels, and a whole hull that moves, small parasitic motions included. A spring that hardens is in the others' lists
+and not in gyradius' catalogue: there *unexplained* is right. Twisting lines are not asked for: in yaw, on one rig, they are a linear
+spring that every method takes for another inertia."""
 
 
 def sparse(swings: list[yaw.Swing], weak: bool) -> set[str]:
