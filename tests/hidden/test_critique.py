@@ -17,6 +17,8 @@ from borrowed import blind
 APART = ["amplitude_added_mass", "bearing_friction", "bias_drift", "phone_slip", "unequal_lines"]  # about every second is testable
 HIDDEN = [["none"], APART, APART, ["hardening_spring"]]
 SMALL = sessions.Kind(((("yaw", "sway"), ("pitch",)), (("yaw", "sway", "pitch"),) * 2), lasting_s=(70, 80), one_rig=True)
+LEAST_GAIN = 0.8  # held-out error, base over extended: an extension may cost a little on samples that it has not seen
+AT_A_MOMENT = {"phone_slip"}  # when it happened cannot be learned where that stretch is held out: no gain is asked
 TRIES = 8  # for one that is testable; else the last is taken, and its verdict does not count
 TIMEOUT_S = 400.0
 
@@ -47,6 +49,8 @@ def test_answers_on_unseen_sessions(tmp_path):
     print(judge.report(outcomes, "Four sessions", f"Seed {seed}.")[0])
     assert judge.reasons_in_a_few(outcomes) == []
     assert {o.name: against_contract(o.result) for o in outcomes} == {o.name: [] for o in outcomes}
+    gains = {o.name: o.result["gain"]["heldout_rms_ratio"] for o in outcomes if not o.hidden & AT_A_MOMENT}
+    assert [f"{name}: {gain}" for name, gain in gains.items() if gain <= LEAST_GAIN] == []
 
 
 def is_number(value) -> bool:
@@ -66,11 +70,6 @@ def is_positive(value) -> bool:
     return is_number(value) and value > 0
 
 
-def is_gain(value) -> bool:
-    """An extension may cost a little on samples that it has not seen, and no more."""
-    return is_number(value) and value > 0.8
-
-
 QUANTITY = {"value": is_number, "u": is_positive}
 MODEL = {"rms_over_noise": is_positive, "heldout_rms_over_noise": is_positive,
          "quantities": {name: QUANTITY for name in judge.QUANTITIES}}  # fmt: skip
@@ -87,7 +86,7 @@ CRITIQUE = {
         "next_swing": lambda v: v is None or isinstance(v, dict),
     },
     "extended": MODEL,
-    "gain": {"heldout_rms_ratio": is_gain, "log_score_per_sample": is_number, "k_yaw_shift_m": is_number},
+    "gain": {"heldout_rms_ratio": is_positive, "log_score_per_sample": is_number, "k_yaw_shift_m": is_number},
 }
 PARAMETER = {"value": is_number, "u": is_number, "unit": is_text}
 
@@ -136,7 +135,7 @@ def answered() -> dict:
         ("verdict", "status", "fine"),
         ("verdict", "status", "adequate"),
         ("verdict", "causes", []),
-        ("gain", "heldout_rms_ratio", 0.7),
+        ("gain", "heldout_rms_ratio", 0.0),
         ("gain", "log_score_per_sample", math.nan),
         ("gain", "k_yaw_shift_m", None),
         ("extended", "quantities", {}),
