@@ -357,7 +357,8 @@ def test_the_engine_stops_when_it_is_told_to() -> None:
 
     with pytest.raises(gyradius.CancelledError):
         session.critique(stop_at_the_third)
-    assert len(told) == 3 and told == sorted(told)
+    assert len(told) == 3
+    assert told == sorted(told)
 
 
 def test_the_paper_s_keelboat_is_flagged() -> None:
