@@ -72,7 +72,7 @@ def test_without_effects_the_motion_is_that_of_the_blind_sessions():
     seed = blind.fresh_seed()
     print("seed", seed)
     rng = np.random.default_rng(seed)
-    hull, hungs = sessions.draw_hung(rng, False)
+    hull, hungs = sessions.draw_hung(rng, False, sessions.USUAL)
     base, _ = sessions.draw_scene(rng, hull, hungs[0], blind.draw_phone(rng, hull))
     rest = hungs[0].rest
     t, states = rb.integrate(hungs[0].rig, rb.displaced(rest, base.move, base.rate), 40.0, 0.02)

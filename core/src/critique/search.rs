@@ -40,6 +40,9 @@ const UNNAMED_FROM: f64 = 0.01;
 /// … and come first where they leave less than this share of that.
 const UNNAMED_LEAVES: f64 = 0.1;
 
+/// Name of the parameter that says when something happened.
+const MOMENT: &str = "at_s";
+
 /// A cause fitted in full beside those taken before.
 #[derive(Clone)]
 pub struct Tried {
@@ -281,7 +284,15 @@ pub fn gain(without: &Fitted, with: &Fitted, cause: &Cause, swings: usize) -> Op
 impl<'a> Found<'a> {
     /// A model fitted to the stretches that are not held out, and its χ² and number of rows in those that are.
     pub fn held_out(model: &Model<'a>, fitted: &Fitted) -> Result<(f64, usize)> {
-        let fitting = Model { part: Part::Fitted, ..model.clone() };
+        let mut fitting = Model { part: Part::Fitted, ..model.clone() };
+        // A moment that lies in a stretch held out cannot be found from the others: it stays where all of them put it.
+        for (cause, values) in fitting.causes.iter_mut().zip(&fitted.point.causes) {
+            for (parameter, value) in cause.parameters.iter_mut().zip(values) {
+                if parameter.name == MOMENT {
+                    parameter.prior = (*value, 0.1 * parameter.step);
+                }
+            }
+        }
         let there = fitting.fit(&fitted.point, &|_| false)?;
         let judging = Model { part: Part::HeldOut, ..model.clone() };
         let rows = (0..model.base.swings.len()).map(|s| 3 * judging.blocks(s).len()).sum();
