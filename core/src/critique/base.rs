@@ -19,6 +19,8 @@ const SAME_MOUNT_RAD: f64 = 0.25;
 const SAME_MOUNT_U: f64 = 4.0;
 /// A hull pitched by more tells bow from stern, degrees.
 const TELLING_PITCH_DEG: f64 = 3.0;
+/// Rate at which a motion dies away within some twenty seconds, 1/s: where a fit begins, none is faster.
+const MOST_DAMPING_PER_S: f64 = 0.1;
 /// The roll gyradius stays within so many standard deviations of hulls' …
 const ROLL_U: f64 = 3.0;
 /// … and the product of inertia below this share of what no body can exceed.
@@ -160,6 +162,8 @@ fn own_of(own: &Own) -> [f64; OWN] {
     let mut values = [0.0; OWN];
     values[..13].copy_from_slice(&own.values[..13]);
     values[13..].copy_from_slice(&own.values[19..25]);
+    // A single swing that lost its way may even gain energy: such a start runs away.
+    values[8..13].iter_mut().for_each(|rate| *rate = rate.clamp(0.0, MOST_DAMPING_PER_S));
     values
 }
 

@@ -7,7 +7,7 @@ use crate::frames::{Rotation, Vec3};
 use crate::inertia::by_samples::in_parallel;
 use crate::inertia::samples::Own;
 
-use super::point::{BIAS, Model, OWN, Part, Point};
+use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
 /// Of a stiff motion, whose simulation takes long.
@@ -110,7 +110,13 @@ impl Model<'_> {
         let mut point = start.clone();
         for horizon_s in HORIZONS_S {
             let early = Model { part: Part::First(horizon_s), ..self.clone() };
-            point = early.fit_with(&point, None, NEARLY, &|_| false)?.point;
+            // A part that cannot be simulated from here leads nowhere; the next may.
+            let Ok(fitted) = early.fit_with(&point, None, NEARLY, &|_| false) else { continue };
+            point = fitted.point;
+            // A few swings say little of how they die away, and a rate that is wrong runs away over the next part.
+            for (own, begun) in point.owns.iter_mut().zip(&start.owns) {
+                own[DAMPING..BIAS].copy_from_slice(&begun[DAMPING..BIAS]);
+            }
         }
         Ok(point)
     }

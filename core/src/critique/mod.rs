@@ -61,7 +61,14 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     };
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
-    let fitted = model.fit(&model.grown(&start)?, &|_| false)?;
+    let grown = model.fit(&model.grown(&start)?, &|_| false);
+    let Ok(fitted) = grown.or_else(|_| model.fit(&start, &|_| false)) else {
+        let mut judged = criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?)?;
+        let text =
+            "no simulation of all swings together could be fitted to the samples: their periods were judged";
+        judged.critique.warnings.push(text.into());
+        return Ok(judged);
+    };
     let found = search(model.clone(), start, fitted, &told)?;
     told.at(0.9, "judging by samples held out")?;
     conclude(loaded, &model, &found, &inclines, warnings)

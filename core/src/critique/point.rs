@@ -13,6 +13,8 @@ use super::base::{Base, Swung};
 
 /// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and accelerometer (6).
 pub const OWN: usize = 19;
+/// Where the damping rates begin.
+pub const DAMPING: usize = 8;
 /// Where the biases begin.
 pub const BIAS: usize = 13;
 
