@@ -17,8 +17,6 @@ use super::point::{Mount, OWN, Point};
 const SAME_MOUNT_RAD: f64 = 0.25;
 /// Standard uncertainties of the turn between two swings that may lie between them as well.
 const SAME_MOUNT_U: f64 = 4.0;
-/// A hull pitched by more tells bow from stern, degrees.
-const TELLING_PITCH_DEG: f64 = 3.0;
 /// Rate at which a motion dies away within some twenty seconds, 1/s: where a fit begins, none is faster.
 const MOST_DAMPING_PER_S: f64 = 0.1;
 /// The roll gyradius stays within so many standard deviations of hulls' …
@@ -89,16 +87,26 @@ impl<'a> Base<'a> {
                 .map(|(_, period_s)| *period_s)
                 .fold(FASTEST_PERIOD_S, f64::min);
             let turn_u_rad = model.turn_u_rad(&fit);
+            let tells_bow_from_stern = model.tells_bow_from_stern();
             let mut samples = Samples::of(evidence, fastest_s).unwrap_or(model.samples);
             keep_off_limits(&mut samples, evidence);
             let (x, own) = (fit.x, fit.own);
-            begun.push(Begun { setup: model.setup, samples, number, evidence, x, own, turn_u_rad });
+            begun.push(Begun {
+                setup: model.setup,
+                samples,
+                number,
+                evidence,
+                x,
+                own,
+                turn_u_rad,
+                tells_bow_from_stern,
+            });
         }
         if begun.is_empty() {
             return Ok(None);
         }
         let x = agreed.unwrap_or_else(|| median(layout, &begun));
-        let (mounts, which) = mounts(layout, &mut begun, &x);
+        let (mounts, which) = mounts(&mut begun, &x);
         let owns = begun.iter().map(|b| own_of(&b.own)).collect();
         let swings = begun
             .into_iter()
@@ -144,6 +152,7 @@ struct Begun<'a> {
     own: Own,
     /// Of the phone's turn against the hull, by this swing alone.
     turn_u_rad: f64,
+    tells_bow_from_stern: bool,
 }
 
 /// Parameters of the session from the fits of its swings: the median of each, so that one lost swing does no harm.
@@ -169,7 +178,7 @@ fn own_of(own: &Own) -> [f64; OWN] {
 
 /// Poses of the phone in hull axes, those alike as one: that of the swing that knows it best. A level hull looks the same
 /// from both ends: a swing seen from the other end is turned round.
-fn mounts(layout: &Layout, begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
+fn mounts(begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
     let mut order: Vec<usize> = (0..begun.len()).collect();
     order.sort_by(|a, b| begun[*a].turn_u_rad.total_cmp(&begun[*b].turn_u_rad));
     let mut mounts: Vec<(Mount, f64)> = Vec::new();
@@ -184,8 +193,11 @@ fn mounts(layout: &Layout, begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<u
                 hull_from_phone: renormalised(pitch.inverse() * own.nominal),
             }
         };
-        let tells = layout.parameters[b.setup.index.pitch_deg].prior.value.abs() > TELLING_PITCH_DEG;
-        let ways = if tells { vec![b.own.clone()] } else { vec![b.own.clone(), b.own.turned_round()] };
+        let ways = if b.tells_bow_from_stern {
+            vec![b.own.clone()]
+        } else {
+            vec![b.own.clone(), b.own.turned_round()]
+        };
         let nearest = |(mount, u): &(Mount, f64)| {
             let allowed = SAME_MOUNT_RAD.max(SAME_MOUNT_U * u.hypot(b.turn_u_rad));
             let away = ways.iter().map(|own| (mount.turned_from(&pose(own)), own));

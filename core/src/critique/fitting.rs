@@ -328,6 +328,11 @@ struct Step {
 }
 
 impl Fitted {
+    /// Where the so many values of the last cause begin in the list of all that is fitted.
+    pub fn place_of_last(&self, count: usize) -> usize {
+        self.matrix.nrows() - OWN * self.jacobians.len() - count
+    }
+
     /// Residual over noise, blocks of samples.
     pub fn rms(&self) -> f64 {
         (self.chi2 / self.rows.max(1) as f64).sqrt()

@@ -1,7 +1,7 @@
 //! The missing force where no known cause accounts for it: learned inside the simulation, and the simplest closed form
 //! that does as well.
 
-use super::causes::{Scales, TERMS, UNKNOWN, learned_force};
+use super::causes::{Scales, TERMS, UNKNOWN, learned_force, reach};
 use super::fitting::Fitted;
 use super::look::Look;
 use super::point::{Form, Model};
@@ -81,7 +81,7 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
     Some(LearnedForce {
         coordinate: name.into(),
         unit: unit.into(),
-        points: points(found, coordinate, position, rate)?,
+        points: points(found, position, rate)?,
         equation: format!("{letter}_{name} = {} {unit}", sum.join(" ")),
         text: format!(
             "What is missing acts on the {name} and looks most like {}",
@@ -90,13 +90,6 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some((chi2 / rows.max(1) as f64).sqrt()),
     })
-}
-
-/// Scales of position and rate, as the effect has them.
-fn reach(scales: &Scales, coordinate: usize) -> (f64, f64) {
-    let position = if coordinate < 2 { 0.1 * scales.line_m } else { 0.1 };
-    let rate_rad_s = if coordinate == 3 { scales.yaw_rad_s } else { scales.slowest_rad_s };
-    (position, position * rate_rad_s)
 }
 
 struct Closed {
@@ -158,12 +151,11 @@ fn in_words(term: &str) -> &'static str {
 }
 
 /// The force with its standard uncertainty on a grid of positions and rates at the start and after 100 s.
-fn points(found: &Found, coordinate: usize, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
+fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
     let cause = found.model.causes.last()?;
     let values = found.fitted.point.causes.last()?;
     let covariance = found.fitted.covariance()?;
-    let last = found.fitted.jacobians.len() * super::point::OWN;
-    let first = found.fitted.matrix.nrows() - last - values.len();
+    let first = found.fitted.place_of_last(values.len());
     let factor = cause.parameters.first()?.factor;
     let mut points = Vec::new();
     for t_s in [0.0, 100.0] {
@@ -191,6 +183,5 @@ fn points(found: &Found, coordinate: usize, position: f64, rate: f64) -> Option<
             }
         }
     }
-    debug_assert!(coordinate < COORDINATES.len());
     Some(points)
 }

@@ -29,19 +29,16 @@ impl Look {
         let Some(alike) = &cause.look else { return Self::straight(model, fitted, cause).map(Some) };
         let seen = Self::straight(model, fitted, &alike.cause)?;
         let swings = model.base.swings.len();
-        let split = Places::of(model).first_own(0);
-        let size = alike.cause.size(swings);
+        let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
         let strengths: Vec<f64> = seen.delta.rows(split, size).iter().copied().collect();
         let Some(nearest) = (alike.nearest)(&strengths) else { return Ok(None) };
-        let start = cause.start(swings);
-        let mut delta = DVector::zeros(seen.delta.len() - size + start.len());
-        delta.rows_mut(0, split).copy_from(&seen.delta.rows(0, split));
-        for (k, from) in start.iter().enumerate() {
-            let value = nearest.get(k).filter(|value| value.is_finite());
-            delta[split + k] = value.map_or(0.0, |value| value - from);
-        }
-        let owns = seen.delta.len() - size - split;
-        delta.rows_mut(split + start.len(), owns).copy_from(&seen.delta.rows(split + size, owns));
+        let values: Vec<f64> = (cause.start(swings).iter().enumerate())
+            .map(|(k, from)| {
+                nearest.get(k).filter(|value| value.is_finite()).map_or(0.0, |value| value - from)
+            })
+            .collect();
+        let rest = seen.delta.remove_rows(split, size);
+        let delta = laid_out(model, &rest, &values);
         Ok(Some(Self { cause: cause.clone(), gain: seen.gain, chi2: seen.chi2, delta }))
     }
 
@@ -54,48 +51,17 @@ impl Look {
             (0..cause.size(swings)).filter(|k| cause.expanded(swings)[*k].0.is_strength).collect();
         let parts = model.each(|s| columns(&extended, fitted, &at, s, cause, &strengths));
         let parts = parts.into_iter().collect::<Result<Vec<_>>>()?;
-        Ok(Self::solved(model, fitted, cause, &strengths, parts))
-    }
-
-    fn solved(model: &Model, fitted: &Fitted, cause: &Cause, strengths: &[usize], parts: Vec<Part>) -> Self {
-        let swings = model.base.swings.len();
-        let places = Places::of(model);
-        let count = strengths.len();
-        let mut outer = DMatrix::zeros(places.all(), count);
-        let mut inner = DMatrix::zeros(count, count);
-        let mut score = DVector::zeros(count);
-        for (s, part) in parts.into_iter().enumerate() {
-            inner += part.inner;
-            score += part.score;
-            for (row, place) in places.of_swing(model, s).into_iter().enumerate() {
-                for k in 0..count {
-                    outer[(place, k)] += part.outer[(row, k)];
-                }
-            }
-        }
-        let u = DVector::from_fn(count, |k, _| cause.expanded(swings)[strengths[k]].0.prior.1);
-        for k in 0..count {
-            inner[(k, k)] += u[k].powi(-2);
-        }
-        let mut look = Self {
-            cause: cause.clone(),
-            gain: f64::NEG_INFINITY,
-            chi2: 0.0,
-            delta: DVector::zeros(places.all() + cause.size(swings)),
+        let u = DVector::from_fn(strengths.len(), |k, _| cause.expanded(swings)[strengths[k]].0.prior.1);
+        let mut equations = Equations::new(model, fitted, u);
+        parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, part));
+        let Some(solved) = equations.solved(cause.one_sided) else {
+            let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
+            return Ok(Self { cause: cause.clone(), gain: f64::NEG_INFINITY, chi2: 0.0, delta });
         };
-        let Some(base) = fitted.cholesky() else { return look };
-        let absorbed = base.solve(&outer);
-        let schur = &inner - outer.tr_mul(&absorbed);
-        let score = score - absorbed.tr_mul(&fitted.gradient);
-        let bounded: Vec<bool> = strengths.iter().map(|_| cause.one_sided).collect();
-        let Some(solved) = Solved::of(&schur, &score, &u, &bounded) else { return look };
-        let rest = base.solve(&fitted.gradient) - &absorbed * &solved.strength;
-        let split = places.first_own(0);
-        look.delta.rows_mut(0, split).copy_from(&rest.rows(0, split));
-        strengths.iter().enumerate().for_each(|(k, place)| look.delta[split + place] = solved.strength[k]);
-        let owns = places.all() - split;
-        look.delta.rows_mut(split + cause.size(swings), owns).copy_from(&rest.rows(split, owns));
-        Self { gain: solved.gain, chi2: solved.chi2, ..look }
+        let mut values = vec![0.0; cause.size(swings)];
+        strengths.iter().zip(solved.strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
+        let delta = laid_out(model, &solved.rest, &values);
+        Ok(Self { cause: cause.clone(), gain: solved.gain, chi2: solved.chi2, delta })
     }
 
     /// The point that the look leads to, by a share of the way.
@@ -108,48 +74,108 @@ impl Look {
     }
 }
 
-/// Strengths that solve the equations, those that cannot be negative at zero or above.
+/// A change of everything that is fitted, with the values of one more cause behind the other causes'.
+pub fn laid_out(model: &Model, rest: &DVector<f64>, values: &[f64]) -> DVector<f64> {
+    let split = Places::of(model).first_own(0);
+    let mut delta = rest.clone().insert_rows(split, values.len(), 0.0);
+    delta.rows_mut(split, values.len()).copy_from_slice(values);
+    delta
+}
+
+/// Strengths beside everything that is fitted: the equations that all swings together make for them.
+pub struct Equations<'a> {
+    model: &'a Model<'a>,
+    fitted: &'a Fitted,
+    /// Of the strengths' priors.
+    u: DVector<f64>,
+    outer: DMatrix<f64>,
+    inner: DMatrix<f64>,
+    score: DVector<f64>,
+}
+
+/// Strengths that solve the equations, and the change of everything else that goes with them.
 pub struct Solved {
     pub strength: DVector<f64>,
+    pub rest: DVector<f64>,
     pub gain: f64,
     pub chi2: f64,
 }
 
-impl Solved {
-    pub fn of(
-        schur: &DMatrix<f64>,
-        score: &DVector<f64>,
-        u: &DVector<f64>,
-        bounded: &[bool],
-    ) -> Option<Self> {
-        let mut open: Vec<usize> = (0..score.len()).collect();
-        loop {
-            let part = DMatrix::from_fn(open.len(), open.len(), |i, j| schur[(open[i], open[j])]);
-            let wanted = DVector::from_fn(open.len(), |i, _| score[open[i]]);
-            let factor = part.cholesky()?;
-            let found = factor.solve(&wanted);
-            let worst = (0..open.len()).filter(|i| bounded[open[*i]] && found[*i] < 0.0);
-            // In standard deviations of their priors: their units differ.
-            let worst = worst.min_by(|a, b| (found[*a] / u[open[*a]]).total_cmp(&(found[*b] / u[open[*b]])));
-            if let Some(worst) = worst {
-                open.remove(worst);
-                continue;
-            }
-            let mut strength = DVector::zeros(score.len());
-            open.iter().zip(found.iter()).for_each(|(k, x)| strength[*k] = *x);
-            let log_determinant: f64 = factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
-            let occam = log_determinant + open.iter().map(|k| u[*k].ln()).sum::<f64>();
-            let chi2 = wanted.dot(&found);
-            return Some(Self { strength, gain: 0.5 * chi2 - occam, chi2 });
+impl<'a> Equations<'a> {
+    pub fn new(model: &'a Model<'a>, fitted: &'a Fitted, u: DVector<f64>) -> Self {
+        let outer = DMatrix::zeros(Places::of(model).all(), u.len());
+        let inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
+        let score = DVector::zeros(u.len());
+        Self { model, fitted, u, outer, inner, score }
+    }
+
+    /// Adds what a swing says.
+    pub fn add(&mut self, s: usize, part: Part) {
+        self.inner += part.inner;
+        self.score += part.score;
+        for (row, place) in Places::of(self.model).of_swing(self.model, s).into_iter().enumerate() {
+            let mut sum = self.outer.row_mut(place);
+            sum += part.outer.row(row);
         }
+    }
+
+    /// With everything else made the best of; strengths that cannot be negative at zero or above.
+    pub fn solved(&self, one_sided: bool) -> Option<Solved> {
+        let base = self.fitted.cholesky()?;
+        let absorbed = base.solve(&self.outer);
+        let schur = &self.inner - self.outer.tr_mul(&absorbed);
+        let score = &self.score - absorbed.tr_mul(&self.fitted.gradient);
+        let (strength, gain, chi2) = strengths(&schur, &score, &self.u, one_sided)?;
+        let rest = base.solve(&self.fitted.gradient) - &absorbed * &strength;
+        Some(Solved { strength, rest, gain, chi2 })
+    }
+}
+
+/// The strengths with the gains of evidence and of χ²; where they are one-sided, those that would be negative are zero.
+fn strengths(
+    schur: &DMatrix<f64>,
+    score: &DVector<f64>,
+    u: &DVector<f64>,
+    one_sided: bool,
+) -> Option<(DVector<f64>, f64, f64)> {
+    let mut open: Vec<usize> = (0..score.len()).collect();
+    loop {
+        let part = DMatrix::from_fn(open.len(), open.len(), |i, j| schur[(open[i], open[j])]);
+        let wanted = DVector::from_fn(open.len(), |i, _| score[open[i]]);
+        let factor = part.cholesky()?;
+        let found = factor.solve(&wanted);
+        let worst = (0..open.len()).filter(|i| one_sided && found[*i] < 0.0);
+        // In standard deviations of their priors: their units differ.
+        let worst = worst.min_by(|a, b| (found[*a] / u[open[*a]]).total_cmp(&(found[*b] / u[open[*b]])));
+        if let Some(worst) = worst {
+            open.remove(worst);
+            continue;
+        }
+        let mut strength = DVector::zeros(score.len());
+        open.iter().zip(found.iter()).for_each(|(k, x)| strength[*k] = *x);
+        let log_determinant: f64 = factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
+        let occam = log_determinant + open.iter().map(|k| u[*k].ln()).sum::<f64>();
+        let chi2 = wanted.dot(&found);
+        return Some((strength, 0.5 * chi2 - occam, chi2));
     }
 }
 
 /// What a swing adds to the equations.
-struct Part {
+pub struct Part {
     outer: DMatrix<f64>,
     inner: DMatrix<f64>,
     score: DVector<f64>,
+}
+
+impl Part {
+    /// From derivatives by what is fitted and by the strengths, and the residual, row by row.
+    pub fn of(jacobian: &DMatrix<f64>, sensitivity: &DMatrix<f64>, residual: &DVector<f64>) -> Self {
+        Self {
+            outer: jacobian.tr_mul(sensitivity),
+            inner: sensitivity.tr_mul(sensitivity),
+            score: sensitivity.tr_mul(residual),
+        }
+    }
 }
 
 fn columns(
@@ -187,9 +213,5 @@ fn columns(
         sensitivity.column_mut(column).iter_mut().zip(change).for_each(|(cell, c)| *cell = c);
     }
     let residual = DVector::from_vec(extended.rows(at, s)?);
-    Ok(Part {
-        outer: jacobian.tr_mul(&sensitivity),
-        inner: sensitivity.tr_mul(&sensitivity),
-        score: sensitivity.tr_mul(&residual),
-    })
+    Ok(Part::of(jacobian, &sensitivity, &residual))
 }

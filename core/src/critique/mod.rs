@@ -49,21 +49,22 @@ pub const FORMAT: &str = "gyradius-critique/1";
 pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
     let told = Told { progress };
     told.at(0.0, "reading the swings")?;
+    let by_periods_alone = || criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
     if !loaded.data.iter().any(|data| matches!(data.data, LoadedData::Recording(_))) {
-        return criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+        return by_periods_alone();
     }
     let mut prepared = prepare(loaded)?;
     let x = by_periods(&mut prepared);
     told.at(0.05, "fitting each swing")?;
     let Prepared { works, system, inclines, warnings } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
-        return criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+        return by_periods_alone();
     };
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
     let grown = model.fit(&model.grown(&start)?, &|_| false);
     let Ok(fitted) = grown.or_else(|_| model.fit(&start, &|_| false)) else {
-        let mut judged = criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?)?;
+        let mut judged = by_periods_alone()?;
         let text =
             "no simulation of all swings together could be fitted to the samples: their periods were judged";
         judged.critique.warnings.push(text.into());
@@ -99,7 +100,7 @@ fn conclude(
         widen(&mut extended.quantities, &other, weight);
     }
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| next_swing(found, t));
-    let shifts = shifts(&baseline, &extended);
+    let shifts = shifts(&baseline.quantities, &extended.quantities);
     let gain = Gain {
         heldout_rms_ratio: Some(rms(before) / rms(after)),
         log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
@@ -141,10 +142,13 @@ fn widen(
 }
 
 /// Changes of every quantity that both models give as a number.
-fn shifts(before: &ModelResult, after: &ModelResult) -> BTreeMap<String, f64> {
+fn shifts(
+    before: &BTreeMap<String, QuantityResult>,
+    after: &BTreeMap<String, QuantityResult>,
+) -> BTreeMap<String, f64> {
     let change = |(name, new): (&String, &QuantityResult)| {
-        let old = before.quantities.get(name)?.value.as_f64()?;
+        let old = before.get(name)?.value.as_f64()?;
         Some((name.clone(), new.value.as_f64()? - old))
     };
-    after.quantities.iter().filter_map(change).collect()
+    after.iter().filter_map(change).collect()
 }

@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::error::Result;
 
 use super::causes::{Scales, knock_at, slip_at};
-use super::fitting::{Fitted, Places};
-use super::look::{Look, Solved};
+use super::fitting::Fitted;
+use super::look::{Equations, Look, Part, Solved, laid_out};
 use super::point::{Cause, Model, OWN};
 
 /// Moments tried in each swing, first coarse, then about the best.
@@ -63,7 +63,6 @@ impl Scan<'_> {
 
     /// The evidence for an event at a moment of a swing.
     fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
-        let places = Places::of(self.model);
         let count = match event {
             Event::Slip => 6,
             Event::Knock => 8,
@@ -78,9 +77,7 @@ impl Scan<'_> {
             }
             Event::Knock => 0.03,
         });
-        let mut outer = DMatrix::zeros(places.all(), count);
-        let mut inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
-        let mut score = DVector::zeros(count);
+        let mut equations = Equations::new(self.model, self.fitted, u);
         let last = if event == Event::Slip { self.residuals.len() } else { s + 1 };
         for swing in s..last {
             let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
@@ -88,21 +85,10 @@ impl Scan<'_> {
                 continue;
             }
             let columns = self.columns(event, swing, from_s);
-            let jacobian = &self.fitted.jacobians[swing];
-            let part = jacobian.tr_mul(&columns);
-            for (row, place) in places.of_swing(self.model, swing).into_iter().enumerate() {
-                (0..count).for_each(|k| outer[(place, k)] += part[(row, k)]);
-            }
-            inner += columns.tr_mul(&columns);
-            score += columns.tr_mul(&self.residuals[swing]);
+            equations.add(swing, Part::of(&self.fitted.jacobians[swing], &columns, &self.residuals[swing]));
         }
-        let base = self.fitted.cholesky()?;
-        let absorbed = base.solve(&outer);
-        let schur = inner - outer.tr_mul(&absorbed);
-        let score = score - absorbed.tr_mul(&self.fitted.gradient);
-        let solved = Solved::of(&schur, &score, &u, &vec![false; count])?;
-        let rest = base.solve(&self.fitted.gradient) - &absorbed * &solved.strength;
-        Some(Seen { s, t_s, gain: solved.gain, chi2: solved.chi2, strength: solved.strength, rest })
+        let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
+        Some(Seen { s, t_s, gain, chi2, strength, rest })
     }
 
     /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
@@ -123,23 +109,16 @@ impl Scan<'_> {
     }
 
     fn look(&self, event: Event, seen: Seen) -> Look {
-        let places = Places::of(self.model);
-        let swings = self.residuals.len();
         let cause: Cause = match event {
             Event::Slip => slip_at(seen.s, seen.t_s),
             Event::Knock => knock_at(&self.scales, seen.s, seen.t_s),
         };
-        let split = places.first_own(0);
-        let mut delta = DVector::zeros(places.all() + cause.size(swings));
-        delta.rows_mut(0, split).copy_from(&seen.rest.rows(0, split));
+        let mut values = vec![0.0; cause.size(self.residuals.len())];
         if event == Event::Slip {
             // Place first there, turn first here.
-            (0..3).for_each(|k| {
-                (delta[split + k], delta[split + 3 + k]) = (seen.strength[3 + k], seen.strength[k])
-            });
+            (0..6).for_each(|k| values[k] = seen.strength[(k + 3) % 6]);
         }
-        let owns = places.all() - split;
-        delta.rows_mut(split + cause.size(swings), owns).copy_from(&seen.rest.rows(split, owns));
+        let delta = laid_out(self.model, &seen.rest, &values);
         Look { cause, gain: seen.gain, chi2: seen.chi2, delta }
     }
 }

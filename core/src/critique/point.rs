@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::dynamics::effects::EffectValues;
 use crate::dynamics::sensors;
 use crate::dynamics::{Experiment, Fineness, Phone};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::frames::{Rotation, Vec3, world_from_hull_pitched};
 use crate::inertia::samples::Own;
 
@@ -242,12 +242,5 @@ impl Model<'_> {
 
 /// A sensor's effect with the numbers given, the others zero.
 pub fn sensor(id: &str, given: &[(&str, f64)]) -> Result<EffectValues> {
-    let kind = sensors::catalogue().into_iter().find(|kind| kind.id == id);
-    let kind = kind.ok_or_else(|| Error::argument("effect", "an effect of the sensors", id))?;
-    let mut values = vec![0.0; kind.numbers.len()];
-    for (name, value) in given {
-        let place = kind.numbers.iter().position(|n| n.name == *name);
-        values[place.ok_or_else(|| Error::argument("effect", "a number of the effect", name))?] = *value;
-    }
-    Ok(EffectValues { kind, values })
+    EffectValues::of(&sensors::catalogue(), id, given)
 }

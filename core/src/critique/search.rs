@@ -86,13 +86,6 @@ impl Told<'_> {
     }
 }
 
-impl Tried {
-    /// Where the last cause's values begin in the list of all that is fitted.
-    pub fn first_place(&self, count: usize) -> usize {
-        self.fitted.matrix.nrows() - super::point::OWN * self.fitted.jacobians.len() - count
-    }
-}
-
 /// Searches from a fitted base and from where its fit began.
 pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
     let base_left = Left::of(&base, &fitted.point)?;

@@ -81,7 +81,7 @@ impl Found<'_> {
             .causes
             .iter()
             .filter(|id| *id != UNKNOWN)
-            .map(|id| named(id))
+            .map(|id| named_of(id))
             .collect::<Vec<_>>()
             .join(", and ");
         match &*verdict.status {
@@ -192,7 +192,7 @@ fn is_special_case(best: &Tried, other: &Tried) -> bool {
 fn parameters(tried: &Tried) -> std::collections::BTreeMap<String, ParameterResult> {
     let cause: &Cause = &tried.cause;
     let values = tried.fitted.point.causes.last().cloned().unwrap_or_default();
-    let first = tried.first_place(values.len());
+    let first = tried.fitted.place_of_last(values.len());
     let covariance = tried.fitted.covariance();
     let swings = tried.fitted.jacobians.len();
     let mut found = std::collections::BTreeMap::new();
@@ -216,10 +216,6 @@ fn sentence(id: &str) -> String {
     letters
         .next()
         .map_or_else(String::new, |first| first.to_uppercase().chain(letters).chain(['.']).collect())
-}
-
-fn named(id: &str) -> String {
-    named_of(id).into()
 }
 
 /// What a cause is, in words.

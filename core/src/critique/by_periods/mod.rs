@@ -16,8 +16,8 @@ use crate::inertia::outputs::write_quantities;
 use crate::inertia::{Analysis, Measurement, QuantityResult, solved_periods};
 use crate::recording::LoadedSession;
 
-use super::FORMAT;
 use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult};
+use super::{FORMAT, shifts};
 use choice::Choice;
 use model::{Fitted, HeldOut, Setting};
 use words::Standing;
@@ -97,17 +97,6 @@ fn gain(base: &Fitted, extended: &Fitted) -> Gain {
         k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
         shifts,
     }
-}
-
-fn shifts(
-    base: &BTreeMap<String, QuantityResult>,
-    extended: &BTreeMap<String, QuantityResult>,
-) -> BTreeMap<String, f64> {
-    let shift = |(name, before): (&String, &QuantityResult)| {
-        let after = extended.get(name)?.value.as_f64()?;
-        Some((name.clone(), after - before.value.as_f64()?))
-    };
-    base.iter().filter_map(shift).collect()
 }
 
 /// Taken ones in the order in which they were found, then what is left unexplained, then the others by evidence.

@@ -20,7 +20,7 @@ use crate::recording::{ModeName, Orientation};
 use super::base::Base;
 use super::point::{Cause, CauseParameter, Form, Point, Put};
 
-pub use outside::{TERMS, UNKNOWN, knock_at, learned_force};
+pub use outside::{TERMS, UNKNOWN, knock_at, learned_force, reach};
 pub use phone::{mounts, slip_at};
 
 /// What scales everyday strengths, from the fitted base.

@@ -40,23 +40,26 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
 /// Terms of a learned force, as the effect names them.
 pub const TERMS: [&str; 9] = ["xx", "xv", "vv", "xxx", "xxv", "xvv", "vvv", "xt", "vt"];
 
+/// Scales of position and rate of a learned force over a coordinate.
+pub fn reach(scales: &Scales, coordinate: usize) -> (f64, f64) {
+    let position = if coordinate < 2 { 0.1 * scales.line_m } else { 0.1 };
+    let rate_rad_s = if coordinate == 3 { scales.yaw_rad_s } else { scales.slowest_rad_s };
+    (position, position * rate_rad_s)
+}
+
 /// A smooth force over one coordinate (0: along x, 1: along y, 2: about the suspension, 3: about the vertical), by the
 /// terms asked for.
 pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[&'static str]) -> Cause {
     let inertia = [1.0, 1.0, scales.turn2_m2(), scales.gyradii2_m2[2]][coordinate];
-    let rate_rad_s = if coordinate == 3 { scales.yaw_rad_s } else { scales.slowest_rad_s };
-    let position = if coordinate < 2 { 0.1 * scales.line_m } else { 0.1 };
+    let (position, rate) = reach(scales, coordinate);
     // The force that the rest of the motion has at the scale.
-    let force = inertia * rate_rad_s * rate_rad_s * position;
+    let force = inertia * rate * rate / position;
     let unit = if coordinate < 2 { "N" } else { "N m" };
     let parameters = terms.iter().map(|term| strength(term, unit, force * scales.mass_kg, 0.01)).collect();
     let terms = terms.to_vec();
     let law = put(move |q, _, e| {
-        let mut numbers = vec![
-            ("coordinate", coordinate as f64),
-            ("scale_of_position", position),
-            ("scale_of_rate", position * rate_rad_s),
-        ];
+        let mut numbers =
+            vec![("coordinate", coordinate as f64), ("scale_of_position", position), ("scale_of_rate", rate)];
         numbers.extend(terms.iter().zip(q).map(|(term, q)| (*term, q * force)));
         add(e, "learned_force", &numbers)
     });

@@ -328,7 +328,11 @@ pub struct EffectValues {
 impl EffectValues {
     /// The effect `id` with the values given, the others zero.
     pub fn new(id: &str, given: &[(&str, f64)]) -> Result<Self> {
-        let kinds = catalogue();
+        Self::of(&catalogue(), id, given)
+    }
+
+    /// The same from another catalogue, that of the sensors.
+    pub fn of(kinds: &[EffectKind], id: &str, given: &[(&str, f64)]) -> Result<Self> {
         let known = || kinds.iter().map(|k| k.id).collect::<Vec<_>>().join(", ");
         let kind =
             *kinds.iter().find(|k| k.id == id).ok_or_else(|| Error::argument("effect", known(), id))?;

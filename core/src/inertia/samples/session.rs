@@ -31,44 +31,44 @@ impl<'a> FittedSwing<'a> {
     /// where it is no bifilar swing with a phone on it, and where the simulation does not explain the record: then the
     /// lines in its spectrum stand.
     pub fn of(
-        (session, layout, i): (&'a Session, &'a Layout, usize),
+        swing: (&'a Session, &'a Layout, usize),
         starts: &[Vec<f64>],
         known: &[Statement],
         evidence: &Evidence,
     ) -> Option<Self> {
-        let (swing, index) = (&session.swings[i], &layout.swings[i]);
-        let setup = SwingSetup { layout, swing, index };
-        let fastest_s = evidence.found.modes.iter().map(|m| m.period_s()).fold(f64::INFINITY, f64::min);
-        // Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold.
-        [Moves::Body, Moves::All].into_iter().find_map(|early| {
-            let model = SwingModel { setup, samples: Samples::of(evidence, fastest_s)? };
-            let fit = fit(&model, starts, known, early).ok()?;
-            let fitted = Self { model, fit, lines_rms_over_noise: evidence.found.rms_over_noise };
-            fitted.explains().then_some(fitted)
-        })
+        let held_or_free = [Moves::Body, Moves::All].into_iter();
+        let mut fitted = held_or_free.filter_map(|early| Self::fitted(swing, starts, known, evidence, early));
+        fitted.find(Self::explains)
     }
 
     /// The fit nearest to the samples, whether it explains them or not; `None` where there is none.
     pub fn nearest(
-        (session, layout, i): (&'a Session, &'a Layout, usize),
+        swing: (&'a Session, &'a Layout, usize),
         starts: &[Vec<f64>],
         evidence: &Evidence,
     ) -> Option<Self> {
-        let setup = SwingSetup { layout, swing: &session.swings[i], index: &layout.swings[i] };
-        let fastest_s = evidence.found.modes.iter().map(|m| m.period_s()).fold(f64::INFINITY, f64::min);
-        let model = || Some(SwingModel { setup, samples: Samples::of(evidence, fastest_s)? });
-        let lines_rms_over_noise = evidence.found.rms_over_noise;
-        let fitted = |early: Moves| {
-            let model = model()?;
-            let fit = fit(&model, starts, &[], early).ok()?;
-            Some(Self { model, fit, lines_rms_over_noise })
-        };
+        let fitted = |early: Moves| Self::fitted(swing, starts, &[], evidence, early);
         let held = fitted(Moves::Body);
         if held.as_ref().is_some_and(Self::explains) {
             return held;
         }
-        // Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold.
         [held, fitted(Moves::All)].into_iter().flatten().min_by(|a, b| a.cost().total_cmp(&b.cost()))
+    }
+
+    /// Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold: `early` says what
+    /// moves over the short horizons.
+    fn fitted(
+        (session, layout, i): (&'a Session, &'a Layout, usize),
+        starts: &[Vec<f64>],
+        known: &[Statement],
+        evidence: &Evidence,
+        early: Moves,
+    ) -> Option<Self> {
+        let setup = SwingSetup { layout, swing: &session.swings[i], index: &layout.swings[i] };
+        let fastest_s = evidence.found.modes.iter().map(|m| m.period_s()).fold(f64::INFINITY, f64::min);
+        let model = SwingModel { setup, samples: Samples::of(evidence, fastest_s)? };
+        let fit = fit(&model, starts, known, early).ok()?;
+        Some(Self { model, fit, lines_rms_over_noise: evidence.found.rms_over_noise })
     }
 
     /// What is fitted, and the fit.
