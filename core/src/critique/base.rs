@@ -11,7 +11,8 @@ use crate::inertia::samples::{Own, Samples, Sensor, SwingSetup};
 use crate::inertia::theory::swing_periods;
 use crate::recording::{self, Quantity, Repair, RepairKind, Session};
 
-use super::point::{Mount, OWN, Point};
+use super::fitting::HORIZONS_S;
+use super::point::{BIAS, Model, Mount, OWN, Part, Point};
 
 /// Phones turned against each other by less than this may be one phone that slipped, rad; beyond, it was taped anew.
 const SAME_MOUNT_RAD: f64 = 0.25;
@@ -76,7 +77,7 @@ impl<'a> Base<'a> {
     ) -> Result<Option<(Self, Point)>> {
         let (session, layout) = (system.session, &system.layout);
         let mut begun: Vec<Begun> = Vec::new();
-        let fits = nearest_fits(system, works, x);
+        let fits = nearest_fits(system, works, x, inclines);
         let said: Vec<_> = fits.iter().map(|f| f.as_ref().map_or(vec![], |f| f.statements(false))).collect();
         let agreed = system.agreed(&said, inclines);
         for (number, fit) in fits.into_iter().enumerate() {
@@ -105,8 +106,10 @@ impl<'a> Base<'a> {
         if begun.is_empty() {
             return Ok(None);
         }
-        let x = agreed.unwrap_or_else(|| median(layout, &begun));
-        let (mounts, which) = mounts(&mut begun, &x);
+        let median = median(layout, &begun);
+        let mut sets: Vec<Vec<f64>> = agreed.into_iter().chain([median.clone(), x.to_vec()]).collect();
+        sets.extend(begun.iter().map(|b| b.x.clone()));
+        let (mounts, which) = mounts(&mut begun, &median);
         let owns = begun.iter().map(|b| own_of(&b.own)).collect();
         let swings = begun
             .into_iter()
@@ -121,7 +124,23 @@ impl<'a> Base<'a> {
             .collect();
         let free = (0..layout.parameters.len()).filter(|i| layout.parameters[*i].prior.u > 0.0).collect();
         let base = Self { session, system, swings, mounts: mounts.len(), free };
-        Ok(Some((base, Point { x, mounts, causes: vec![], owns })))
+        let start = base.nearest(sets, Point { x: median, mounts, causes: vec![], owns });
+        Ok(Some((base, start)))
+    }
+
+    /// A start with that set of the session's parameters which is nearest to the first seconds of the recordings. Swings
+    /// that contradict each other agree on no body that there can be, or on one that cannot hang; from rest every body can.
+    fn nearest(&self, sets: Vec<Vec<f64>>, start: Point) -> Point {
+        let early = Model { base: self, causes: vec![], part: Part::First(HORIZONS_S[0]), alone: false };
+        let cost = |point: &Point| early.chi2(point).unwrap_or(f64::INFINITY);
+        let mut at_rest = start.clone();
+        at_rest.owns.iter_mut().for_each(|own| own[..BIAS].fill(0.0));
+        let points = sets.into_iter().flat_map(|mut x| {
+            self.keep_a_body(&mut x);
+            [Point { x: x.clone(), ..start.clone() }, Point { x, ..at_rest.clone() }]
+        });
+        let costs = points.map(|point| (cost(&point), point));
+        costs.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(start.clone(), |(_, point)| point)
     }
 }
 

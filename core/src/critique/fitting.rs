@@ -21,7 +21,7 @@ pub const CONVERGED_SHARE: f64 = 1e-7;
 /// Of a part of the recordings, this much less exactly.
 const NEARLY: f64 = 3e-3;
 /// Parts of the recordings that a fit from far away is led over, s.
-const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
+pub const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
 /// Steps over each of them.
 const EARLY_STEPS: usize = 6;
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.

@@ -25,6 +25,10 @@ const CONTRADICTION: f64 = 30.0;
 const ALIKE: f64 = 0.5;
 /// Pitch of a hanging that counts as level, degrees.
 const LEVEL_DEG: f64 = 3.0;
+/// Residual over noise beyond which a fit may have lost its way.
+const LOST: f64 = 3.0;
+/// Logarithms of yaw gyradii to begin anew with, beside the one agreed on.
+const OTHER_YAWS: [f64; 5] = [0.0, -0.25, -0.12, 0.12, 0.25];
 /// A line in the spectrum this near to a simulated period is that mode, relative.
 const SAME_LINE: f64 = 0.02;
 
@@ -72,10 +76,11 @@ pub(crate) fn nearest_fits<'a>(
     system: &'a System<'a>,
     works: &'a [SwingWork],
     x: &[f64],
+    inclines: &[Option<Quantity>],
 ) -> Vec<Option<FittedSwing<'a>>> {
     let evidence = works.iter().map(|w| w.evidence.as_ref()).collect();
     let samples = Samples { session: system.session, layout: &system.layout, evidence };
-    samples.nearest(system, x)
+    samples.nearest(system, x, inclines)
 }
 
 /// What the simulation found in a swing.
@@ -140,12 +145,36 @@ impl<'a> Samples<'a> {
     }
 
     /// The simulation nearest to each swing that a phone recorded on two lines, whether it explains the record or not.
-    fn nearest(&self, system: &System, x: &[f64]) -> Vec<Option<FittedSwing<'a>>> {
-        let one = |i: usize| {
-            let swing = (self.session, self.layout, i);
-            FittedSwing::nearest(swing, &self.starts(system, x, i), self.evidence[i]?)
+    /// A swing that has lost its way begins anew from what all agree on; one that is lost says little there.
+    fn nearest(&self, system: &System, x: &[f64], inclines: &[Option<Quantity>]) -> Fits<'a> {
+        let nearest = |i: usize, starts: &[Vec<f64>]| {
+            FittedSwing::nearest((self.session, self.layout, i), starts, self.evidence[i]?)
         };
-        in_parallel(self.evidence.len(), one)
+        let mut fits = in_parallel(self.evidence.len(), |i| nearest(i, &self.starts(system, x, i)));
+        let Some(agreed) = system.agreed(&statements(&fits, false), inclines) else { return fits };
+        let is_lost =
+            |i: &usize| fits[*i].as_ref().is_none_or(|fit| fit.rms_over_noise() > LOST && !fit.explains());
+        let lost: Vec<usize> = (0..fits.len()).filter(is_lost).collect();
+        let again = in_parallel(lost.len(), |k| nearest(lost[k], &self.other_yaws(&agreed)));
+        for (i, found) in lost.into_iter().zip(again) {
+            let cost = |fit: &Option<FittedSwing<'a>>| fit.as_ref().map_or(f64::INFINITY, FittedSwing::cost);
+            if cost(&found) < cost(&fits[i]) {
+                fits[i] = found;
+            }
+        }
+        fits
+    }
+
+    /// Parameters, and the same with other yaw gyradii: a hull whose motions act strongly on each other may show no line
+    /// at its yaw period.
+    fn other_yaws(&self, x: &[f64]) -> Vec<Vec<f64>> {
+        let [_, _, yaw] = self.layout.log_gyradii;
+        let at = |by: &f64| {
+            let mut other = x.to_vec();
+            other[yaw] += by;
+            other
+        };
+        OTHER_YAWS.iter().map(at).collect()
     }
 
     /// Sets of the session's parameters to begin with: those of all periods, those stated, those of this swing's periods;

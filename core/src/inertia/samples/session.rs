@@ -76,7 +76,8 @@ impl<'a> FittedSwing<'a> {
         (self.model, self.fit)
     }
 
-    fn explains(&self) -> bool {
+    /// Whether what it leaves is white, or far less than lines in the spectrum leave, and the hull hangs as it was said to.
+    pub fn explains(&self) -> bool {
         let is_far_better = self.fit.rms_over_noise * FAR_BETTER < self.lines_rms_over_noise;
         let is_tilted = self.model.pitch_pull(&self.fit) > MOST_PITCH_PULL;
         !is_tilted && (self.fit.inflation <= WHITE || is_far_better)
