@@ -13,7 +13,8 @@ const MOST_STEPS: usize = 20;
 /// Of a stiff motion, whose simulation takes long.
 const MOST_STIFF_STEPS: usize = 8;
 const MOST_DAMPING: f64 = 1e8;
-/// A step that gains less than this share of what the derivatives promised asks for new ones.
+/// A step that gains less than this share of what the derivatives promised asks for new ones, as does one that had to be
+/// shortened.
 const KEPT: f64 = 0.5;
 /// A fit ends where an undamped step promises less of χ² than this, or than this share of it.
 const CONVERGED: f64 = 1e-3;
@@ -151,7 +152,7 @@ impl Model<'_> {
             if (enough && fresh) || (n > 3 && stop(misfit.cost)) {
                 break;
             }
-            fresh = enough || gained < KEPT * step.promised;
+            fresh = enough || step.strained || gained < KEPT * step.promised;
             if fresh {
                 // At the edge of what can be simulated there are none: the fit ends there.
                 let Ok(renewed) = self.jacobians(&point) else { break };
@@ -253,6 +254,7 @@ impl Model<'_> {
         gradient: &DVector<f64>,
         damping: &mut f64,
     ) -> Option<Step> {
+        let begun = *damping;
         while *damping < MOST_DAMPING {
             let mut damped = matrix.clone();
             (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + *damping);
@@ -261,8 +263,9 @@ impl Model<'_> {
             let there = self.bounded(self.moved(point, &delta));
             match self.misfit(&there) {
                 Ok(better) if better.cost <= misfit.cost => {
+                    let strained = *damping > begun;
                     *damping = (*damping * 0.1).max(1e-9);
-                    return Some(Step { point: there, misfit: better, promised });
+                    return Some(Step { point: there, misfit: better, promised, strained });
                 }
                 _ => *damping *= 10.0,
             }
@@ -325,6 +328,8 @@ struct Step {
     point: Point,
     misfit: Misfit,
     promised: f64,
+    /// Whether a longer one led nowhere.
+    strained: bool,
 }
 
 impl Fitted {

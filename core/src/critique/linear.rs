@@ -71,7 +71,7 @@ impl Model<'_> {
         let times: Vec<&[f64]> =
             swung.samples.streams.iter().map(|stream| &stream.t_s[..seen(stream)]).collect();
         let sensors = swung.samples.streams.iter().map(|stream| stream.sensor);
-        let all = read_all(&experiment, &path, &times)?;
+        let all = once_each(&times, |t_s| experiment.readings_on(&path, t_s))?;
         let part = |(readings, sensor): (Vec<Reading<f64>>, Sensor)| {
             readings.iter().map(|r| picked(sensor, r)).collect()
         };
@@ -163,21 +163,23 @@ impl Model<'_> {
         let mut pliant = self.clone();
         let mut there = point.clone();
         there.causes =
-            there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.stiff).map(|(v, _)| v).collect();
-        pliant.causes.retain(|c| !c.stiff);
+            there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.apart).map(|(v, _)| v).collect();
+        pliant.causes.retain(|c| !c.apart);
         let experiment = pliant.experiment(&there, s)?;
         let shared = swung.setup.shared_slopes(&point.x, &own, free)?;
         let damping = swung.setup.damping_slopes(&experiment.scene);
         let first_own = out.ncols() - OWN;
-        for stream in 0..swung.samples.streams.len() {
-            let (places, of_stream): (Vec<usize>, Vec<&Block>) =
-                blocks.iter().enumerate().filter(|(_, b)| b.stream == stream).unzip();
-            let times: Vec<f64> = of_stream.iter().map(|b| b.t_s).collect();
-            // Across kinks derivatives need no more than this to lead the way.
-            let slopes = experiment.slopes_of_motion(&LANES, Fineness::OF_FITS, &times)?;
+        let of_streams: Vec<(Vec<usize>, Vec<&Block>)> = (0..swung.samples.streams.len())
+            .map(|stream| blocks.iter().enumerate().filter(|(_, b)| b.stream == stream).unzip())
+            .collect();
+        let times: Vec<Vec<f64>> =
+            of_streams.iter().map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect()).collect();
+        // Across kinks derivatives need no more than this to lead the way.
+        let all = once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, Fineness::OF_FITS, t_s))?;
+        for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
             let sensor = &swung.samples.streams[stream];
             let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };
-            for (n, (place, block)) in places.iter().zip(&of_stream).enumerate() {
+            for (n, (place, block)) in places.iter().zip(of_stream).enumerate() {
                 let weight = (block.range.len() as f64).sqrt();
                 for axis in 0..3 {
                     let row = 3 * place + axis;
@@ -250,12 +252,14 @@ impl<'a> Reader<'a> {
 
     fn read(&self, experiment: &Experiment, path: &Path<f64>) -> Result<Vec<f64>> {
         let streams = &self.model.swing(self.s).samples.streams;
-        let times: Vec<f64> = self.blocks.iter().map(|b| b.t_s).collect();
-        // Both sensors' blocks lie at much the same times, one list after the other.
-        let readings = experiment.readings_on(path, &times)?;
-        let picked =
-            |(block, reading): (&Block, &Reading<f64>)| picked(streams[block.stream].sensor, reading);
-        let values: Vec<Vec3> = self.blocks.iter().zip(&readings).map(picked).collect();
+        // Block after block, stream after stream.
+        let times: Vec<Vec<f64>> = (0..streams.len())
+            .map(|stream| self.blocks.iter().filter(|b| b.stream == stream).map(|b| b.t_s).collect())
+            .collect();
+        let all = once_each(&times, |t_s| experiment.readings_on(path, t_s))?;
+        let readings =
+            all.iter().zip(streams).flat_map(|(all, stream)| all.iter().map(|r| (stream.sensor, r)));
+        let values: Vec<Vec3> = readings.map(|(sensor, reading)| picked(sensor, reading)).collect();
         Ok(self.model.as_rows(self.s, self.blocks, &values))
     }
 
@@ -308,12 +312,12 @@ fn picked(sensor: Sensor, reading: &Reading<f64>) -> Vec3 {
     }
 }
 
-/// Readings at several lists of times; lists that are alike are read once.
-fn read_all(experiment: &Experiment, path: &Path<f64>, times: &[&[f64]]) -> Result<Vec<Vec<Reading<f64>>>> {
-    let mut all: Vec<Vec<Reading<f64>>> = Vec::new();
+/// What is found at each of several lists of times; lists that are alike are looked at once.
+fn once_each<L: AsRef<[f64]>, T: Clone>(times: &[L], find: impl Fn(&[f64]) -> Result<T>) -> Result<Vec<T>> {
+    let mut all: Vec<T> = Vec::new();
     for (n, list) in times.iter().enumerate() {
-        let known = times[..n].iter().position(|other| other == list);
-        all.push(known.map_or_else(|| experiment.readings_on(path, list), |k| Ok(all[k].clone()))?);
+        let known = times[..n].iter().position(|other| other.as_ref() == list.as_ref());
+        all.push(known.map_or_else(|| find(list.as_ref()), |k| Ok(all[k].clone()))?);
     }
     Ok(all)
 }

@@ -69,8 +69,10 @@ pub struct Cause {
     pub on_phone: bool,
     /// Whether its law has a kink.
     pub kinked: bool,
-    /// Whether it makes the motion stiff: derivatives by everything else are then taken without it.
+    /// Whether it makes the motion stiff, so that a simulation takes long.
     pub stiff: bool,
+    /// Whether derivatives by everything else are taken without it, since with it they take long and differ little.
+    pub apart: bool,
     /// Strengths below zero have no physical meaning.
     pub one_sided: bool,
     /// Which of the shapes without a name it is, if one.

@@ -1,5 +1,7 @@
 //! What brakes the hull, and the air that it carries along.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
 use super::super::point::{Cause, CauseParameter};
 use super::{Scales, add, cause, logarithm, number, put, strength};
 
@@ -10,6 +12,7 @@ pub fn causes(scales: &Scales) -> Vec<Cause> {
     let mut all = vec![quadratic_drag(scales), power_law_damping(scales), bearing_friction(scales)];
     all.extend([0.005, 0.015, 0.045].map(|give_rad| presliding_bearing(scales, give_rad)));
     all.push(amplitude_added_mass(scales));
+    all.extend(WINDS.map(|(direction_rad, centre)| wind(scales, direction_rad, centre)));
     all
 }
 
@@ -66,7 +69,13 @@ fn bearing_friction(scales: &Scales) -> Cause {
         numbers.push(("transition_rad_s", TRANSITION));
         add(e, "bearing_friction", &numbers)
     });
-    Cause { kinked: true, stiff: true, one_sided: true, ..cause("bearing_friction", parameters, law) }
+    Cause {
+        kinked: true,
+        stiff: true,
+        apart: true,
+        one_sided: true,
+        ..cause("bearing_friction", parameters, law)
+    }
 }
 
 fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
@@ -104,4 +113,34 @@ fn amplitude_added_mass(scales: &Scales) -> Cause {
         add(e, "amplitude_added_mass", &numbers)
     });
     Cause { one_sided: true, ..cause("amplitude_added_mass", parameters, law) }
+}
+
+/// Directions of the wind against the hull, rad, and centres of pressure, shares of half the hull's length, to begin with.
+/// From ahead or abeam alone it brakes as a linear damping does, unless its centre lies off the hull's.
+const WINDS: [(f64, f64); 4] = [(FRAC_PI_2, 0.2), (FRAC_PI_2, -0.2), (FRAC_PI_4, 0.0), (-FRAC_PI_4, 0.0)];
+
+/// A steady wind brakes with its own speed times the hull's: motions across it turn the hull, and across its direction
+/// act on each other.
+fn wind(scales: &Scales, direction_rad: f64, centre: f64) -> Cause {
+    let (mass, half_m, depth_m) = (scales.mass_kg, scales.half_length_m, scales.depth_m);
+    let parameters = vec![
+        strength("drag_n_s_m", "N s/m", mass, 0.01),
+        logarithm("speed_m_s", "m/s", 1.0, 1.0),
+        number("direction_rad", "rad", direction_rad, 1.6),
+        number("centre_x_m", "m", centre * half_m, 0.3 * half_m),
+        number("centre_z_m", "m", 0.0, 0.3 * depth_m.max(0.3 * half_m)),
+    ];
+    let law = put(|q, _, e| {
+        let speed_m_s = q[1].clamp(-4.0, 4.0).exp();
+        let numbers = [
+            ("force_coefficient", q[0] / speed_m_s),
+            ("gust_time_s", 1.0),
+            ("steady_x_m_s", speed_m_s * q[2].cos()),
+            ("steady_y_m_s", speed_m_s * q[2].sin()),
+            ("centre_x_m", q[3]),
+            ("centre_z_m", q[4]),
+        ];
+        add(e, "wind", &numbers)
+    });
+    Cause { one_sided: true, ..cause("wind", parameters, law) }
 }

@@ -120,6 +120,7 @@ fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
         on_phone: false,
         kinked: false,
         stiff: false,
+        apart: false,
         one_sided: false,
         form: Form::Law,
         look: None,

@@ -34,7 +34,7 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         ];
         add(e, "knock", &numbers)
     });
-    Cause { stiff: true, form: Form::Knock(swing), ..cause(UNKNOWN, parameters, law) }
+    Cause { stiff: true, apart: true, form: Form::Knock(swing), ..cause(UNKNOWN, parameters, law) }
 }
 
 /// Terms of a learned force, as the effect names them.

@@ -170,7 +170,12 @@ fn mount(axis: [f64; 3]) -> Cause {
             .then(|| vec![(MOUNT_HZ / share.sqrt()).ln(), f64::NAN, 0.0, 0.0, w[1] / share, w[2] / share])
     };
     let look = LookAlike { cause: cause_of_parts, nearest: Box::new(nearest) };
-    Cause { on_phone: true, look: Some(Arc::new(look)), ..cause("phone_mount_resonance", parameters, law) }
+    Cause {
+        on_phone: true,
+        apart: true,
+        look: Some(Arc::new(look)),
+        ..cause("phone_mount_resonance", parameters, law)
+    }
 }
 
 /// A mount that turns by less than this share of one at the look's frequency (above some 25 Hz) is not seen.

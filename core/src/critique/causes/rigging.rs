@@ -60,7 +60,7 @@ fn line_stretch(scales: &Scales) -> Cause {
         ];
         add(e, "line_stretch", &numbers)
     });
-    Cause { stiff: true, one_sided: true, ..cause("line_stretch", parameters, law) }
+    Cause { stiff: true, apart: true, one_sided: true, ..cause("line_stretch", parameters, law) }
 }
 
 /// G J of both lines, as a share of what the lines' own stiffness in yaw times their length is.
@@ -125,7 +125,7 @@ fn support_compliance(scales: &Scales) -> Cause {
         ];
         add(e, "support_compliance", &numbers)
     });
-    Cause { stiff: true, one_sided: true, ..cause("support_compliance", parameters, law) }
+    Cause { stiff: true, apart: true, one_sided: true, ..cause("support_compliance", parameters, law) }
 }
 
 fn stated_length(scales: &Scales) -> Cause {

@@ -7,7 +7,7 @@ use crate::dynamics::real::{Real, V3};
 use crate::error::{Error, Result};
 
 /// ω times the length of a step.
-const STEP: f64 = 0.5;
+const STEP: f64 = 1.5;
 /// More steps than these are a slip of the pen.
 const MOST_STEPS: f64 = 5e6;
 /// Nodes and weights on 0 … 1 (order 8): the error of a step is STEP⁹/2e9 of the drive's.
@@ -20,6 +20,12 @@ const LEGENDRE: [(f64, f64); 4] = [
 
 /// Place and velocity.
 type State<S> = (V3<S>, V3<S>);
+
+/// What an impulse does by the end of a time: [h, h'] of one at its beginning and of one at each node.
+struct Responses<S> {
+    whole: [S; 2],
+    nodes: [[S; 2]; LEGENDRE.len()],
+}
 
 /// The oscillator along a drive.
 pub struct Driven<S: Real, D> {
@@ -46,9 +52,11 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
         }
         let mut driven = Self { drive, omega, zeta, from_s, step_s, knots: Vec::new() };
         let mut state = driven.steady(S::constant(from_s.next_down()));
+        let step = S::constant(step_s);
+        let responses = driven.responses(step);
         for n in 0..count as usize {
             driven.knots.push(state);
-            state = driven.after(n, S::constant(step_s));
+            state = driven.after(n, step, &responses);
         }
         Ok(driven)
     }
@@ -58,21 +66,25 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
     }
 
     /// The state so long after knot `n`.
-    fn after(&self, n: usize, time: S) -> State<S> {
+    fn after(&self, n: usize, time: S, responses: &Responses<S>) -> State<S> {
         let begin = S::constant(self.from_s + n as f64 * self.step_s);
         let (x, v) = self.knots[n];
-        let [response, rate] = self.impulse(time);
+        let [response, rate] = responses.whole;
         // The free motion is x (h' + 2 ζ ω h) + v h; its derivative uses h'' = −2 ζ ω h' − ω² h.
         let damping = (self.zeta * self.omega).scale(2.0);
         let mut place = x * (rate + damping * response) + v * response;
         let mut velocity = v * rate - x * (self.omega * self.omega * response);
-        for (node, weight) in LEGENDRE {
+        for ((node, weight), [response, rate]) in LEGENDRE.into_iter().zip(responses.nodes) {
             let drive = (self.drive)(begin + time.scale(node)) * time.scale(weight);
-            let [response, rate] = self.impulse(time.scale(1.0 - node));
             place += drive * response;
             velocity += drive * rate;
         }
         (place, velocity)
+    }
+
+    fn responses(&self, time: S) -> Responses<S> {
+        let nodes = LEGENDRE.map(|(node, _)| self.impulse(time.scale(1.0 - node)));
+        Responses { whole: self.impulse(time), nodes }
     }
 
     /// h and its derivative.
@@ -92,7 +104,8 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
             return [x, v, V3::zeros()];
         }
         let n = ((since / self.step_s) as usize).min(self.knots.len() - 1);
-        let (x, v) = self.after(n, t_s - S::constant(self.from_s + n as f64 * self.step_s));
+        let time = t_s - S::constant(self.from_s + n as f64 * self.step_s);
+        let (x, v) = self.after(n, time, &self.responses(time));
         let damping = (self.zeta * self.omega).scale(2.0);
         [x, v, (self.drive)(t_s) - v * damping - x * (self.omega * self.omega)]
     }
