@@ -18,7 +18,7 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
     match cause.form {
         Form::Force(coordinate) => force(found, coordinate, heldout_rms),
         Form::Knock(swing) => knock(found, swing, heldout_rms),
-        Form::Law => None,
+        Form::Law | Form::Gust => None,
     }
 }
 

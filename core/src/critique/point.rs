@@ -90,6 +90,8 @@ pub enum Form {
     Force(usize),
     /// A knock in a swing.
     Knock(usize),
+    /// What a wind that was taken before does beside blowing steadily: part of that cause.
+    Gust,
 }
 
 /// A linear form of a cause: strengths without regard to how they hang together, and the cause's parameters that come
@@ -181,6 +183,11 @@ impl Part {
 impl Model<'_> {
     pub fn swing(&self, s: usize) -> &Swung<'_> {
         &self.base.swings[s]
+    }
+
+    /// The causes that have a name of their own: gusts belong to their wind.
+    pub fn named(&self) -> impl Iterator<Item = &Cause> {
+        self.causes.iter().filter(|cause| cause.form != Form::Gust)
     }
 
     /// The same model with another cause.

@@ -3,11 +3,11 @@
 use crate::error::{Error, Result};
 use crate::inertia::by_samples::in_parallel;
 
-use super::causes::{Scales, TERMS, UNKNOWN, catalogue, learned_force, mounts};
+use super::causes::{GUSTS, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts};
 use super::fitting::{CONVERGED_SHARE, Fitted};
 use super::look::Look;
 use super::moments::moments;
-use super::point::{Cause, Model, Part, Point};
+use super::point::{Cause, Form, Model, Part, Point};
 use super::result::Progress;
 use super::white::Left;
 
@@ -28,6 +28,8 @@ const LEADING: usize = 4;
 const FURTHER: usize = 3;
 /// Shares of the way to where the first look points, from which a full fit may begin.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
+/// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
+const FASTEST_GUST_HZ: f64 = 0.35;
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
 
@@ -47,6 +49,8 @@ const MOMENT: &str = "at_s";
 #[derive(Clone)]
 pub struct Tried {
     pub cause: Cause,
+    /// Those taken before, and this one.
+    pub causes: Vec<Cause>,
     pub fitted: Fitted,
     /// Of the logarithm of the evidence, over the model without it.
     pub gain: f64,
@@ -99,7 +103,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
         before: None,
         begin,
     };
-    while found.model.causes.len() < MOST_CAUSES {
+    while found.model.named().count() < MOST_CAUSES {
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
         told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
@@ -109,7 +113,15 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         found.rounds.push(Round { tried, taken: taken.is_some() });
         let Some(best) = taken else { break };
+        let blows = best.cause.id == WIND;
         found.take(best);
+        if blows {
+            told.at(done + 0.16, "looking for gusts")?;
+            found.blow();
+            if !found.is_unexplained() {
+                break;
+            }
+        }
     }
     found.prune();
     found.learn();
@@ -123,10 +135,31 @@ impl Found<'_> {
         self.left = best.left;
     }
 
+    /// A wind that was taken may come in gusts: tones of it are added while something is left and they pay.
+    fn blow(&mut self) {
+        let durations = self.model.base.swings.iter().map(|swung| swung.samples.duration_s);
+        let duration_s = durations.fold(0.0, f64::max);
+        let count = (FASTEST_GUST_HZ * duration_s) as usize;
+        for tone in GUSTS {
+            if self.left.is_white() {
+                break;
+            }
+            let tones = (1..=count).map(|k| gust(tone, k as f64 / duration_s, duration_s));
+            let looks = tones.filter_map(|tone| Look::at(&self.model, &self.fitted, &tone).ok().flatten());
+            let best = looks.max_by(|a, b| a.gain.total_cmp(&b.gain));
+            let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
+            let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
+            self.take(tried);
+        }
+    }
+
     /// A cause taken first may owe its gain to one that was taken later: without it nothing is then lost, and it goes.
     fn prune(&mut self) {
         let swings = self.model.base.swings.len();
         for k in (0..self.model.causes.len().saturating_sub(1)).rev() {
+            if self.model.causes[k].form == Form::Gust {
+                continue;
+            }
             let mut model = self.model.clone();
             let cause = model.causes.remove(k);
             let mut start = self.fitted.point.clone();
@@ -137,7 +170,12 @@ impl Found<'_> {
             let shows = left.excess() > self.left.excess();
             if lost < if shows { LEAST_GAIN } else { FURTHER_GAIN } {
                 (self.model, self.fitted, self.left) = (model, without, left);
-                self.rounds[k].taken = false;
+                let of_it = |round: &&mut Round| round.tried.first().is_some_and(|t| t.cause.id == cause.id);
+                self.rounds.iter_mut().filter(|round| round.taken).find(of_it).into_iter().for_each(
+                    |round| {
+                        round.taken = false;
+                    },
+                );
             }
         }
     }
@@ -251,7 +289,7 @@ impl Found<'_> {
         };
         let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
-        Some(Tried { cause: look.cause.clone(), fitted, gain, left })
+        Some(Tried { cause: look.cause.clone(), causes: model.causes, fitted, gain, left })
     }
 
     fn pays(&self, best: &Tried) -> bool {

@@ -5,7 +5,7 @@ use crate::recording::{RepairKind, Sensor};
 use super::base::Base;
 use super::causes::UNKNOWN;
 use super::fitting::Fitted;
-use super::point::{Cause, Model};
+use super::point::{Cause, Form, Model};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::search::{Found, Round, Tried};
 
@@ -13,6 +13,8 @@ use super::search::{Found, Round, Tried};
 const NOT_TOLD: f64 = 4.6;
 /// What is left may be this share of what the base simulation left: laws differ a little from nature's.
 const LEFT_SHARE: f64 = 0.01;
+/// Gusts are irregular: a few tones account for most of them, not for all.
+const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
 const EXPONENT_U: f64 = 0.2;
 const EXPONENT_NEAR: f64 = 3.0;
@@ -21,7 +23,9 @@ impl Found<'_> {
     /// Whether structure remains that nothing accounts for.
     pub fn is_unexplained(&self) -> bool {
         let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
-        unnamed || (!self.left.is_white() && self.left.excess() > LEFT_SHARE * self.base_left.excess())
+        let gusts = self.model.causes.iter().any(|cause| cause.form == Form::Gust);
+        let share = if gusts { LEFT_SHARE_OF_GUSTS } else { LEFT_SHARE };
+        unnamed || (!self.left.is_white() && self.left.excess() > share * self.base_left.excess())
     }
 
     /// The round in which the last cause was taken.
@@ -45,17 +49,12 @@ impl Found<'_> {
         let rivals = self.rivals();
         let odds = |t: &Tried| (t.gain - best.gain).exp();
         let all: f64 = 1.0 + rivals.iter().map(|t| odds(t)).sum::<f64>();
-        let model = |t: &Tried| {
-            let mut model = self.model.clone();
-            model.causes.pop();
-            model.causes.push(t.cause.clone());
-            model
-        };
+        let model = |t: &Tried| Model { causes: t.causes.clone(), ..self.model.clone() };
         rivals.iter().map(|t| (odds(t) / all, model(t), t.fitted.clone())).collect()
     }
 
     pub fn verdict(&self) -> CauseVerdict {
-        let mut named: Vec<String> = self.model.causes.iter().map(|cause| cause.id.into()).collect();
+        let mut named: Vec<String> = self.model.named().map(|cause| cause.id.into()).collect();
         named.extend(saturation(self.model.base).map(|cause| cause.id));
         let rivals: Vec<String> = self.rivals().iter().map(|t| t.cause.id.into()).collect();
         let unexplained = self.is_unexplained();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use super::super::point::{Cause, CauseParameter};
+use super::super::point::{Cause, CauseParameter, Form};
 use super::{Scales, add, cause, logarithm, number, put, strength};
 
 /// Speed and rate at which the strengths of drags are given, m/s and rad/s.
@@ -142,5 +142,34 @@ fn wind(scales: &Scales, direction_rad: f64, centre: f64) -> Cause {
         ];
         add(e, "wind", &numbers)
     });
-    Cause { one_sided: true, ..cause("wind", parameters, law) }
+    Cause { one_sided: true, ..cause(WIND, parameters, law) }
+}
+
+/// Name of the cause whose gusts are found after it.
+pub const WIND: &str = "wind";
+
+/// Names of the numbers of each tone that a wind may have.
+pub const GUSTS: [[&str; 3]; 4] = [
+    ["tone_1_hz", "tone_1_cos", "tone_1_sin"],
+    ["tone_2_hz", "tone_2_cos", "tone_2_sin"],
+    ["tone_3_hz", "tone_3_cos", "tone_3_sin"],
+    ["tone_4_hz", "tone_4_cos", "tone_4_sin"],
+];
+
+/// A tone in the wind that is there already; every swing meets it at another phase. A recording of `duration_s` tells
+/// frequencies from each other to 1/duration.
+pub fn gust(tone: [&'static str; 3], frequency_hz: f64, duration_s: f64) -> Cause {
+    let share = |name| CauseParameter { of_swing: true, ..strength(name, "1", 1.0, 0.2) };
+    let parameters = vec![
+        CauseParameter { step: 0.01 / duration_s, ..number("gust_hz", "Hz", frequency_hz, 1.0 / duration_s) },
+        share("gust_cos"),
+        share("gust_sin"),
+    ];
+    let law = put(move |q, _, e| {
+        if let Some(wind) = e.scene.effects.iter_mut().find(|effect| effect.kind.id == WIND) {
+            tone.iter().zip(q).try_for_each(|(name, value)| wind.set(name, *value))?;
+        }
+        Ok(())
+    });
+    Cause { form: Form::Gust, ..cause(WIND, parameters, law) }
 }

@@ -336,14 +336,18 @@ impl EffectValues {
         let known = || kinds.iter().map(|k| k.id).collect::<Vec<_>>().join(", ");
         let kind =
             *kinds.iter().find(|k| k.id == id).ok_or_else(|| Error::argument("effect", known(), id))?;
-        let mut values = vec![0.0; kind.numbers.len()];
-        for (name, value) in given {
-            let names = || kind.numbers.iter().map(|n| n.name).collect::<Vec<_>>().join(", ");
-            let place = kind.numbers.iter().position(|n| n.name == *name);
-            let place = place.ok_or_else(|| Error::argument(id, names(), name))?;
-            values[place] = *value;
-        }
-        Ok(Self { kind, values })
+        let mut effect = Self { kind, values: vec![0.0; kind.numbers.len()] };
+        given.iter().try_for_each(|(name, value)| effect.set(name, *value))?;
+        Ok(effect)
+    }
+
+    /// Gives a number by its name.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
+        let numbers = self.kind.numbers;
+        let names = || numbers.iter().map(|n| n.name).collect::<Vec<_>>().join(", ");
+        let place = numbers.iter().position(|n| n.name == name);
+        self.values[place.ok_or_else(|| Error::argument(self.kind.id, names(), name))?] = value;
+        Ok(())
     }
 
     /// Fails where a number that must be larger than zero is not.

@@ -17,7 +17,8 @@ numbers! {
     /// W is steady plus a gust, along x and y of the world independently: `24` sinusoids of equal size whose frequencies
     /// halve the spectrum 2σ²τ/(1 + ω²τ²) into equal parts (coloured noise of correlation time τ: M. Shinozuka and C. M.
     /// Jan, J. Sound Vib. 25 (1972) 111). Their phases follow from the seed by a hash of integers, so that a gust is
-    /// smooth and can be had again; the derivative by the seed is zero.
+    /// smooth and can be had again; the derivative by the seed is zero. Tones of given frequencies make the steady wind swell
+    /// and ebb: W = W₀ (1 + Σ aₖ cos 2π fₖ t + bₖ sin 2π fₖ t).
     pub struct Wind {
         /// ½ ρ C_D A, c.
         force_coefficient: "N s^2/m^2",
@@ -31,6 +32,30 @@ numbers! {
         gust_time_s: "s",
         /// A whole number that chooses the gusts.
         seed: "1",
+        /// Frequency of a tone of the wind, and its size as shares of the steady wind.
+        tone_1_hz: "Hz",
+        /// Of its cosine.
+        tone_1_cos: "1",
+        /// Of its sine.
+        tone_1_sin: "1",
+        /// The same of another tone.
+        tone_2_hz: "Hz",
+        /// Of its cosine.
+        tone_2_cos: "1",
+        /// Of its sine.
+        tone_2_sin: "1",
+        /// The same of another tone.
+        tone_3_hz: "Hz",
+        /// Of its cosine.
+        tone_3_cos: "1",
+        /// Of its sine.
+        tone_3_sin: "1",
+        /// The same of another tone.
+        tone_4_hz: "Hz",
+        /// Of its cosine.
+        tone_4_cos: "1",
+        /// Of its sine.
+        tone_4_sin: "1",
         /// Centre of pressure from the centre of mass, hull axes.
         centre_x_m: "m",
         /// The same.
@@ -73,6 +98,24 @@ impl<S: Real> Wind<S> {
         self.gust_m_s * sum.scale((2.0 / TONES as f64).sqrt())
     }
 
+    fn tones(&self) -> [[S; 3]; 4] {
+        [
+            [self.tone_1_hz, self.tone_1_cos, self.tone_1_sin],
+            [self.tone_2_hz, self.tone_2_cos, self.tone_2_sin],
+            [self.tone_3_hz, self.tone_3_cos, self.tone_3_sin],
+            [self.tone_4_hz, self.tone_4_cos, self.tone_4_sin],
+        ]
+    }
+
+    /// The steady wind's size over its mean.
+    fn swell(&self, t_s: S) -> S {
+        let heard = self.tones().into_iter().filter(|[hz, ..]| !hz.is_zero());
+        heard.fold(S::one(), |sum, [hz, cos, sin]| {
+            let phase = (hz * t_s).scale(TAU);
+            sum + cos * phase.cos() + sin * phase.sin()
+        })
+    }
+
     fn has_gusts(&self) -> bool {
         !self.gust_m_s.is_zero()
     }
@@ -84,7 +127,7 @@ fn squared<S: Real>(v: &V3<S>) -> V3<S> {
 
 impl<S: Real> Effect<S> for Wind<S> {
     fn load(&self, now: &Now<S>, _memory: &[S], _system: &Suspended<S>, loads: &mut Loads<S>) {
-        let mut wind = V3::new(self.steady_x_m_s, self.steady_y_m_s, S::zero());
+        let mut wind = V3::new(self.steady_x_m_s, self.steady_y_m_s, S::zero()) * self.swell(now.t_s);
         if self.has_gusts() {
             wind.x += self.gust(now.t_s, 0);
             wind.y += self.gust(now.t_s, 1);
@@ -97,7 +140,8 @@ impl<S: Real> Effect<S> for Wind<S> {
     }
 
     fn fastest_rad_s(&self, _system: &Suspended<S>) -> f64 {
-        if self.has_gusts() { tone(TONES - 1) / self.gust_time_s.value() } else { 0.0 }
+        let of_gusts = if self.has_gusts() { tone(TONES - 1) / self.gust_time_s.value() } else { 0.0 };
+        self.tones().iter().map(|[hz, ..]| TAU * hz.value().abs()).fold(of_gusts, f64::max)
     }
 }
 
