@@ -19,7 +19,7 @@ const GIVE_RAD: [f64; 3] = [0.005, 0.015, 0.045];
 const GIVE_U: f64 = 0.7;
 /// Exponent between linear and quadratic damping, and its limits.
 const EXPONENT: (f64, f64) = (0.5, 0.2);
-const EXPONENTS: (f64, f64) = (-0.5, 1.5);
+const EXPONENTS: (f64, f64) = (-0.9, 3.0);
 /// Time over which terms of a learned force that grow reach their coefficient, s.
 pub const GROWTH_S: f64 = 100.0;
 

@@ -139,10 +139,11 @@ fn told(id: &str, what: &str, words: &str, unit: &str, thirds: &[Third; 3]) -> O
     let sigma = |(a, b): &(&Third, &Third)| (off(a) - off(b)).abs() / a.u.hypot(b.u);
     let most = pairs.iter().max_by(|a, b| sigma(a).total_cmp(&sigma(b)))?;
     let each = thirds.each_ref().map(|t| {
-        format!(
-            "{:.4} ± {:.4} {unit} at {:.3} rad (simulated {:.4})",
-            t.measured, t.u, t.amplitude_rad, t.simulated
-        )
+        // Two digits of the uncertainty.
+        let decimals = (1.0 - t.u.log10().floor()).clamp(0.0, 9.0) as usize;
+        let figures = [t.measured, t.u, t.simulated].map(|x| format!("{x:.decimals$}"));
+        let [measured, u, simulated] = figures;
+        format!("{measured} ± {u} {unit} at {:.3} rad (simulated {simulated})", t.amplitude_rad)
     });
     (sigma(most) > TOLD).then(|| Discrepancy {
         swing: id.into(),

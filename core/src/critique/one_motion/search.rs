@@ -89,7 +89,12 @@ pub fn search<'a>(swings: &'a [Swing<'a>], told: &Told) -> Result<Option<Found<'
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         found.rounds.push(Round { tried, taken: taken.is_some() });
         let Some(best) = taken else { break };
+        let has_a_name = best.id != UNKNOWN;
         found.take(best);
+        // A polynomial bends to whatever there is: names found beside it would mean little.
+        if !has_a_name {
+            break;
+        }
     }
     found.prune();
     found.learn();
