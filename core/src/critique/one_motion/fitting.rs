@@ -93,6 +93,7 @@ impl Problem<'_> {
 
     fn bounded(&self, mut point: Vec<f64>) -> Vec<f64> {
         self.one_sided.iter().for_each(|k| point[*k] = point[*k].max(0.0));
+        self.swing.line_limits().for_each(|(k, most)| point[k] = point[k].clamp(-most, most));
         point
     }
 

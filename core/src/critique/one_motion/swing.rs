@@ -43,6 +43,8 @@ const LEAST_LINE_DB: f64 = 20.0;
 const FREQUENCY_U: f64 = 0.3;
 pub const DAMPING_U: f64 = 0.1;
 const LINE_U: f64 = 0.02;
+/// A line stays where the spectrum has it to this: one that wandered to the swing's own frequency would take a part of the swing.
+const LINE_STAYS: f64 = 0.05;
 /// Steps of numerical derivatives, in widths of the priors.
 const STEP: f64 = 1e-5;
 
@@ -161,10 +163,16 @@ impl<'a> Swing<'a> {
         priors
     }
 
-    /// Places of what cannot be below zero.
+    /// Places of the logarithms of the lines' frequencies, and how far each may be from that of the spectrum.
+    pub fn line_limits(&self) -> impl Iterator<Item = (usize, f64)> {
+        (0..self.lines.len()).map(|l| (OWN + LINE * l, LINE_STAYS))
+    }
+
+    /// Places of what cannot be below zero: damping of the swing and of the lines, strengths.
     pub fn one_sided(&self, causes: &[&Cause]) -> Vec<usize> {
         let mut place = self.first_cause();
         let mut places = vec![DAMPING];
+        places.extend((0..self.lines.len()).map(|l| OWN + LINE * l + 1));
         for cause in causes {
             for CauseParameter { is_strength, .. } in &cause.parameters {
                 if cause.one_sided && *is_strength {
