@@ -1,7 +1,7 @@
 //! The criticism of swings that a gyroscope alone saw.
 //!
 //! Synthetic swings are drawn afresh and integrated here, by the rule of Runge and Kutta, not by the code under test.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 mod common;
 
