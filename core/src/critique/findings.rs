@@ -29,36 +29,62 @@ pub fn findings(model: &Model, fitted: &Fitted, left: &Left) -> Result<Vec<Discr
 fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepancy>> {
     let mut all = Vec::new();
     for (s, swung) in model.base.swings.iter().enumerate() {
-        let id = &swung.setup.swing.id;
-        let mut bands: Vec<&Band> = left.bands.iter().filter(|b| b.swing == s).collect();
+        let bands: Vec<&Band> = left.bands.iter().filter(|b| b.swing == s).collect();
         if bands.is_empty() {
             continue;
         }
         let rows = model.rows(point, s)?;
-        let excess: f64 = bands.iter().map(|b| b.excess).sum();
-        let rms = (rows.iter().map(|r| r * r).sum::<f64>() / rows.len().max(1) as f64).sqrt();
-        all.push(Discrepancy {
-            swing: id.clone(),
-            what: "structure".into(),
-            size: rms,
-            unit: "1".into(),
-            sigma: excess.sqrt(),
-            text: format!(
-                "{id}: the simulation leaves {rms:.2} times the noise, and what it leaves is not noise"
-            ),
-        });
-        all.extend(against_time(model, s, &rows));
-        bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));
-        all.extend(bands.iter().take(LINES).map(|band| line(id, band, rows.len())));
+        let times: Vec<f64> = model.blocks(s).iter().map(|block| block.t_s).collect();
+        let id = &swung.setup.swing.id;
+        let record = Record { id, rows: &rows, times_s: &times, duration_s: swung.samples.duration_s };
+        all.extend(structure_of(&record, 6, bands, &|channel| {
+            let sensor = if channel < 3 { "gyroscope" } else { "accelerometer" };
+            format!("the {sensor}'s {} axis", AXES[channel % 3])
+        }));
     }
     Ok(all)
 }
 
-fn line(id: &str, band: &Band, rows: usize) -> Discrepancy {
-    let sensor = if band.channel < 3 { "gyroscope" } else { "accelerometer" };
+/// Residuals of a swing over their noise, so many rows at each time.
+pub struct Record<'a> {
+    pub id: &'a str,
+    pub rows: &'a [f64],
+    pub times_s: &'a [f64],
+    pub duration_s: f64,
+}
+
+/// The same of one swing with so many channels, each of a name.
+pub fn structure_of(
+    record: &Record,
+    channels: usize,
+    mut bands: Vec<&Band>,
+    name: &dyn Fn(usize) -> String,
+) -> Vec<Discrepancy> {
+    let Record { id, rows, .. } = *record;
+    let excess: f64 = bands.iter().map(|b| b.excess).sum();
+    let rms = (rows.iter().map(|r| r * r).sum::<f64>() / rows.len().max(1) as f64).sqrt();
+    let mut all = vec![Discrepancy {
+        swing: id.into(),
+        what: "structure".into(),
+        size: rms,
+        unit: "1".into(),
+        sigma: excess.sqrt(),
+        text: format!(
+            "{id}: the simulation leaves {rms:.2} times the noise, and what it leaves is not noise"
+        ),
+    }];
+    all.extend(against_time(record));
+    bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));
+    all.extend(
+        bands.iter().take(LINES).map(|band| line(id, band, rows.len() / channels, &name(band.channel))),
+    );
+    all
+}
+
+fn line(id: &str, band: &Band, rows_of_channel: usize, channel: &str) -> Discrepancy {
     let middle_hz = 0.5 * (band.from_hz + band.to_hz);
     // A sinusoid of amplitude a (in noise) adds n a²/2 to χ² of n samples.
-    let size = (2.0 * band.excess / (rows as f64 / 6.0)).sqrt();
+    let size = (2.0 * band.excess / rows_of_channel as f64).sqrt();
     Discrepancy {
         swing: id.into(),
         what: "line_in_spectrum".into(),
@@ -66,28 +92,26 @@ fn line(id: &str, band: &Band, rows: usize) -> Discrepancy {
         unit: "1".into(),
         sigma: band.sigma,
         text: format!(
-            "{id}: about {middle_hz:.3} Hz the {sensor}'s {} axis moves by {size:.2} times its noise more than simulated",
-            AXES[band.channel % 3]
+            "{id}: about {middle_hz:.3} Hz {channel} moves by {size:.2} times its noise more than simulated"
         ),
     }
 }
 
 /// Whether more is left at the beginning or at the end: by the halves of the record.
-fn against_time(model: &Model, s: usize, rows: &[f64]) -> Option<Discrepancy> {
-    let blocks = model.blocks(s);
-    let half_s = 0.5 * model.swing(s).samples.duration_s;
+fn against_time(record: &Record) -> Option<Discrepancy> {
+    let Record { id, rows, times_s, duration_s } = *record;
+    let (half_s, size) = (0.5 * duration_s, rows.len() / times_s.len().max(1));
     let (mut sums, mut counts) = ([0.0; 2], [0.0; 2]);
-    for (block, row) in blocks.iter().zip(rows.chunks_exact(3)) {
-        let k = usize::from(block.t_s > half_s);
+    for (t_s, row) in times_s.iter().zip(rows.chunks_exact(size.max(1))) {
+        let k = usize::from(*t_s > half_s);
         sums[k] += row.iter().map(|r| r * r).sum::<f64>();
-        counts[k] += 3.0;
+        counts[k] += size as f64;
     }
     let [early, late] = [0, 1].map(|k| sums[k] / f64::max(counts[k], 1.0));
     let sigma = (early - late).abs() / (2.0 / counts[0].max(1.0) + 2.0 / counts[1].max(1.0)).sqrt();
     let (more, less) = if early > late { ("first", "second") } else { ("second", "first") };
-    let id = &model.swing(s).setup.swing.id;
     (sigma > 5.0).then(|| Discrepancy {
-        swing: id.clone(),
+        swing: id.into(),
         what: "residual_vs_time".into(),
         size: early.sqrt() - late.sqrt(),
         unit: "1".into(),

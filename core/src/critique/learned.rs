@@ -1,6 +1,8 @@
 //! The missing force where no known cause accounts for it: learned inside the simulation, and the simplest closed form
 //! that does as well.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::causes::{Scales, TERMS, UNKNOWN, learned_force, reach};
 use super::fitting::Fitted;
 use super::look::Look;
@@ -122,7 +124,7 @@ fn closed_form(before: &Model, without: &Fitted, scales: &Scales, coordinate: us
 }
 
 /// A term's letters and what they are over.
-fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (String, f64) {
+pub fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (String, f64) {
     let (mut text, mut scale) = (String::new(), 1.0);
     for letter in term.chars() {
         let (symbol, by) = match letter {
@@ -136,7 +138,7 @@ fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (Strin
     (text, scale)
 }
 
-fn in_words(term: &str) -> &'static str {
+pub fn in_words(term: &str) -> &'static str {
     match term {
         "xx" => "a spring that is stiffer on one side",
         "xv" => "a drag that is stronger on one side",
@@ -155,13 +157,26 @@ fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
     let cause = found.model.causes.last()?;
     let values = found.fitted.point.causes.last()?;
     let covariance = found.fitted.covariance()?;
-    let first = found.fitted.place_of_last(values.len());
+    let (first, size) = (found.fitted.place_of_last(values.len()), values.len());
+    let terms: Vec<&str> = cause.parameters.iter().map(|p| p.name).collect();
     let factor = cause.parameters.first()?.factor;
+    let own = covariance.view((first, first), (size, size)).into_owned();
+    Some(grid(&terms, (values, &own), factor, (position, rate)))
+}
+
+/// A force by terms with coefficients and their covariance, times a factor: rows of position, rate, time, force, its standard
+/// uncertainty.
+pub fn grid(
+    terms: &[&str],
+    (values, covariance): (&[f64], &DMatrix<f64>),
+    factor: f64,
+    (position, rate): (f64, f64),
+) -> Vec<[f64; 5]> {
     let mut points = Vec::new();
     for t_s in [0.0, 100.0] {
         for x in GRID {
             for v in GRID {
-                let of = |term: &str| {
+                let of = |term: &&str| {
                     term.chars().fold(-factor, |product, letter| {
                         product
                             * match letter {
@@ -171,17 +186,12 @@ fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
                             }
                     })
                 };
-                let row: Vec<f64> = cause.parameters.iter().map(|p| of(p.name)).collect();
-                let force: f64 = row.iter().zip(values).map(|(r, q)| r * q).sum();
-                let mut variance = 0.0;
-                for (i, a) in row.iter().enumerate() {
-                    for (j, b) in row.iter().enumerate() {
-                        variance += a * b * covariance[(first + i, first + j)];
-                    }
-                }
+                let row = DVector::from_iterator(terms.len(), terms.iter().map(of));
+                let force = row.iter().zip(values).map(|(r, q)| r * q).sum();
+                let variance = row.dot(&(covariance * &row));
                 points.push([x * position, v * rate, t_s, force, variance.max(0.0).sqrt()]);
             }
         }
     }
-    Some(points)
+    points
 }

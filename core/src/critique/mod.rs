@@ -12,6 +12,7 @@ mod linear;
 mod look;
 mod moments;
 mod next_swing;
+mod one_motion;
 mod point;
 mod quantities;
 mod result;
@@ -58,7 +59,8 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     told.at(0.05, "fitting each swing")?;
     let Prepared { works, system, inclines, warnings } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
-        return by_periods_alone();
+        let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, &told)?;
+        return turning.map_or_else(by_periods_alone, Ok);
     };
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };

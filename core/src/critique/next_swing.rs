@@ -41,17 +41,21 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
             }
         }
     }
-    best.map(|swing| longer(swing, found.model.causes.last().map_or("", |c| c.id), rival.cause.id))
+    best.map(|swing| in_words(longer(swing), found.model.causes.last().map_or("", |c| c.id), rival.cause.id))
 }
 
 /// As long as it takes to decide.
-fn longer(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {
+pub fn longer(mut swing: NextSwing) -> NextSwing {
     let recorded_s = swing.duration_s;
     let sigma_at = |t_s: f64| swing.sigma * (t_s / recorded_s).powf(1.5);
     let enough = DURATIONS_S.into_iter().find(|t_s| sigma_at(*t_s) > DECISIVE);
     let duration_s = enough.unwrap_or(DURATIONS_S[DURATIONS_S.len() - 1]);
     swing.sigma = sigma_at(duration_s);
     swing.duration_s = duration_s;
+    swing
+}
+
+fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {
     swing.text = format!(
         "swing {} at {:.0}° on lines of {:.2} m, {:.2} m apart, for {:.0} s: {one} and {other} then differ by {:.0} standard deviations",
         swing.excited.join(" and "),

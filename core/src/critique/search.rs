@@ -15,11 +15,11 @@ use super::white::Left;
 pub const LEAST_GAIN: f64 = 7.0;
 /// Where nothing is left to see, a further cause must gain more than this, and more than this share of the first's gain:
 /// laws that differ a little from nature's leave something for others to pick up.
-const FURTHER_GAIN: f64 = 14.0;
-const FURTHER_SHARE: f64 = 3e-3;
+pub const FURTHER_GAIN: f64 = 14.0;
+pub const FURTHER_SHARE: f64 = 3e-3;
 /// A further cause must take so much of what is left beyond noise.
-const FURTHER_TAKES: f64 = 0.7;
-const MOST_CAUSES: usize = 3;
+pub const FURTHER_TAKES: f64 = 0.7;
+pub const MOST_CAUSES: usize = 3;
 /// What is being done when the leading causes are tried.
 const FULL: &str = "fitting the leading causes in full";
 /// So many are fitted in full in a round.
@@ -38,9 +38,9 @@ const FAR: f64 = 2.0;
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
-const UNNAMED_FROM: f64 = 0.01;
+pub const UNNAMED_FROM: f64 = 0.01;
 /// … and come first where they leave less than this share of that.
-const UNNAMED_LEAVES: f64 = 0.1;
+pub const UNNAMED_LEAVES: f64 = 0.1;
 
 /// Name of the parameter that says when something happened.
 const MOMENT: &str = "at_s";

@@ -10,14 +10,14 @@ use super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::search::{Found, Round, Tried};
 
 /// Causes within this of the best, natural logarithm of the evidence, are not told from it: odds of 100 to 1.
-const NOT_TOLD: f64 = 4.6;
+pub const NOT_TOLD: f64 = 4.6;
 /// What is left may be this share of what the base simulation left: laws differ a little from nature's.
-const LEFT_SHARE: f64 = 0.01;
+pub const LEFT_SHARE: f64 = 0.01;
 /// Gusts are irregular: a few tones account for most of them, not for all.
 const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
-const EXPONENT_U: f64 = 0.2;
-const EXPONENT_NEAR: f64 = 3.0;
+pub const EXPONENT_U: f64 = 0.2;
+pub const EXPONENT_NEAR: f64 = 3.0;
 
 impl Found<'_> {
     /// Whether structure remains that nothing accounts for.
@@ -71,36 +71,8 @@ impl Found<'_> {
         let indistinguishable_from = if status == "ambiguous" { rivals } else { vec![] };
         let mut verdict =
             CauseVerdict { status: status.into(), causes, indistinguishable_from, ..Default::default() };
-        verdict.text = self.in_words(&verdict);
+        verdict.text = in_words(&verdict);
         verdict
-    }
-
-    fn in_words(&self, verdict: &CauseVerdict) -> String {
-        let named = verdict
-            .causes
-            .iter()
-            .filter(|id| *id != UNKNOWN)
-            .map(|id| named_of(id))
-            .collect::<Vec<_>>()
-            .join(", and ");
-        match &*verdict.status {
-            "adequate" => "The simulation accounts for everything that the recordings show.".into(),
-            "explained" => format!("What the simulation left out: {named}."),
-            "ambiguous" => {
-                let others: Vec<&str> =
-                    verdict.indistinguishable_from.iter().map(|id| named_of(id)).collect();
-                format!(
-                    "What the simulation left out: {named}; but these recordings cannot tell that from: {}.",
-                    others.join("; or: ")
-                )
-            }
-            _ if named.is_empty() => {
-                "Something acts on the hull or the phone that no known cause accounts for.".into()
-            }
-            _ => format!(
-                "The simulation left out that {named}; and something remains that no known cause accounts for."
-            ),
-        }
     }
 
     /// Every cause of the rounds with its probability in its round; those taken first.
@@ -115,6 +87,7 @@ impl Found<'_> {
                 if !taken && list.iter().any(|known| known.id == tried.cause.id) {
                     continue;
                 }
+                list.retain(|known| known.id != tried.cause.id);
                 list.push(CauseResult {
                     id: tried.cause.id.into(),
                     probability: odds(tried.gain) / all,
@@ -138,6 +111,34 @@ impl Found<'_> {
         list.extend(saturation(self.model.base));
         list.sort_by(|a, b| b.taken.cmp(&a.taken).then(b.probability.total_cmp(&a.probability)));
         list
+    }
+}
+
+/// A verdict as a sentence.
+pub fn in_words(verdict: &CauseVerdict) -> String {
+    let named = verdict
+        .causes
+        .iter()
+        .filter(|id| *id != UNKNOWN)
+        .map(|id| named_of(id))
+        .collect::<Vec<_>>()
+        .join(", and ");
+    match &*verdict.status {
+        "adequate" => "The simulation accounts for everything that the recordings show.".into(),
+        "explained" => format!("What the simulation left out: {named}."),
+        "ambiguous" => {
+            let others: Vec<&str> = verdict.indistinguishable_from.iter().map(|id| named_of(id)).collect();
+            format!(
+                "What the simulation left out: {named}; but these recordings cannot tell that from: {}.",
+                others.join("; or: ")
+            )
+        }
+        _ if named.is_empty() => {
+            "Something acts on the hull or the phone that no known cause accounts for.".into()
+        }
+        _ => format!(
+            "The simulation left out that {named}; and something remains that no known cause accounts for."
+        ),
     }
 }
 
@@ -209,7 +210,7 @@ fn parameters(tried: &Tried) -> std::collections::BTreeMap<String, ParameterResu
 }
 
 /// What a cause is, as a sentence.
-fn sentence(id: &str) -> String {
+pub fn sentence(id: &str) -> String {
     let text = named_of(id);
     let mut letters = text.chars();
     letters

@@ -66,12 +66,9 @@ impl Left {
             let mut bands = Vec::new();
             for (stream, residuals) in residuals.iter().enumerate() {
                 let t_s = &model.swing(s).samples.streams[stream].t_s;
-                let first = t_s.partition_point(|t| *t < SETTLING_S);
                 for axis in 0..3 {
-                    let values: Vec<f64> = residuals[first..].iter().map(|r| r[axis]).collect();
-                    let span_s = t_s.last().unwrap_or(&0.0) - t_s.get(first).unwrap_or(&0.0);
-                    let place = (s, 3 * stream + axis);
-                    bands.extend(in_channel(place, &values, span_s, FALSE_ALARM / channels as f64));
+                    let values: Vec<f64> = residuals.iter().map(|r| r[axis]).collect();
+                    bands.extend(in_record((s, 3 * stream + axis), t_s, &values, channels));
                 }
             }
             Ok(bands)
@@ -79,6 +76,13 @@ impl Left {
         let bands = found.into_iter().collect::<Result<Vec<_>>>()?.concat();
         Ok(Self { bands })
     }
+}
+
+/// Bands of one channel's residuals, over their noise, in a session of so many channels.
+pub fn in_record(place: (usize, usize), t_s: &[f64], residuals: &[f64], channels: usize) -> Vec<Band> {
+    let first = t_s.partition_point(|t| *t < SETTLING_S);
+    let span_s = t_s.last().unwrap_or(&0.0) - t_s.get(first).unwrap_or(&0.0);
+    in_channel(place, &residuals[first..], span_s, FALSE_ALARM / channels as f64)
 }
 
 /// Bands of one channel's residual, over its noise, that hold more than chance gives them.

@@ -18,6 +18,6 @@ mod scene;
 mod session;
 
 pub use fit::Statement;
-pub use record::{Samples, Sensor, Stream};
+pub use record::{Samples, Sensor, Stream, Turning};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup};
 pub use session::FittedSwing;

@@ -32,7 +32,46 @@ pub struct Stream {
     pub blocks: Vec<Range<usize>>,
 }
 
+/// Start of the part that is used, s by the phone's clock, and its duration, s.
+fn inside(evidence: &Evidence) -> (f64, f64) {
+    let start_s = evidence.span.start_s + MARGIN_S;
+    (start_s, evidence.span.end_s - MARGIN_S - start_s)
+}
+
+/// What the gyroscope alone says of a swing.
+pub struct Turning {
+    pub stream: Stream,
+    /// Start by the phone's clock, s, and duration, s.
+    pub start_s: f64,
+    pub duration_s: f64,
+}
+
+impl Turning {
+    /// From what was found in a phone's record; `None` without a gyroscope.
+    pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
+        let block_s = fastest_period_s * BLOCK_OF_PERIOD;
+        let stream = Stream::of(evidence, Sensor::Gyroscope, evidence.map.gyroscope?, block_s)?;
+        let (start_s, duration_s) = inside(evidence);
+        (duration_s > 0.0).then_some(Self { stream, start_s, duration_s })
+    }
+}
+
 impl Stream {
+    /// Three channels from the first one of a sensor's on, averaged over blocks no longer than `block_s`.
+    fn of(evidence: &Evidence, sensor: Sensor, first: usize, block_s: f64) -> Option<Self> {
+        let (start_s, duration_s) = inside(evidence);
+        let group = evidence.groups.get(first / 3)?;
+        let axis = |c: usize| group.channels.get(c);
+        let (x, y, z) = (axis(0)?, axis(1)?, axis(2)?);
+        let noise = Vec3::from_fn(|c, _| evidence.found.noise.get(first + c).copied().unwrap_or(0.0));
+        let inside = group.t_s.partition_point(|t| *t < start_s)
+            ..group.t_s.partition_point(|t| *t <= start_s + duration_s);
+        let t_s: Vec<f64> = group.t_s.get(inside.clone())?.iter().map(|t| t - start_s).collect();
+        let values = inside.map(|i| Vec3::new(x[i], y[i], z[i])).collect();
+        let blocks = blocks(&t_s, block_s);
+        (noise.min() > 0.0).then_some(Self { sensor, t_s, values, noise, blocks })
+    }
+
     /// Leaves out samples so near to a gap of lost ones, s.
     pub fn leave_out_beside_gaps(&mut self, beside_s: f64) {
         let mut steps: Vec<f64> = self.t_s.windows(2).map(|t| t[1] - t[0]).collect();
@@ -78,25 +117,12 @@ impl Samples {
         if map.gravity_free {
             return None;
         }
-        let (up, start_s) = (evidence.up?, evidence.span.start_s + MARGIN_S);
-        let duration_s = evidence.span.end_s - MARGIN_S - start_s;
-        let block_s = fastest_period_s * BLOCK_OF_PERIOD;
-        let stream = |sensor: Sensor, first: usize| {
-            let group = evidence.groups.get(first / 3)?;
-            let axis = |c: usize| group.channels.get(c);
-            let (x, y, z) = (axis(0)?, axis(1)?, axis(2)?);
-            let noise = Vec3::from_fn(|c, _| evidence.found.noise.get(first + c).copied().unwrap_or(0.0));
-            let inside = group.t_s.partition_point(|t| *t < start_s)
-                ..group.t_s.partition_point(|t| *t <= start_s + duration_s);
-            let t_s: Vec<f64> = group.t_s.get(inside.clone())?.iter().map(|t| t - start_s).collect();
-            let values = inside.map(|i| Vec3::new(x[i], y[i], z[i])).collect();
-            let blocks = blocks(&t_s, block_s);
-            (noise.min() > 0.0).then_some(Stream { sensor, t_s, values, noise, blocks })
-        };
+        let (up, block_s) = (evidence.up?, fastest_period_s * BLOCK_OF_PERIOD);
         let streams = vec![
-            stream(Sensor::Gyroscope, map.gyroscope?)?,
-            stream(Sensor::Accelerometer, map.accelerometer?)?,
+            Stream::of(evidence, Sensor::Gyroscope, map.gyroscope?, block_s)?,
+            Stream::of(evidence, Sensor::Accelerometer, map.accelerometer?, block_s)?,
         ];
+        let (_, duration_s) = inside(evidence);
         (duration_s > 0.0).then_some(Self { streams, duration_s, up })
     }
 }
