@@ -7,7 +7,7 @@ use crate::dynamics::real::{Real, V3};
 use crate::error::{Error, Result};
 
 /// ω times the length of a step.
-const STEP: f64 = 1.0;
+const STEP: f64 = 0.5;
 /// More steps than these are a slip of the pen.
 const MOST_STEPS: f64 = 5e6;
 /// Nodes and weights on 0 … 1 (order 8): the error of a step is STEP⁹/2e9 of the drive's.
