@@ -70,14 +70,20 @@ def periods(t_s: Numbers, rate_rad_s: Numbers) -> tuple[Numbers, Numbers]:
 def draw(name: str, critique: gyradius.Critique) -> None:
     """The residuals and the periods of a session of one swing."""
     trace = critique.traces[0]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3), constrained_layout=True)
-    for label, simulated in (("base", trace.base), ("extended", trace.extended)):
-        left.plot(trace.t_s, (trace.measured - simulated) / trace.noise, ".", markersize=0.6, label=label)
-        right.plot(*periods(trace.t_s, simulated), "-", linewidth=0.8, label=label)
-    right.plot(*periods(trace.t_s, trace.measured), ".", color="black", markersize=3, label="measured")
-    left.set(xlabel="time, s", ylabel="residual over noise")
-    right.set(xlabel="amplitude, rad", ylabel="period, s")
-    right.legend()
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.2), constrained_layout=True)
+    colours = {"base simulation": "tab:orange", "with what is missing": "tab:blue"}
+    simulated = dict(zip(colours, (trace.base, trace.extended), strict=True))
+    for label, colour in colours.items():
+        left.plot(trace.t_s, (trace.measured - simulated[label]) / trace.noise, ".", markersize=0.8, color=colour)
+        amplitude, period = periods(trace.t_s, simulated[label])
+        right.plot(np.degrees(amplitude), period, "-", linewidth=1.2, color=colour, label=label)
+    amplitude, period = periods(trace.t_s, trace.measured)
+    right.plot(np.degrees(amplitude), period, ".", color="black", markersize=5, label="measured")
+    left.set(xlabel="time, s", ylabel="measured less simulated, over noise", title="What is left")
+    right.set(xlabel="amplitude, degrees", ylabel="period, s", title=f"Period of {CYCLES} swings")
+    right.legend(frameon=False)
+    for axes in (left, right):
+        axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(HERE / "real" / f"{name}.png", dpi=110)
     plt.close(figure)
 

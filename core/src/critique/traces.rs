@@ -4,13 +4,13 @@ use crate::error::Result;
 use crate::frames::Vec3;
 use crate::inertia::samples::Sensor;
 
-use super::point::Model;
+use super::point::{Model, SETTLING_S};
 use super::result::SwingTrace;
 use super::search::Found;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// For each swing the channel that moves most against its noise, by both simulations.
+/// For each swing the channel that moves most against its noise, by both simulations, from where they are compared.
 pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
     let one = |s: usize| -> Result<SwingTrace> {
         let swung = base.swing(s);
@@ -18,7 +18,8 @@ pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
         let after = found.model.readings(&found.fitted.point, s)?;
         let (stream, axis) = strongest(base, s);
         let samples = &swung.samples.streams[stream];
-        let part = |readings: &[Vec3]| readings.iter().map(|r| r[axis]).collect();
+        let first = samples.t_s.partition_point(|t| *t < SETTLING_S);
+        let part = |readings: &[Vec3]| readings[first..].iter().map(|r| r[axis]).collect();
         let (what, unit) = match samples.sensor {
             Sensor::Gyroscope => ("turn rate about", "rad/s"),
             Sensor::Accelerometer => ("acceleration along", "m/s²"),
@@ -28,7 +29,7 @@ pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
             channel: format!("{what} the phone's {}", AXES[axis]),
             unit: unit.into(),
             noise: samples.noise[axis],
-            t_s: samples.t_s.clone(),
+            t_s: samples.t_s[first..].to_vec(),
             measured: part(&samples.values),
             base: part(&before[stream]),
             extended: part(&after[stream]),

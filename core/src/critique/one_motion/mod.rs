@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::FORMAT;
+use super::point::SETTLING_S;
 use super::result::{CauseVerdict, Criticism, Critique, Gain, ModelResult, SwingTrace};
 use super::search::Told;
 use super::shifts;
@@ -133,18 +134,21 @@ fn quantities(
     result.quantities
 }
 
-/// The turn about each swing's axis, measured and by both simulations.
+/// The turn about each swing's axis, measured and by both simulations, from where they are compared.
 fn traces(found: &Found) -> Option<Vec<SwingTrace>> {
     let one = |s: usize| {
         let swing = &found.swings[s];
-        let of = |model: &Extended| swing.readings(&model.fits[s].point, &model.causes_of(swing));
+        let first = swing.stream.t_s.partition_point(|t| *t < SETTLING_S);
+        let of = |model: &Extended| {
+            Some(swing.readings(&model.fits[s].point, &model.causes_of(swing))?.split_off(first))
+        };
         Some(SwingTrace {
             swing: swing.id.into(),
             channel: "turn rate about the axis of the swing".into(),
             unit: "rad/s".into(),
             noise: swing.noise_rad_s,
-            t_s: swing.stream.t_s.clone(),
-            measured: swing.rates_rad_s.clone(),
+            t_s: swing.stream.t_s[first..].to_vec(),
+            measured: swing.rates_rad_s[first..].to_vec(),
             base: of(&found.base)?,
             extended: of(&found.best)?,
         })
