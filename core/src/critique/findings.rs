@@ -1,24 +1,37 @@
 //! What the base simulation gets wrong, as sentences.
 
+use num_complex::Complex64;
+
 use crate::error::Result;
+use crate::frames::Vec3;
 use crate::inertia::parameters::Role;
-use crate::recording::RepairKind;
+use crate::inertia::samples::Sensor;
+use crate::inertia::words::mode_text;
+use crate::recording::{ModeName, RepairKind};
+use crate::signal::{FittedMode, Pole};
 
 use super::base::Base;
 use super::fitting::Fitted;
 use super::point::{Model, Point};
 use super::result::Discrepancy;
+use super::seen::Seen;
+use super::shape::{direction, energy, shape};
 use super::white::{Band, Left};
 
 /// A stated dimension that is pulled by more standard uncertainties is told of.
 const PULLED: f64 = 3.0;
 /// Lines told of in each swing.
 const LINES: usize = 3;
+/// So many motions of each swing are followed by themselves.
+const MOTIONS: usize = 2;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Everything found, the most significant first.
 pub fn findings(model: &Model, fitted: &Fitted, left: &Left) -> Result<Vec<Discrepancy>> {
     let mut all = structure(model, &fitted.point, left)?;
+    for s in 0..model.base.swings.len() {
+        all.extend(motions(model, &fitted.point, s)?);
+    }
     all.extend(dimensions(model.base, &fitted.point));
     all.extend(saturated(model.base));
     all.sort_by(|a, b| b.sigma.total_cmp(&a.sigma));
@@ -43,6 +56,45 @@ fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepanc
         }));
     }
     Ok(all)
+}
+
+/// The strongest turns of a swing, each about its axis: period and decay against amplitude, what is left against phase.
+fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
+    let swung = model.swing(s);
+    let (evidence, streams) = (swung.evidence, &swung.samples.streams);
+    let Some(stream) = streams.iter().position(|stream| stream.sensor == Sensor::Gyroscope) else {
+        return Ok(vec![]);
+    };
+    let (samples, readings) = (&streams[stream], model.readings(point, s)?);
+    let poles: Vec<Pole> = evidence.found.modes.iter().map(pole).collect();
+    let mut turns: Vec<(usize, [Complex64; 3])> = Vec::new();
+    for (m, mode) in evidence.found.modes.iter().enumerate() {
+        turns.extend(evidence.map.gyroscope.and_then(|first| shape(mode, first)).map(|shape| (m, shape)));
+    }
+    turns.sort_by(|a, b| energy(&b.1).total_cmp(&energy(&a.1)));
+    let mut all = Vec::new();
+    for (m, shape) in turns.into_iter().take(MOTIONS) {
+        let axis = direction(&shape);
+        let along = |values: &[Vec3]| values.iter().map(|v| v.dot(&axis)).collect::<Vec<f64>>();
+        let others: Vec<Pole> = (0..poles.len()).filter(|o| *o != m).map(|o| poles[o]).collect();
+        let seen = Seen {
+            swing: &swung.setup.swing.id,
+            motion: mode_text(evidence.named.get(m).map_or(ModeName::Other, |named| named.name)),
+            t_s: &samples.t_s,
+            measured_rad_s: &along(&samples.values),
+            simulated_rad_s: &along(&readings[stream]),
+            noise_rad_s: samples.noise.component_mul(&axis).norm(),
+            duration_s: swung.samples.duration_s,
+            mode: poles[m],
+            others: &others,
+        };
+        all.extend(seen.findings());
+    }
+    Ok(all)
+}
+
+fn pole(mode: &FittedMode) -> Pole {
+    Pole { omega_rad_s: mode.omega_rad_s, alpha_per_s: mode.alpha_per_s }
 }
 
 /// Residuals of a swing over their noise, so many rows at each time.

@@ -17,6 +17,8 @@ mod point;
 mod quantities;
 mod result;
 mod search;
+mod seen;
+mod shape;
 mod traces;
 mod verdict;
 mod white;
@@ -85,7 +87,10 @@ fn conclude(
     warnings: Vec<String>,
 ) -> Result<Criticism> {
     let (before, rows) = Found::held_out(base, &found.base)?;
-    let (after, _) = Found::held_out(&found.model, &found.fitted)?;
+    let after = match found.model.causes[..] {
+        [] => before,
+        _ => Found::held_out(&found.model, &found.fitted)?.0,
+    };
     let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
     let baseline = ModelResult {
         rms_over_noise: Some(found.base.rms()),
@@ -97,7 +102,7 @@ fn conclude(
         heldout_rms_over_noise: Some(rms(after)),
         quantities: quantities(&found.model, &found.fitted, found.left.inflation(), inclines)?,
     };
-    for (weight, model, fitted) in found.rivals_in_full() {
+    for (weight, model, fitted) in found.rivals_in_full().into_iter().chain(found.doubts()) {
         let other = quantities(&model, &fitted, 1.0, inclines)?;
         widen(&mut extended.quantities, &other, weight);
     }

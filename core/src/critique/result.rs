@@ -51,8 +51,8 @@ pub struct ModelResult {
 pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
-    /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time`, `line_in_spectrum`, `jump`,
-    /// `saturated`, `between_swings`, `dimension`.
+    /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time`, `residual_vs_phase`,
+    /// `line_in_spectrum`, `across_the_axis`, `saturated`, `between_swings`, `dimension`.
     pub what: String,
     /// How large it is.
     pub size: f64,

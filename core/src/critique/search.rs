@@ -20,6 +20,8 @@ pub const FURTHER_SHARE: f64 = 3e-3;
 /// A further cause must take so much of what is left beyond noise.
 pub const FURTHER_TAKES: f64 = 0.7;
 pub const MOST_CAUSES: usize = 3;
+/// A cause so far below what is asked may still be there, at odds of 1 to 150, and move what is sought: it is fitted and allowed for.
+const DOUBTFUL: f64 = 5.0;
 /// What is being done when the leading causes are tried.
 const FULL: &str = "fitting the leading causes in full";
 /// So many are fitted in full in a round.
@@ -241,7 +243,8 @@ impl Found<'_> {
     }
 
     fn fitted_in_full(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
-        let promises = |look: &Look| look.gain > if self.left.is_white() { LEAST_GAIN - 2.0 } else { 0.0 };
+        let promises =
+            |look: &Look| look.gain > if self.left.is_white() { self.asked() - DOUBTFUL } else { 0.0 };
         let leading: Vec<Look> = looks
             .into_iter()
             .filter(promises)
@@ -293,14 +296,16 @@ impl Found<'_> {
     }
 
     fn pays(&self, best: &Tried) -> bool {
-        let Some(first) = self.rounds.first().and_then(|round| round.tried.first()) else {
-            return best.gain > LEAST_GAIN;
-        };
-        if self.left.is_white() {
-            best.gain > FURTHER_GAIN.max(FURTHER_SHARE * first.gain)
-        } else {
-            best.gain > LEAST_GAIN && best.left.excess() < (1.0 - FURTHER_TAKES) * self.left.excess()
+        if self.rounds.is_empty() || self.left.is_white() {
+            return best.gain > self.asked();
         }
+        best.gain > LEAST_GAIN && best.left.excess() < (1.0 - FURTHER_TAKES) * self.left.excess()
+    }
+
+    /// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.
+    pub fn asked(&self) -> f64 {
+        let first = self.rounds.first().filter(|round| round.taken).and_then(|round| round.tried.first());
+        first.map_or(LEAST_GAIN, |first| FURTHER_GAIN.max(FURTHER_SHARE * first.gain))
     }
 }
 

@@ -47,10 +47,25 @@ impl Found<'_> {
     pub fn rivals_in_full(&self) -> Vec<(f64, Model<'_>, Fitted)> {
         let Some(best) = self.decisive().and_then(|round| round.tried.first()) else { return vec![] };
         let rivals = self.rivals();
-        let odds = |t: &Tried| (t.gain - best.gain).exp();
-        let all: f64 = 1.0 + rivals.iter().map(|t| odds(t)).sum::<f64>();
+        self.weighed(best.gain, &rivals)
+    }
+
+    /// Causes that were not taken and yet may be there, as models: where no more is to be seen, each has the odds of its evidence over
+    /// that which would have been asked of it.
+    pub fn doubts(&self) -> Vec<(f64, Model<'_>, Fitted)> {
+        let Some(round) = self.rounds.last().filter(|round| !round.taken && self.left.is_white()) else {
+            return vec![];
+        };
+        let known = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
+        self.weighed(self.asked(), &round.tried.iter().filter(known).collect::<Vec<_>>())
+    }
+
+    /// Causes as models, weighed by their evidence beside a model of a given one.
+    fn weighed(&self, gain: f64, others: &[&Tried]) -> Vec<(f64, Model<'_>, Fitted)> {
+        let odds = |t: &Tried| (t.gain - gain).exp();
+        let all: f64 = 1.0 + others.iter().map(|t| odds(t)).sum::<f64>();
         let model = |t: &Tried| Model { causes: t.causes.clone(), ..self.model.clone() };
-        rivals.iter().map(|t| (odds(t) / all, model(t), t.fitted.clone())).collect()
+        others.iter().map(|t| (odds(t) / all, model(t), t.fitted.clone())).collect()
     }
 
     pub fn verdict(&self) -> CauseVerdict {

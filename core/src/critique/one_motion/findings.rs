@@ -1,20 +1,18 @@
 //! What the simulation without causes gets wrong in one motion, as sentences.
 
-use num_complex::Complex64;
-
 use super::super::findings::{Record, structure_of};
 use super::super::point::Part;
 use super::super::result::Discrepancy;
+use super::super::seen::Seen;
 use super::super::white::spectrum;
 use super::search::Found;
 use super::swing::Swing;
 use crate::frames::Vec3;
-use crate::signal::{ChannelGroup, Pole, WindowPoint, WindowedMode, against_amplitude};
+use crate::inertia::words::mode_text;
+use crate::signal::Pole;
 
 /// A turn across the axis is told of where it exceeds the noise so many times.
 const STANDS_OUT: f64 = 2.0;
-/// Differences between wide and narrow swings of more standard uncertainties are told of.
-const TOLD: f64 = 4.0;
 
 /// Everything found, the most significant first.
 pub fn findings(found: &Found) -> Vec<Discrepancy> {
@@ -33,7 +31,7 @@ fn of_swing(found: &Found, s: usize) -> Vec<Discrepancy> {
             Record { id: swing.id, rows: rows.as_slice(), times_s: &times, duration_s: swing.duration_s };
         all.extend(structure_of(&record, 1, bands, &|_| "the turn about the swing's axis".into()));
     }
-    all.extend(against(swing, point).into_iter().flatten());
+    all.extend(against(swing, point));
     all.extend(across(swing));
     all
 }
@@ -67,90 +65,19 @@ fn across(swing: &Swing) -> Option<Discrepancy> {
     })
 }
 
-/// Period and decrement against amplitude, measured against simulated.
-fn against(swing: &Swing, point: &[f64]) -> [Option<Discrepancy>; 2] {
-    let Some(readings) = swing.readings(point, &[]) else { return [None, None] };
-    let measured = windows(swing, point, &swing.rates_rad_s);
-    let simulated = windows(swing, point, &readings);
-    let mut pairs: Vec<(WindowPoint, WindowPoint)> = Vec::new();
-    for m in measured {
-        let same = simulated.iter().find(|s| (s.t_s - m.t_s).abs() < 1e-6 * swing.duration_s);
-        pairs.extend(same.map(|s| (m, *s)));
-    }
-    pairs.sort_by(|a, b| b.0.amplitude.total_cmp(&a.0.amplitude));
-    let period = thirds(&pairs, |p| (p.period_s, p.period_se_s));
-    let decay = thirds(&pairs, |p| (100.0 * p.decrement, 100.0 * p.decrement_se));
-    [
-        period.and_then(|t| told(swing.id, "period_vs_amplitude", "the period is", "s", &t)),
-        decay.and_then(|t| told(swing.id, "decay_vs_amplitude", "a swing loses of the one before", "%", &t)),
-    ]
-}
-
-/// The swing followed through the record in windows.
-fn windows(swing: &Swing, point: &[f64], rates_rad_s: &[f64]) -> Vec<WindowPoint> {
-    let group = ChannelGroup { t_s: swing.stream.t_s.clone(), channels: vec![rates_rad_s.to_vec()] };
-    let mode = Pole { omega_rad_s: swing.scales.omega_rad_s, alpha_per_s: swing.start_damping_per_s() };
-    let wanted = WindowedMode {
-        span_s: (0.0, swing.duration_s),
-        mode,
+/// Period and decay against amplitude and what is left against phase, measured against simulated.
+fn against(swing: &Swing, point: &[f64]) -> Vec<Discrepancy> {
+    let Some(readings) = swing.readings(point, &[]) else { return vec![] };
+    let seen = Seen {
+        swing: swing.id,
+        motion: mode_text(swing.mode),
+        t_s: &swing.stream.t_s,
+        measured_rad_s: &swing.rates_rad_s,
+        simulated_rad_s: &readings,
+        noise_rad_s: swing.noise_rad_s,
+        duration_s: swing.duration_s,
+        mode: Pole { omega_rad_s: swing.scales.omega_rad_s, alpha_per_s: swing.start_damping_per_s() },
         others: &swing.poles(point),
-        project: &[Complex64::new(1.0, 0.0)],
     };
-    against_amplitude(&[group], &wanted)
-}
-
-/// Means of a third of the windows.
-struct Third {
-    amplitude_rad: f64,
-    measured: f64,
-    simulated: f64,
-    u: f64,
-}
-
-/// The widest, the middle and the narrowest third; `None` with fewer than three windows.
-fn thirds(
-    pairs: &[(WindowPoint, WindowPoint)],
-    figure: impl Fn(&WindowPoint) -> (f64, f64),
-) -> Option<[Third; 3]> {
-    let size = pairs.len() / 3;
-    if size == 0 {
-        return None;
-    }
-    let third = |part: &[(WindowPoint, WindowPoint)]| {
-        let weight = |pair: &(WindowPoint, WindowPoint)| figure(&pair.0).1.max(f64::MIN_POSITIVE).powi(-2);
-        let sum: f64 = part.iter().map(weight).sum();
-        let mean = |of: &dyn Fn(&(WindowPoint, WindowPoint)) -> f64| {
-            part.iter().map(|pair| of(pair) * weight(pair)).sum::<f64>() / sum
-        };
-        Third {
-            amplitude_rad: mean(&|(m, _)| m.amplitude_over_omega()),
-            measured: mean(&|(m, _)| figure(m).0),
-            simulated: mean(&|(_, s)| figure(s).0),
-            u: sum.sqrt().recip(),
-        }
-    };
-    Some([&pairs[..size], &pairs[size..pairs.len() - size], &pairs[pairs.len() - size..]].map(third))
-}
-
-/// The largest difference between two thirds of what is measured less what is simulated, where it stands out.
-fn told(id: &str, what: &str, words: &str, unit: &str, thirds: &[Third; 3]) -> Option<Discrepancy> {
-    let off = |t: &Third| t.measured - t.simulated;
-    let pairs = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| (&thirds[i], &thirds[j]));
-    let sigma = |(a, b): &(&Third, &Third)| (off(a) - off(b)).abs() / a.u.hypot(b.u);
-    let most = pairs.iter().max_by(|a, b| sigma(a).total_cmp(&sigma(b)))?;
-    let each = thirds.each_ref().map(|t| {
-        // Two digits of the uncertainty.
-        let decimals = (1.0 - t.u.log10().floor()).clamp(0.0, 9.0) as usize;
-        let figures = [t.measured, t.u, t.simulated].map(|x| format!("{x:.decimals$}"));
-        let [measured, u, simulated] = figures;
-        format!("{measured} ± {u} {unit} at {:.3} rad (simulated {simulated})", t.amplitude_rad)
-    });
-    (sigma(most) > TOLD).then(|| Discrepancy {
-        swing: id.into(),
-        what: what.into(),
-        size: off(most.0) - off(most.1),
-        unit: unit.into(),
-        sigma: sigma(most),
-        text: format!("{id}: {words} {}", each.join(", ")),
-    })
+    seen.findings()
 }

@@ -6,10 +6,11 @@
 //! axis is no part of the motion in one angle. Times count from the start of the part that is used. Parameters in order: [`OWN`] of the
 //! swing itself, [`LINE`] of each line, those of the causes.
 
-use nalgebra::{DMatrix, DVector, Matrix3};
+use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
 use super::super::point::{CauseParameter, Part};
+use super::super::shape::{direction, energy, shape};
 use super::causes::{Cause, Scales, catalogue};
 use super::law::{Law, TwoLines};
 use super::motion::{Equation, Motion};
@@ -79,24 +80,6 @@ pub struct Swing<'a> {
     lines: Vec<Line>,
     /// Where a fit begins.
     pub start: Vec<f64>,
-}
-
-/// Three readings that a mode's shape has in the gyroscope.
-fn shape(mode: &FittedMode, first: usize) -> Option<[Complex64; 3]> {
-    mode.shape.get(first..first + 3)?.try_into().ok()
-}
-
-fn energy(shape: &[Complex64; 3]) -> f64 {
-    shape.iter().map(Complex64::norm_sqr).sum()
-}
-
-/// The direction along which a shape moves most.
-fn direction(shape: &[Complex64; 3]) -> Vec3 {
-    let (re, im) = (Vec3::from_fn(|k, _| shape[k].re), Vec3::from_fn(|k, _| shape[k].im));
-    let matrix: Matrix3<f64> = re * re.transpose() + im * im.transpose();
-    let eigen = matrix.symmetric_eigen();
-    let most = eigen.eigenvalues.imax();
-    eigen.eigenvectors.column(most).into_owned()
 }
 
 impl<'a> Swing<'a> {
