@@ -13,8 +13,8 @@ const MOST_STEPS: usize = 20;
 /// Of a stiff motion, whose simulation takes long.
 const MOST_STIFF_STEPS: usize = 8;
 const MOST_DAMPING: f64 = 1e8;
-/// A step that gains less than this share of what the derivatives promised asks for new ones, as does one that had to be
-/// shortened.
+/// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones, as does
+/// one that had to be shortened.
 const KEPT: f64 = 0.5;
 /// A fit ends where an undamped step promises less of χ² than this, or than this share of it.
 const CONVERGED: f64 = 1e-3;
@@ -152,7 +152,8 @@ impl Model<'_> {
             if (enough && fresh) || (n > 3 && stop(misfit.cost)) {
                 break;
             }
-            fresh = enough || step.strained || gained < KEPT * step.promised;
+            let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));
+            fresh = enough || step.strained || !as_promised;
             if fresh {
                 // At the edge of what can be simulated there are none: the fit ends there.
                 let Ok(renewed) = self.jacobians(&point) else { break };

@@ -127,6 +127,8 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
     }
     found.prune();
     found.learn();
+    told.at(0.87, "fitting once more with all derivatives")?;
+    found.polish();
     Ok(found)
 }
 
@@ -195,6 +197,17 @@ impl Found<'_> {
             last.taken = true;
             self.take(best);
         }
+    }
+
+    /// Derivatives taken without a cause lead near the best fit, and say too much or too little of how near: the last fit has all.
+    fn polish(&mut self) {
+        if !self.model.causes.iter().any(|cause| cause.apart) {
+            return;
+        }
+        self.model.causes.iter_mut().for_each(|cause| cause.apart = false);
+        let Ok(fitted) = self.model.fit(&self.fitted.point, &|_| false) else { return };
+        let Ok(left) = Left::of(&self.model, &fitted.point) else { return };
+        (self.fitted, self.left) = (fitted, left);
     }
 
     /// First looks at every cause that is not in the model yet, the most promising first, one of each name.

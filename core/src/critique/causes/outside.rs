@@ -1,13 +1,14 @@
 //! Shapes of what no cause of the catalogue accounts for: they find no name, but show what is missing.
 
 use super::super::point::{Cause, CauseParameter, Form};
-use super::{Scales, add, cause, number, put, strength};
+use super::{Scales, add, cause, logarithm, number, put, strength};
 
 /// Name of everything that no known cause accounts for.
 pub const UNKNOWN: &str = "unknown";
 
-/// Length of a knock, s.
+/// Length of a knock, s, and standard deviation of its logarithm.
 const KNOCK_S: f64 = 0.1;
+const KNOCK_LOG_U: f64 = 0.7;
 
 /// A knock at a moment of a swing. Impulses are changes of speed and rate.
 pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
@@ -19,14 +20,16 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         strength(turn, "N m s", about * mass, 0.02),
         strength("turn_z_n_m_s", "N m s", i[2] * mass, 0.02),
         CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) },
+        CauseParameter { step: 0.05, ..logarithm("over_s", "s", KNOCK_S, KNOCK_LOG_U) },
     ];
     let law = put(move |q, s, e| {
         if s != swing {
             return Ok(());
         }
+        let over_s = q[5].exp();
         let numbers = [
-            ("at_s", q[4] - 0.5 * KNOCK_S),
-            ("over_s", KNOCK_S),
+            ("at_s", q[4] - 0.5 * over_s),
+            ("over_s", over_s),
             ("impulse_x_n_s", q[0]),
             ("impulse_y_n_s", q[1]),
             (turn, q[2] * about),
