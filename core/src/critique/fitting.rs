@@ -16,8 +16,9 @@ const MOST_DAMPING: f64 = 1e8;
 /// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones, as does
 /// one that had to be shortened.
 const KEPT: f64 = 0.5;
-/// A fit ends where an undamped step promises less of χ² than this, or than this share of it.
-const CONVERGED: f64 = 1e-3;
+/// A fit ends where an undamped step promises less of χ² than this, a tenth of a standard deviation, or than this share of it; or where a step
+/// with new derivatives gains no more than twice that.
+const CONVERGED: f64 = 1e-2;
 pub const CONVERGED_SHARE: f64 = 1e-7;
 /// Of a part of the recordings, this much less exactly.
 const NEARLY: f64 = 3e-3;
@@ -149,7 +150,7 @@ impl Model<'_> {
             let gained = misfit.cost - step.misfit.cost;
             (point, misfit) = (step.point, step.misfit);
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
-            if (enough && fresh) || (n > 3 && stop(misfit.cost)) {
+            if (fresh && (enough || gained < 2.0 * CONVERGED)) || (n > 3 && stop(misfit.cost)) {
                 break;
             }
             let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));

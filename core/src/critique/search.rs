@@ -298,10 +298,16 @@ impl Found<'_> {
         } else {
             let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
             let costs = starts.iter().map(|start| (model.chi2(start).unwrap_or(f64::INFINITY), start));
-            let (_, start) = costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
-            let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
-            let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
-            model.fit_with(start, known, CONVERGED_SHARE, &hopeless).ok()?
+            let (cost, start) =
+                costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
+            if cost > self.fitted.chi2 {
+                // So far from linear that the way there leads over short parts of the recordings.
+                model.fit(&model.grown(&starts[0]).ok()?, &hopeless).ok()?
+            } else {
+                let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
+                let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
+                model.fit_with(start, known, CONVERGED_SHARE, &hopeless).ok()?
+            }
         };
         let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
