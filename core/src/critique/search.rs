@@ -30,6 +30,8 @@ const LEADING: usize = 4;
 const FURTHER: usize = 3;
 /// Shares of the way to where the first look points, from which a full fit may begin.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
+/// A wind that gains this share of what the best cause does may gain more than that by its gusts.
+const GUSTY: f64 = 0.15;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
@@ -111,19 +113,21 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
         told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
         let looks = found.looks()?;
         told.at(done + 0.08, FULL)?;
-        let tried = found.tried(looks, &|| told.at(done + 0.13, FULL))?;
-        let taken = tried.first().filter(|best| found.pays(best)).cloned();
-        found.rounds.push(Round { tried, taken: taken.is_some() });
-        let Some(best) = taken else { break };
-        let blows = best.cause.id == WIND;
-        found.take(best);
-        if blows {
+        let mut tried = found.tried(looks, &|| told.at(done + 0.13, FULL))?;
+        if let Some(wind) = found.may_blow(&tried) {
             told.at(done + 0.16, "looking for gusts")?;
-            found.blow();
-            if !found.is_unexplained() {
+            if found.blows_better(&mut tried, wind) {
+                found.rounds.push(Round { tried, taken: true });
+                if found.is_unexplained() {
+                    continue;
+                }
                 break;
             }
         }
+        let taken = tried.first().filter(|best| found.pays(best)).cloned();
+        found.rounds.push(Round { tried, taken: taken.is_some() });
+        let Some(best) = taken else { break };
+        found.take(best);
     }
     found.prune();
     found.learn();
@@ -139,11 +143,34 @@ impl Found<'_> {
         self.left = best.left;
     }
 
-    /// A wind that was taken may come in gusts: tones of it are added while something is left and they pay.
-    fn blow(&mut self) {
+    /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks.
+    fn may_blow(&self, tried: &[Tried]) -> Option<usize> {
+        let best = tried.first().filter(|best| best.gain > LEAST_GAIN)?;
+        let wind = tried.iter().position(|t| t.cause.id == WIND && t.gain > GUSTY * best.gain)?;
+        (wind == 0 || best.left.excess() > UNNAMED_FROM * self.base_left.excess()).then_some(wind)
+    }
+
+    /// Takes a wind and its gusts where they are the best; else all stays as it was.
+    fn blows_better(&mut self, tried: &mut [Tried], wind: usize) -> bool {
+        let pays = wind == 0 && self.pays(&tried[0]);
+        let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.before.clone());
+        self.take(tried[wind].clone());
+        let with_gusts = tried[wind].gain + self.blow();
+        if pays || with_gusts > tried[0].gain {
+            tried[wind].gain = with_gusts;
+            tried[..=wind].rotate_right(1);
+            return true;
+        }
+        (self.model, self.fitted, self.left, self.before) = kept;
+        false
+    }
+
+    /// A wind that was taken may come in gusts: tones of it are added while something is left and they pay. Their gain.
+    fn blow(&mut self) -> f64 {
         let durations = self.model.base.swings.iter().map(|swung| swung.samples.duration_s);
         let duration_s = durations.fold(0.0, f64::max);
         let count = (FASTEST_GUST_HZ * duration_s) as usize;
+        let mut gained = 0.0;
         for tone in GUSTS {
             if self.left.is_white() {
                 break;
@@ -153,8 +180,10 @@ impl Found<'_> {
             let best = looks.max_by(|a, b| a.gain.total_cmp(&b.gain));
             let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
             let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
+            gained += tried.gain;
             self.take(tried);
         }
+        gained
     }
 
     /// A cause taken first may owe its gain to one that was taken later: without it nothing is then lost, and it goes.
