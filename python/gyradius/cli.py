@@ -19,7 +19,7 @@ from .critique import Critique
 from .critique_tables import show_critique
 from .imports import import_files
 from .measurement import Measurement
-from .outcome import BAD_INPUT, reported, write_json
+from .outcome import BAD_INPUT, can_be_written, reported, write_json
 from .progress import counted, working
 from .session import Session, load, shipped_sessions
 from .simulation import read_rig
@@ -108,6 +108,7 @@ def report(
 ) -> None:
     """Write one self-contained HTML file with pictures, or a PDF."""
     with reported(_errors(), json):
+        can_be_written(output)
         loaded = _loaded(session)
         measurement = _measured(loaded, limit)
         write_report(measurement, output, _critique_or_reason(loaded) if critique else None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 from collections.abc import Iterator
@@ -26,6 +27,8 @@ INTERRUPTED = 130
 def reported(errors: Console, json_to: str | None = None, form: str = FORMAT) -> Iterator[None]:
     """Turn what goes wrong inside into a message, the JSON (of format ``form``) and an exit status."""
     try:
+        if json_to not in (None, "-"):
+            can_be_written(Path(str(json_to)))
         yield
     except GyradiusError as error:
         status = NO_RESULT if isinstance(error, NoResultError) else BAD_INPUT
@@ -44,6 +47,12 @@ def reported(errors: Console, json_to: str | None = None, form: str = FORMAT) ->
             raise
         say = f"a mistake of this program, please report it: {type(error).__name__}: {error}"
         _fail(errors, json_to, form, say, INTERNAL)
+
+
+def can_be_written(target: Path) -> None:
+    """Refuse at once what could not be written after minutes of work: the folder is not there."""
+    if not target.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
 
 
 def write_json(text: str, target: str) -> None:

@@ -139,6 +139,13 @@ def test_report_into_a_folder_that_is_not_there(tmp_path: Path) -> None:
     assert_refused(run("report", gyradius.shipped_session("keelboat"), "-o", missing, "--no-critique"), 2, str(missing))
 
 
+def test_json_into_a_folder_that_is_not_there_is_refused_before_the_work(tmp_path: Path) -> None:
+    missing = tmp_path / "no" / "r.json"
+    refused = run("measure", gyradius.shipped_session("keelboat"), "--json", missing)
+    assert_refused(refused, 2, str(missing))
+    assert not refused.stdout, "it has measured before it refused"
+
+
 def test_demo_ends_by_naming_the_report(tmp_path: Path) -> None:
     done = run("demo", "-o", "out", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
