@@ -46,7 +46,7 @@ fn verdict_causes_and_next_swing_are_said() {
         "yaw torque coefficient 12.10 ± 0.30 N m s²",
         "surge force coefficient not determined",
         "yaw not determined",
-        "The drag grows with a power of the velocity; exponent 0.910 ± 0.080; yaw 4.40 ± 0.20 N m s",
+        "The drag grows with a power of the velocity: exponent 0.910 ± 0.080; yaw 4.40 ± 0.20 N m s",
         "The swing pitch-1 is shorter than the beat of its modes",
         "9.66 times smaller",
         "0.0123 rad s⁻¹",

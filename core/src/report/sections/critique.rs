@@ -98,13 +98,15 @@ fn cause_row(critique: &Critique, cause: &CauseResult) -> Vec<String> {
         (false, true) => " (cannot be told apart)",
         (false, false) => "",
     };
-    let text = Some(cause.text.clone()).filter(|text| !text.is_empty());
-    let said: Vec<String> = text.into_iter().chain(cause.parameters.iter().map(parameter)).collect();
+    let figures: Vec<String> = cause.parameters.iter().map(parameter).collect();
+    let text = Some(cause.text.trim_end_matches('.').to_string()).filter(|text| !text.is_empty());
+    let said: Vec<String> =
+        text.into_iter().chain(Some(figures.join("; ")).filter(|f| !f.is_empty())).collect();
     vec![
         words::sentence_case(&format!("{}{remark}", words::cause(&cause.id))),
         format!("{} %", percent(cause.probability)),
         signed(cause.log_evidence_gain, &significant(cause.log_evidence_gain, 3)),
-        words::sentence_case(&said.join("; ")),
+        words::sentence_case(&said.join(": ")),
     ]
 }
 
