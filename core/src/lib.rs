@@ -16,6 +16,7 @@ pub mod frames;
 pub mod inertia;
 pub mod modes;
 pub mod practice;
+pub mod recorder;
 pub mod recording;
 pub mod report;
 pub mod signal;

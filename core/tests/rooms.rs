@@ -7,11 +7,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 11] = [
+const MAY_KNOW: [(&str, &[&str]); 12] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
     ("recording", &[]),
+    ("recorder", &["recording"]),
     ("signal", &["recording"]),
     ("modes", &["recording", "signal"]),
     ("dynamics", &[]),
