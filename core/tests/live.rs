@@ -151,6 +151,15 @@ fn nearest(found: &Decomposition, period_s: f64) -> f64 {
     periods.min_by(|a, b| (a - period_s).abs().total_cmp(&(b - period_s).abs())).unwrap()
 }
 
+/// Least relative uncertainty of a period after a time: the Cramér–Rao bound of a sinusoid's frequency with unknown
+/// phase, 24 σ²/(A² f T³) (Kay 1993, Estimation Theory, example 3.14), by the gyroscope alone.
+fn bound(scene: &Scene, span_s: f64) -> f64 {
+    let rate_rad_s = scene.turn.angle_rad * scene.turn.omega_rad_s;
+    let variance =
+        24.0 * (scene.gyroscope_noise_rad_s / rate_rad_s).powi(2) / (scene.gyroscope_hz * span_s.powi(3));
+    variance.sqrt() / scene.turn.omega_rad_s
+}
+
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
@@ -171,7 +180,8 @@ fn the_live_period_agrees_with_the_final_one_and_the_forecast_is_right() {
             scene = scene.with_sway(&mut rng, share);
         }
         let span_s = rng.random_range(60.0..120.0);
-        let run = Run::of(&scene, span_s, 5e-5, &mut rng);
+        let wanted = bound(&scene, span_s * rng.random_range(0.4..0.7));
+        let run = Run::of(&scene, span_s, wanted, &mut rng);
         for (part, misses) in misses.iter_mut().enumerate() {
             let deviation = run.deviation(part as f64 / 6.0);
             *misses += usize::from(deviation.is_some_and(|z| z.abs() > 2.0));

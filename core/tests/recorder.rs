@@ -34,6 +34,9 @@ fn header() -> Header {
     }
 }
 
+/// Stamps and the bits of the values.
+type Bits = Vec<(i64, [u64; 3])>;
+
 /// A generator from fresh entropy, its seed printed.
 fn fresh(what: &str) -> ChaCha8Rng {
     let seed: u64 = rand::random();
@@ -45,7 +48,7 @@ fn fresh(what: &str) -> ChaCha8Rng {
 #[derive(Default)]
 struct Found {
     header: Option<Header>,
-    samples: BTreeMap<Stream, Vec<(i64, [u64; 3])>>,
+    samples: BTreeMap<Stream, Bits>,
     events: Vec<Event>,
     damage: Vec<Damage>,
 }
@@ -72,7 +75,7 @@ fn read(bytes: &[u8]) -> Result<Found, Error> {
 /// What was pushed, and how much of it the file held at each length that it had.
 #[derive(Default, Clone)]
 struct Told {
-    samples: BTreeMap<Stream, Vec<(i64, [u64; 3])>>,
+    samples: BTreeMap<Stream, Bits>,
     /// Length of the file and, by stream, samples in it.
     lengths: Vec<(u64, BTreeMap<Stream, usize>)>,
 }
@@ -302,7 +305,7 @@ fn arguments_that_do_not_fit_are_refused() {
     assert!(matches!(Writer::create(dir.path().join("b.gyr"), &header), Err(Error::Argument { .. })));
 }
 
-fn triad_bits(triad: &Triad, origin_ns: i64) -> Vec<(i64, [u64; 3])> {
+fn triad_bits(triad: &Triad, origin_ns: i64) -> Bits {
     let [x, y, z] = &triad.axes;
     let stamp = |t: &f64| origin_ns + (t * 1e9).round() as i64;
     let values = x.iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z].map(|value| value.to_bits()));
@@ -401,7 +404,7 @@ fn rows_are_in_time_order_and_a_silent_sensor_holds_nothing_back() {
     assert_eq!(text.lines().count(), 20_001);
 }
 
-fn batches() -> impl Strategy<Value = Vec<(usize, Vec<(i64, [u64; 3])>)>> {
+fn batches() -> impl Strategy<Value = Vec<(usize, Bits)>> {
     let sample = (any::<i64>(), any::<[u64; 3]>());
     proptest::collection::vec((0..3_usize, proptest::collection::vec(sample, 0..20)), 0..6)
 }
@@ -415,7 +418,7 @@ proptest! {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("a.gyr");
         let mut writer = Writer::create(&path, &header()).unwrap();
-        let mut pushed: BTreeMap<Stream, Vec<(i64, [u64; 3])>> = BTreeMap::new();
+        let mut pushed: BTreeMap<Stream, Bits> = BTreeMap::new();
         for (stream, samples) in batches {
             let stamps: Vec<i64> = samples.iter().map(|sample| sample.0).collect();
             let values: Vec<[f64; 3]> = samples.iter().map(|sample| sample.1.map(f64::from_bits)).collect();

@@ -8,8 +8,9 @@ use super::swing::MainMode;
 
 /// Steps of the integrals over the envelope.
 const STEPS: u32 = 200;
-/// Relative change of a pendulum's frequency over the square of its amplitude in rad (first order of the
-/// elliptic integral): no bifilar suspension that hangs on lines longer than it is wide changes by more.
+/// Relative change of a pendulum's frequency over the square of its amplitude in rad (first order of the elliptic
+/// integral), taken until the data show a law of their own. A bifilar suspension about as wide as twice the
+/// gyradius changes by less: 1/16 (1 − d²/L²), d half its spacing, L its lines.
 const PENDULUM: f64 = 1.0 / 16.0;
 /// Least mean of E² or E, weighted by energy, that any longer record can come to: ∫E⁴/∫E² of a full decay.
 const LONGEST_MEAN: f64 = 0.5;

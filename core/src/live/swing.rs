@@ -72,7 +72,6 @@ fn misfit(found: &Decomposition, sensor: &ChannelGroup, mode: &FittedMode, envel
 }
 
 fn swing(found: &Decomposition, groups: &[ChannelGroup], layout: Layout, wanted: f64) -> Option<SwingState> {
-    let angle = |mode: &FittedMode| layout.angle_rad(mode, found);
     let main = found
         .modes
         .iter()
@@ -91,7 +90,7 @@ fn swing(found: &Decomposition, groups: &[ChannelGroup], layout: Layout, wanted:
         omega_rad_s: main.omega_rad_s,
         omega_se_rad_s: main.omega_se_rad_s,
         envelope,
-        angle_rad: angle(main),
+        angle_rad: layout.angle_rad(main, found),
         shift_rad_s: law.shift_rad_s,
         law_power: law.power,
         misfit,
@@ -99,17 +98,6 @@ fn swing(found: &Decomposition, groups: &[ChannelGroup], layout: Layout, wanted:
     let spread = Spread::of(&mode, span_s);
     let period_s = main.period_s();
     let decay_per_s = envelope.decay_per_s(span_s);
-    let mut lines: Vec<Line> = found
-        .modes
-        .iter()
-        .filter(|other| !std::ptr::eq(*other, main))
-        .map(|other| Line {
-            period_s: other.period_s(),
-            share: angle(other) / angle(main),
-            kind: layout.kind(other, main, found),
-        })
-        .collect();
-    lines.sort_by(|a, b| b.share.total_cmp(&a.share));
     Some(SwingState {
         from_s: found.t_ref_s,
         at_s: found.t_end_s,
@@ -119,9 +107,24 @@ fn swing(found: &Decomposition, groups: &[ChannelGroup], layout: Layout, wanted:
         amplitude_deg: layout.gyroscope.then(|| (layout.turn_rad(main) * envelope.at(span_s)).to_degrees()),
         decay_per_s,
         half_s: (decay_per_s > 0.0).then(|| LN_2 / decay_per_s),
-        lines,
+        lines: lines(found, main, layout),
         time_left: time_left(&spread, main.omega_rad_s, span_s, wanted),
     })
+}
+
+/// What swings beside the main motion, largest first.
+fn lines(found: &Decomposition, main: &FittedMode, layout: Layout) -> Vec<Line> {
+    let angle = |mode: &FittedMode| layout.angle_rad(mode, found);
+    let others = found.modes.iter().filter(|other| !std::ptr::eq(*other, main));
+    let mut lines: Vec<Line> = others
+        .map(|other| Line {
+            period_s: other.period_s(),
+            share: angle(other) / angle(main),
+            kind: layout.kind(other, main, found),
+        })
+        .collect();
+    lines.sort_by(|a, b| b.share.total_cmp(&a.share));
+    lines
 }
 
 impl Layout {
