@@ -201,8 +201,9 @@ fn the_live_period_agrees_with_the_final_one_and_the_forecast_is_right() {
     assert!(misses.iter().all(|&misses| misses <= 22), "{misses:?}");
     assert!(forecasts >= 50 && unknown <= 20);
     assert!(error <= 0.2);
-    // Nobody touched anything: an alarm in one swing of a hundred is what the final analysis allows itself too.
-    assert!(alarms <= 8, "{alarms} false alarms");
+    // Nobody touched anything. A program that cries wolf in 2 swings of 100 does so in more than 12 of 200 less than once
+    // in 1000 runs.
+    assert!(alarms <= 12, "{alarms} false alarms");
 }
 
 /// A simulated hull with yaw and sway, its own phone and noise: the live period against the whole record's.
