@@ -107,6 +107,7 @@ fn session(recording: Recording, suspension: Suspension, excited: Vec<Excitation
         attachments: vec![],
         swings: vec![swing],
         inclines: vec![],
+        recorded: vec![],
     };
     let data = vec![LoadedSwing { id: "swing".into(), data: LoadedData::Recording(recording) }];
     LoadedSession { data, session, source: "one motion".into(), inclines: vec![] }

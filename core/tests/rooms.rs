@@ -7,12 +7,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 11] = [
+const MAY_KNOW: [(&str, &[&str]); 13] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
     ("recording", &[]),
+    ("recorder", &["recording"]),
     ("signal", &["recording"]),
+    ("live", &["recording", "signal"]),
     ("modes", &["recording", "signal"]),
     ("dynamics", &[]),
     ("practice", &["recording", "dynamics"]),

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use gyradius_core::recording::{
     AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation, Quantity,
-    Session, Site, Store, Suspension, SuspensionKind, Swing, SwingData, load_store, read_session,
-    session_zip_bytes, write_session,
+    Recorded, RecordedEvent, RecordedRepair, RecordedSensor, Session, Site, Store, Suspension,
+    SuspensionKind, Swing, SwingData, load_store, read_session, session_zip_bytes, write_session,
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option::of;
@@ -150,14 +150,37 @@ prop_compose! {
     }
 }
 
+fn finite() -> impl Strategy<Value = f64> {
+    any::<f64>().prop_filter("finite", |value| value.is_finite())
+}
+
+prop_compose! {
+    fn recorded()(file in file(), origin_ns in any::<i64>(), phone in text(), bias in of(file()),
+        notes in btree_map(text(), text(), 0..3),
+        sensors in vec((text(), text(), of(positive())), 0..3),
+        events in vec((finite(), text()), 0..3),
+        repairs in vec((of(finite()), of(finite()), text()), 0..3)) -> Recorded
+    {
+        let sensor = |(stream, name, full_scale)| RecordedSensor { stream, name, full_scale };
+        let event = |(t_s, key)| RecordedEvent { t_s, key };
+        let repair = |(from_s, to_s, text)| RecordedRepair { from_s, to_s, text };
+        Recorded {
+            file, origin_ns, phone, bias, notes,
+            sensors: sensors.into_iter().map(sensor).collect(),
+            events: events.into_iter().map(event).collect(),
+            repairs: repairs.into_iter().map(repair).collect(),
+        }
+    }
+}
+
 prop_compose! {
     fn session()(title in text(), body in body(), site in site(), attachments in vec(attachment(), 0..3),
-        mut swings in vec(swing(), 1..4), inclines in vec(incline(), 0..3)) -> Session
+        mut swings in vec(swing(), 1..4), inclines in vec(incline(), 0..3), recorded in vec(recorded(), 0..2)) -> Session
     {
         for (index, swing) in swings.iter_mut().enumerate() {
             swing.id.push_str(&index.to_string());
         }
-        Session { title, body, site, attachments, swings, inclines }
+        Session { title, body, site, attachments, swings, inclines, recorded }
     }
 }
 
@@ -172,7 +195,8 @@ fn files_named(session: &Session) -> Vec<String> {
         InclineAngle::Recording(file) => Some(file),
         InclineAngle::Stated(_) => None,
     });
-    let mut files: Vec<String> = swings.chain(inclines).cloned().collect();
+    let recorded = session.recorded.iter().flat_map(|one| std::iter::once(&one.file).chain(&one.bias));
+    let mut files: Vec<String> = swings.chain(inclines).chain(recorded).cloned().collect();
     files.sort();
     files.dedup();
     files

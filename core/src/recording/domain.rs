@@ -32,6 +32,8 @@ impl Domain {
     pub(crate) const PERIOD: Self = Self::above("a period in s above 0", 0.0);
     pub(crate) const UNCERTAINTY: Self = Self::at_least("a standard uncertainty, 0 or above", 0.0);
     pub(crate) const GYRADIUS: Self = Self::at_least("a length in m, 0 or above", 0.0);
+    pub(crate) const TIME: Self = Self::between("a finite time in s", f64::MIN, f64::MAX);
+    pub(crate) const FULL_SCALE: Self = Self::above("a sensor's full scale above 0", 0.0);
     pub(crate) const COORDINATE: Self = Self::between("a finite length in m", f64::MIN, f64::MAX);
     /// From the Moon (1.6) to Jupiter (25): what lies outside is in another unit.
     pub(crate) const GRAVITY: Self = Self::between("an acceleration in m/s² from 1 to 30", 1.0, 30.0);

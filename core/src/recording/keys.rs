@@ -3,6 +3,7 @@
 //! # Conventions
 //! Lines and the entries of a list count from 1: `swing[1]` is the first `[[swing]]`.
 
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use toml_edit::{Item, Key, TableLike, Value};
@@ -190,6 +191,19 @@ impl<'a> Field<'a> {
             Some(value) => Ok(value),
             None => Err(self.expected(domain)),
         }
+    }
+
+    /// A whole number.
+    pub(crate) fn whole(&self) -> Result<i64> {
+        self.item.as_integer().ok_or_else(|| self.expected("a whole number"))
+    }
+
+    /// A table of texts by any key.
+    pub(crate) fn texts(&self) -> Result<BTreeMap<String, String>> {
+        let table = self.item.as_table_like().ok_or_else(|| self.expected("a table of texts"))?;
+        let keys = Keys { source: self.source, table, line: self.line, known: &[] };
+        let fields = Table { keys, path: self.path.clone() }.fields();
+        fields.into_iter().map(|field| Ok((field.key.clone(), field.text()?.to_owned()))).collect()
     }
 
     /// A number (then u = 0) or `{ value, u }`.

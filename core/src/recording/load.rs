@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::csv;
+use super::recorded::Recorded;
 use super::samples::{PeriodList, Recording, Track};
 use super::session::{InclineAngle, Session, SwingData};
 use super::store::Store;
@@ -62,11 +63,14 @@ pub fn load_store(store: &Store) -> Result<LoadedSession> {
     parsed.files.iter().try_for_each(|named| refuse_missing(store, &file, named))?;
     let session = parsed.session;
     let load = |swing: &super::session::Swing| {
-        Ok(LoadedSwing { id: swing.id.clone(), data: swing_data(store, &swing.data)? })
+        Ok(LoadedSwing { id: swing.id.clone(), data: swing_data(store, &session, &swing.data)? })
     };
     let data = session.swings.iter().map(load).collect::<Result<_>>()?;
-    let inclines =
-        session.inclines.iter().map(|one| incline_data(store, &one.angle)).collect::<Result<_>>()?;
+    let inclines = session
+        .inclines
+        .iter()
+        .map(|one| incline_data(store, &session, &one.angle))
+        .collect::<Result<_>>()?;
     Ok(LoadedSession { session, source: store.name().into(), data, inclines })
 }
 
@@ -91,11 +95,17 @@ fn refuse_missing(store: &Store, session_file: &str, named: &NamedFile) -> Resul
     })
 }
 
-fn swing_data(store: &Store, data: &SwingData) -> Result<LoadedData> {
+/// A phone's recording, with what the recorder had lost of it told first.
+fn phone_recording(store: &Store, session: &Session, file: &str) -> Result<Recording> {
+    let mut recording = csv::read_recording(&store.read(file)?, &store.describe(file))?;
+    let told = session.recorded.iter().filter(|recorded| recorded.file == file);
+    recording.repairs.splice(0..0, told.flat_map(Recorded::as_repairs));
+    Ok(recording)
+}
+
+fn swing_data(store: &Store, session: &Session, data: &SwingData) -> Result<LoadedData> {
     match data {
-        SwingData::Recording(file) => {
-            csv::read_recording(&store.read(file)?, &store.describe(file)).map(LoadedData::Recording)
-        }
+        SwingData::Recording(file) => phone_recording(store, session, file).map(LoadedData::Recording),
         SwingData::Displacement { file, .. } => {
             csv::read_track(&store.read(file)?, &store.describe(file)).map(LoadedData::Track)
         }
@@ -106,11 +116,9 @@ fn swing_data(store: &Store, data: &SwingData) -> Result<LoadedData> {
     }
 }
 
-fn incline_data(store: &Store, angle: &InclineAngle) -> Result<Option<Recording>> {
+fn incline_data(store: &Store, session: &Session, angle: &InclineAngle) -> Result<Option<Recording>> {
     match angle {
         InclineAngle::Stated(_) => Ok(None),
-        InclineAngle::Recording(file) => {
-            csv::read_recording(&store.read(file)?, &store.describe(file)).map(Some)
-        }
+        InclineAngle::Recording(file) => phone_recording(store, session, file).map(Some),
     }
 }

@@ -112,6 +112,8 @@ pub enum RepairKind {
     Saturation,
     /// A pause, put back from the system clock.
     Pause,
+    /// Parts that the recorder's file had lost before it became this recording.
+    LostByRecorder,
     /// A second swing (hull touched or released again): only the longest is used.
     SecondSwing,
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::quantity::Quantity;
+use super::recorded::Recorded;
 
 /// One hull, measured in one sitting (`gyradius-session/1`).
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -21,6 +22,8 @@ pub struct Session {
     pub swings: Vec<Swing>,
     /// Incline tests.
     pub inclines: Vec<Incline>,
+    /// What the recorder says of the recordings that it made.
+    pub recorded: Vec<Recorded>,
 }
 
 /// The body as stated.

@@ -7,13 +7,15 @@ use toml_edit::Document;
 use super::domain::Domain;
 use super::keys::{Field, Source, Table};
 use super::session::{AddedMass, Attachment, Body, End, Incline, InclineAngle, Session, Site};
+use super::toml_recorded::{RECORDED, recorded};
 use super::toml_swing::{SWING, swing};
 use crate::error::Result;
 
 /// Name and major version of the format, without the minor version that a text may add.
 pub(crate) const FORMAT: &str = "gyradius-session/1";
 
-pub(crate) const ROOT: &[&str] = &["format", "title", "body", "site", "attachment", "swing", "incline"];
+pub(crate) const ROOT: &[&str] =
+    &["format", "title", "body", "site", "attachment", "swing", "incline", "recorded"];
 const BODY: &[&str] = &["name", "mass", "length_overall", "density"];
 const SITE: &[&str] = &["gravity", "latitude_deg", "altitude", "air_density"];
 const ATTACHMENT: &[&str] = &["name", "mass", "position", "gyradii"];
@@ -104,6 +106,9 @@ pub(crate) fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Res
     }
     for table in root.tables("incline", INCLINE)? {
         session.inclines.push(incline(&table, &mut files)?);
+    }
+    for table in root.tables("recorded", RECORDED)? {
+        session.recorded.push(recorded(&table, &mut files)?);
     }
     if session.swings.is_empty() && session.inclines.is_empty() {
         return Err(root.error("at least one [[swing]] or [[incline]]", "none"));

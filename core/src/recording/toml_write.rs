@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::quantity::Quantity;
+use super::recorded::Recorded;
 use super::session::{
     AddedMass, Attachment, Body, End, Incline, InclineAngle, ModeName, Session, Site, Suspension, Swing,
     SwingData,
@@ -25,6 +26,9 @@ pub fn write_session(session: &Session) -> String {
     }
     for one in &session.inclines {
         incline(&mut text, one);
+    }
+    for one in &session.recorded {
+        recorded(&mut text, one);
     }
     text.0
 }
@@ -158,6 +162,42 @@ fn incline(text: &mut Lines, incline: &Incline) {
     }
 }
 
+fn recorded(text: &mut Lines, recorded: &Recorded) {
+    text.header("[[recorded]]");
+    text.key("file", quoted(&recorded.file));
+    text.key("origin_ns", recorded.origin_ns.to_string());
+    text.key_unless_empty("phone", &recorded.phone);
+    text.key_if("bias", recorded.bias.as_deref(), quoted);
+    if !recorded.notes.is_empty() {
+        let each =
+            recorded.notes.iter().map(|(key, value)| format!("{} = {}", quoted_key(key), quoted(value)));
+        text.key("notes", format!("{{ {} }}", each.collect::<Vec<_>>().join(", ")));
+    }
+    let sensors = recorded.sensors.iter().map(|sensor| {
+        let scale = optional("full_scale", sensor.full_scale);
+        format!("{{ stream = {}, name = {}{scale} }}", quoted(&sensor.stream), quoted(&sensor.name))
+    });
+    list(text, "sensors", sensors);
+    let events = recorded.events.iter();
+    list(text, "events", events.map(|e| format!("{{ t = {}, key = {} }}", number(e.t_s), quoted(&e.key))));
+    let repairs = recorded.repairs.iter().map(|repair| {
+        let (from, to) = (optional("from", repair.from_s), optional("to", repair.to_s));
+        format!("{{ text = {}{from}{to} }}", quoted(&repair.text))
+    });
+    list(text, "repairs", repairs);
+}
+
+fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
+    let lines: Vec<String> = entries.map(|entry| format!("  {entry},\n")).collect();
+    if !lines.is_empty() {
+        text.key(key, format!("[\n{}]", lines.concat()));
+    }
+}
+
+fn optional(key: &str, value: Option<f64>) -> String {
+    value.map(|value| format!(", {key} = {}", number(value))).unwrap_or_default()
+}
+
 /// The shortest digits that read back to the same number; Rust's spelling of a finite f64 is valid TOML.
 fn number(value: f64) -> String {
     format!("{value:?}")
@@ -177,6 +217,11 @@ fn vector(vector: [f64; 3]) -> String {
 
 fn quoted(text: &str) -> String {
     toml_edit::Value::from(text).to_string()
+}
+
+/// A key of any text.
+fn quoted_key(key: &str) -> String {
+    toml_edit::Key::new(key).to_string()
 }
 
 fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(T) -> String) -> String {

@@ -17,6 +17,7 @@ pub(super) fn repair(kind: RepairKind) -> &'static str {
         RepairKind::NotANumber => "cells that are not numbers",
         RepairKind::Saturation => "samples at the sensor's limit",
         RepairKind::Pause => "a pause, put back",
+        RepairKind::LostByRecorder => "parts lost by the recorder",
         RepairKind::SecondSwing => "a second swing, left out",
     }
 }

@@ -1,0 +1,46 @@
+//! Whether the phone still sits on the hull as it did.
+
+use nalgebra::Vector3;
+
+use crate::signal::ChannelGroup;
+
+/// Periods that a direction of gravity is the mean over: a swing averages out over whole periods.
+const PERIODS: f64 = 3.0;
+/// A change of that direction from which on the phone has moved, degrees.
+const MOVED_DEG: f64 = 2.0;
+
+/// The largest lasting change of gravity's direction in the phone, if there is one: when, s, and by how much, degrees.
+pub(super) fn moved(accelerometer: &ChannelGroup, period_s: f64) -> Option<(f64, f64)> {
+    let window_s = PERIODS * period_s;
+    let sums = Sums::of(accelerometer);
+    let t_s = &accelerometer.t_s;
+    let angle = |&i: &usize| -> Option<(f64, f64)> {
+        let from = t_s.partition_point(|t| *t < t_s[i] - window_s);
+        let to = t_s.partition_point(|t| *t < t_s[i] + window_s);
+        let (before, after) = (sums.mean(from, i)?, sums.mean(i, to)?);
+        Some((before.angle(&after).to_degrees(), t_s[i]))
+    };
+    let inside = |i: &usize| t_s[*i] - t_s[0] >= window_s && t_s[t_s.len() - 1] - t_s[*i] >= window_s;
+    let changes = (0..t_s.len()).filter(inside).filter_map(|i| angle(&i));
+    let (tilt_deg, at_s) = changes.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (tilt_deg > MOVED_DEG).then_some((at_s, tilt_deg))
+}
+
+/// Running sums, so that every mean costs the same.
+struct Sums(Vec<Vector3<f64>>);
+
+impl Sums {
+    fn of(group: &ChannelGroup) -> Self {
+        let mut sum = Vector3::zeros();
+        let mut sums = vec![sum];
+        for i in 0..group.t_s.len() {
+            sum += Vector3::new(group.channels[0][i], group.channels[1][i], group.channels[2][i]);
+            sums.push(sum);
+        }
+        Self(sums)
+    }
+
+    fn mean(&self, from: usize, to: usize) -> Option<Vector3<f64>> {
+        (to > from).then(|| (self.0[to] - self.0[from]) / (to - from) as f64)
+    }
+}

@@ -1,0 +1,54 @@
+//! The sentences of the advice in English: the one place where they stand. Other languages have the same keys.
+
+use super::advice::{Advice, Parameter};
+
+/// Sentences by key; `{name}` stands for a parameter.
+pub const ENGLISH: [(&str, &str); 12] = [
+    (
+        "sensor_silent",
+        "The {sensor} has given no samples since {since_s} s: stop and start the recording again.",
+    ),
+    ("sensor_absent", "The {sensor} gives no samples: stop and start the recording again."),
+    (
+        "phone_moved",
+        "The phone moved at {at_s} s and now sits {tilt_deg}° another way: tape it on and start again.",
+    ),
+    ("touched", "Something touched the hull at {at_s} s: let it swing freely, or release it again."),
+    ("saturated", "{samples} samples of the {sensor} stand at its limit: release with a smaller amplitude."),
+    (
+        "gaps",
+        "The {sensor} has {gaps} gaps, the longest of {longest_s} s: close other apps and keep the screen on.",
+    ),
+    ("amplitude_low", "The amplitude is {amplitude_deg}°, below 2°: stop, or release again."),
+    (
+        "sway",
+        "Sway (period {period_s} s) is {percent} % of the main motion: steady the hull and release it again.",
+    ),
+    (
+        "other_turn",
+        "A turn about another axis (period {period_s} s) is {percent} % of the main motion: steady the hull and \
+         release it again.",
+    ),
+    (
+        "same_turn",
+        "A second motion (period {period_s} s) is {percent} % of the main one: steady the hull and release it again.",
+    ),
+    ("out_of_reach", "The swing will die down before the period is as certain as wanted: release it again."),
+    ("long_enough", "The recording is long enough: stop when you like."),
+];
+
+/// The English sentence of a piece of advice.
+pub fn english(advice: &Advice) -> String {
+    let sentence = ENGLISH.iter().find(|(key, _)| *key == advice.key()).map_or("", |(_, sentence)| sentence);
+    advice
+        .parameters()
+        .into_iter()
+        .fold(sentence.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), &shown(value)))
+}
+
+fn shown(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::Number(value, decimals) => format!("{value:.decimals$}"),
+        Parameter::Sensor(sensor) => sensor.name().to_owned(),
+    }
+}

@@ -1,0 +1,77 @@
+//! What the recorder says of a recording that it made: the clock, the phone, the marks, what was lost.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::samples::{Repair, RepairKind, Sensor};
+
+/// Where a recording came from, as `[[recorded]]` of the session.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Recorded {
+    /// The recording: file name in the session.
+    pub file: String,
+    /// Stamp of t = 0, ns of the phone's clock.
+    pub origin_ns: i64,
+    /// Model of the phone; empty where it is not known.
+    pub phone: String,
+    /// The phone's own estimate of the gyroscope's bias, not taken off: file name in the session, `t,gx,gy,gz`.
+    pub bias: Option<String>,
+    /// The phone's sensors.
+    pub sensors: Vec<RecordedSensor>,
+    /// Anything else, by key.
+    pub notes: BTreeMap<String, String>,
+    /// Marks, in file order.
+    pub events: Vec<RecordedEvent>,
+    /// What the recorder's file had lost.
+    pub repairs: Vec<RecordedRepair>,
+}
+
+/// One sensor as the phone describes it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct RecordedSensor {
+    /// The stream that it filled, e.g. `gyroscope`.
+    pub stream: String,
+    /// The phone's name for it.
+    pub name: String,
+    /// Its full scale, rad/s or m/s², where the phone tells.
+    pub full_scale: Option<f64>,
+}
+
+/// A mark.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct RecordedEvent {
+    /// When, s of the recording.
+    pub t_s: f64,
+    /// What it marks.
+    pub key: String,
+}
+
+/// Something that the recorder's file had lost.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct RecordedRepair {
+    /// Last sample before it, s of the recording.
+    pub from_s: Option<f64>,
+    /// First sample after it, s.
+    pub to_s: Option<f64>,
+    /// What was found and what was done.
+    pub text: String,
+}
+
+impl Recorded {
+    /// What was lost, as repairs of the recording; what was lost may be of either sensor.
+    pub(super) fn as_repairs(&self) -> Vec<Repair> {
+        let repair = |repair: &RecordedRepair| {
+            let first_s = repair.from_s.or(repair.to_s).unwrap_or_default();
+            Repair {
+                kind: RepairKind::LostByRecorder,
+                sensor: Sensor::Gyroscope,
+                count: 1,
+                first_s,
+                last_s: repair.to_s.unwrap_or(first_s),
+                text: repair.text.clone(),
+            }
+        };
+        self.repairs.iter().map(repair).collect()
+    }
+}
