@@ -36,7 +36,7 @@ const BEYOND_NOISE: f64 = 3.0;
 const BASELINE_PER_CYCLE: f64 = 1.6;
 /// Polynomials added where a drift may hide all modes.
 const DRIFT_STEP: usize = 5;
-/// Gain, over the bound, that a drift shows and red noise does not.
+/// Gain, over the bound, that a drift or a line with wide skirts shows and red noise does not.
 const DRIFT_GAIN: f64 = 100.0;
 /// Most baseline polynomials.
 const MOST_BASELINE: usize = 12;
@@ -125,6 +125,25 @@ impl<'a> Search<'a> {
     }
 
     fn add_lines(&mut self) {
+        self.add_lines_above_floor();
+        if self.fit.model.modes.is_empty() && !self.is_complete() && self.add_strongest_line() {
+            self.add_lines_above_floor();
+        }
+    }
+
+    /// The strongest line of all, where none was found: its own skirts may have passed for the floor that hides it.
+    fn add_strongest_line(&mut self) -> bool {
+        let flat = self.whiten(&self.fit).over_mean_power();
+        let Some(peak) = flat.peak(self.band(), &[], &self.fit) else { return false };
+        let Some((fit, Some(after))) = self.improve(&peak, &[]) else { return false };
+        let stands = self.gain(&fit, &after, peak.k) > DRIFT_GAIN * self.bound;
+        if stands {
+            self.fit = fit;
+        }
+        stands
+    }
+
+    fn add_lines_above_floor(&mut self) {
         let (mut masked, mut tried): (Vec<f64>, Vec<usize>) = (vec![], vec![]);
         let mut whitened = self.whiten(&self.fit);
         while !self.is_complete() && masked.len() <= MOST_REJECTIONS {
@@ -339,6 +358,17 @@ impl Whitened {
             from = to;
         }
         Self { spectrum, floors, sum }
+    }
+
+    /// The same over each channel's mean power in place of its floor.
+    fn over_mean_power(mut self) -> Self {
+        self.sum.fill(0.0);
+        for power in &self.spectrum.power {
+            let power = &power[..self.sum.len()];
+            let mean = power.iter().sum::<f64>() / power.len().max(1) as f64;
+            self.sum.iter_mut().zip(power).for_each(|(s, p)| *s += p / mean.max(f64::MIN_POSITIVE));
+        }
+        self
     }
 
     fn index(&self, k: f64) -> usize {

@@ -61,6 +61,10 @@ impl Stretch {
 
 /// A free swing shorter than this many cycles is not worth a note of its own.
 const SHORTEST_SWING_CYCLES: f64 = 8.0;
+/// Fewer cycles say nothing of a period: what is so short (a phone that is picked up) is the swing only where nothing longer moves.
+const FEWEST_CYCLES: f64 = 4.0;
+/// A stretch moves where its size is more than so many times the noise of a sample.
+const MOVES: f64 = 3.0;
 /// A stretch with less than this share of the swing's amplitude is waiting, not another swing.
 const WAITING_SHARE: f64 = 0.15;
 
@@ -71,9 +75,10 @@ pub fn free_swing_span(groups: &[ChannelGroup]) -> FreeSpan {
     let Some(series) = BlockSeries::new(groups) else { return whole };
     let Some(surprise) = Surprise::new(&series) else { return whole };
     let stretches = stretches(&series, &surprise.breaks(&series));
-    let Some(best) = stretches.iter().copied().max_by(|a, b| a.worth().total_cmp(&b.worth())) else {
-        return whole;
-    };
+    let fewest = (FEWEST_CYCLES * series.period_s() / series.step_s()).ceil() as usize;
+    let swings = |s: &Stretch| s.end - s.first >= fewest && s.rms > MOVES;
+    let better = |a: &Stretch, b: &Stretch| swings(a).cmp(&swings(b)).then(a.worth().total_cmp(&b.worth()));
+    let Some(best) = stretches.iter().copied().max_by(better) else { return whole };
     let start_s = if best.first == 0 { first_s } else { series.time_s(best.first) };
     let end_s = if best.end == series.len() { last_s } else { series.time_s(best.end) };
     let notes = notes(&series, &stretches, &best, (first_s, start_s, end_s, last_s));
