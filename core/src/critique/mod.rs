@@ -107,13 +107,7 @@ fn conclude(
         widen(&mut extended.quantities, &other, weight);
     }
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| next_swing(found, t));
-    let shifts = shifts(&baseline.quantities, &extended.quantities);
-    let gain = Gain {
-        heldout_rms_ratio: Some(rms(before) / rms(after)),
-        log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
-        k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
-        shifts,
-    };
+    let gain = gain((before, after), rows, &baseline, &extended);
     let critique = Critique {
         format: FORMAT.into(),
         title: title(&loaded.session),
@@ -145,6 +139,17 @@ fn widen(
         let half = COVERAGE_95 * square.sqrt();
         quantity.u = square.sqrt().into();
         quantity.interval_95 = Some([value - half, value + half]);
+    }
+}
+
+/// What the extended model gains: χ² of so many samples held out before and after, and how the figures moved.
+fn gain((before, after): (f64, f64), rows: usize, baseline: &ModelResult, extended: &ModelResult) -> Gain {
+    let shifts = shifts(&baseline.quantities, &extended.quantities);
+    Gain {
+        heldout_rms_ratio: Some((before / after).sqrt()),
+        log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
+        k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
+        shifts,
     }
 }
 

@@ -165,6 +165,11 @@ const OUT_OF: usize = 3;
 /// What fast parts of an effect were doing before the recording began is not known: so much is not compared, s.
 pub const SETTLING_S: f64 = 0.5;
 
+/// Place of the first time that is compared.
+pub fn first_settled(t_s: &[f64]) -> usize {
+    t_s.partition_point(|t| *t < SETTLING_S)
+}
+
 impl Part {
     /// Whether a time of a record so long counts.
     pub fn has(self, t_s: f64, duration_s: f64) -> bool {

@@ -15,10 +15,10 @@ use super::white::Left;
 pub const LEAST_GAIN: f64 = 7.0;
 /// Where nothing is left to see, a further cause must gain more than this, and more than this share of the first's gain:
 /// laws that differ a little from nature's leave something for others to pick up.
-pub const FURTHER_GAIN: f64 = 14.0;
-pub const FURTHER_SHARE: f64 = 3e-3;
+const FURTHER_GAIN: f64 = 14.0;
+const FURTHER_SHARE: f64 = 3e-3;
 /// A further cause must take so much of what is left beyond noise.
-pub const FURTHER_TAKES: f64 = 0.7;
+const FURTHER_TAKES: f64 = 0.7;
 pub const MOST_CAUSES: usize = 3;
 /// A cause so far below what is asked may still be there, at odds of 1 to 150, and move what is sought: it is fitted and allowed for.
 const DOUBTFUL: f64 = 5.0;
@@ -200,8 +200,7 @@ impl Found<'_> {
             let Ok(without) = model.fit(&start, &|_| false) else { continue };
             let Some(lost) = gain(&without, &self.fitted, &cause, swings) else { continue };
             let Ok(left) = Left::of(&model, &without.point) else { continue };
-            let shows = left.excess() > self.left.excess();
-            if lost < if shows { LEAST_GAIN } else { FURTHER_GAIN } {
+            if !is_missed(lost, &left, &self.left) {
                 (self.model, self.fitted, self.left) = (model, without, left);
                 let of_it = |round: &&mut Round| round.tried.first().is_some_and(|t| t.cause.id == cause.id);
                 self.rounds.iter_mut().filter(|round| round.taken).find(of_it).into_iter().for_each(
@@ -344,17 +343,38 @@ impl Found<'_> {
     }
 
     fn pays(&self, best: &Tried) -> bool {
-        if self.rounds.is_empty() || self.left.is_white() {
-            return best.gain > self.asked();
-        }
-        best.gain > LEAST_GAIN && best.left.excess() < (1.0 - FURTHER_TAKES) * self.left.excess()
+        pays(self.first_gain(), best.gain, &best.left, &self.left)
     }
 
-    /// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.
+    /// The gain that is asked of the next cause.
     pub fn asked(&self) -> f64 {
-        let first = self.rounds.first().filter(|round| round.taken).and_then(|round| round.tried.first());
-        first.map_or(LEAST_GAIN, |first| FURTHER_GAIN.max(FURTHER_SHARE * first.gain))
+        asked(self.first_gain())
     }
+
+    /// Gain of the first cause, where one was taken.
+    fn first_gain(&self) -> Option<f64> {
+        Some(self.rounds.first().filter(|round| round.taken)?.tried.first()?.gain)
+    }
+}
+
+/// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.
+fn asked(first_gain: Option<f64>) -> f64 {
+    first_gain.map_or(LEAST_GAIN, |first| FURTHER_GAIN.max(FURTHER_SHARE * first))
+}
+
+/// Whether a cause is taken beside those before it (the first of which gained so much), by its own gain and by what it leaves of what
+/// was left.
+pub fn pays(first_gain: Option<f64>, gain: f64, leaves: &Left, left: &Left) -> bool {
+    if first_gain.is_none() || left.is_white() {
+        gain > asked(first_gain)
+    } else {
+        gain > LEAST_GAIN && leaves.excess() < (1.0 - FURTHER_TAKES) * left.excess()
+    }
+}
+
+/// Whether a cause taken before others is missed once it is left out.
+pub fn is_missed(lost: f64, without: &Left, with: &Left) -> bool {
+    lost >= if without.excess() > with.excess() { LEAST_GAIN } else { FURTHER_GAIN }
 }
 
 /// Logarithm of the evidence of a model with a cause over that without, by Laplace's approximation of both integrals: the

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::frames::Vec3;
 use crate::inertia::samples::Sensor;
 
-use super::point::{Model, SETTLING_S};
+use super::point::{Model, first_settled};
 use super::result::SwingTrace;
 use super::search::Found;
 
@@ -18,7 +18,7 @@ pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
         let after = found.model.readings(&found.fitted.point, s)?;
         let (stream, axis) = strongest(base, s);
         let samples = &swung.samples.streams[stream];
-        let first = samples.t_s.partition_point(|t| *t < SETTLING_S);
+        let first = first_settled(&samples.t_s);
         let part = |readings: &[Vec3]| readings[first..].iter().map(|r| r[axis]).collect();
         let (what, unit) = match samples.sensor {
             Sensor::Gyroscope => ("turn rate about", "rad/s"),

@@ -1,5 +1,7 @@
 //! From what the search found to what is said.
 
+use std::collections::BTreeMap;
+
 use crate::recording::{RepairKind, Sensor};
 
 use super::base::Base;
@@ -16,8 +18,8 @@ pub const LEFT_SHARE: f64 = 0.01;
 /// Gusts are irregular: a few tones account for most of them, not for all.
 const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
-pub const EXPONENT_U: f64 = 0.2;
-pub const EXPONENT_NEAR: f64 = 3.0;
+const EXPONENT_U: f64 = 0.2;
+const EXPONENT_NEAR: f64 = 3.0;
 
 impl Found<'_> {
     /// Whether structure remains that nothing accounts for.
@@ -40,7 +42,8 @@ impl Found<'_> {
         // Where structure remains, evidence counts for less: in proportion to what is left.
         let allowed = NOT_TOLD.max(0.02 * best.left.excess());
         let near = |t: &&Tried| best.gain - t.gain < allowed && t.cause.id != UNKNOWN;
-        round.tried[1..].iter().filter(near).filter(|t| !is_special_case(best, t)).collect()
+        let special = |t: &&Tried| are_one_drag([best.cause.id, t.cause.id], |k| parameters([best, t][k]));
+        round.tried[1..].iter().filter(near).filter(|t| !special(t)).collect()
     }
 
     /// The rivals as models, each with its weight beside the cause taken.
@@ -72,65 +75,73 @@ impl Found<'_> {
         let mut named: Vec<String> = self.model.named().map(|cause| cause.id.into()).collect();
         named.extend(saturation(self.model.base).map(|cause| cause.id));
         let rivals: Vec<String> = self.rivals().iter().map(|t| t.cause.id.into()).collect();
-        let unexplained = self.is_unexplained();
-        let status = match (unexplained, named.is_empty(), rivals.is_empty()) {
-            (true, ..) => "unexplained",
-            (false, true, _) => "adequate",
-            (false, false, true) => "explained",
-            (false, false, false) => "ambiguous",
-        };
-        let mut causes = named;
-        if unexplained && !causes.iter().any(|id| id == UNKNOWN) {
-            causes.push(UNKNOWN.into());
-        }
-        let indistinguishable_from = if status == "ambiguous" { rivals } else { vec![] };
-        let mut verdict =
-            CauseVerdict { status: status.into(), causes, indistinguishable_from, ..Default::default() };
-        verdict.text = in_words(&verdict);
-        verdict
+        judged(named, rivals, self.is_unexplained())
     }
 
     /// Every cause of the rounds with its probability in its round; those taken first.
     pub fn causes(&self) -> Vec<CauseResult> {
-        let mut list: Vec<CauseResult> = Vec::new();
-        for round in &self.rounds {
-            let best = round.tried.first().map_or(0.0, |t| t.gain.max(0.0));
-            let odds = |gain: f64| (gain - best).exp();
-            let all: f64 = odds(0.0) + round.tried.iter().map(|t| odds(t.gain)).sum::<f64>();
-            for (n, tried) in round.tried.iter().enumerate() {
-                let taken = round.taken && n == 0;
-                if !taken && list.iter().any(|known| known.id == tried.cause.id) {
-                    continue;
-                }
-                list.retain(|known| known.id != tried.cause.id);
-                list.push(CauseResult {
-                    id: tried.cause.id.into(),
-                    probability: odds(tried.gain) / all,
-                    log_evidence_gain: tried.gain,
-                    parameters: parameters(tried),
-                    text: sentence(tried.cause.id),
-                    taken,
-                });
-            }
-        }
-        if self.is_unexplained() && !list.iter().any(|c| c.id == UNKNOWN) {
-            list.push(CauseResult {
-                id: UNKNOWN.into(),
-                probability: 1.0,
-                log_evidence_gain: 0.5 * self.left.excess(),
-                parameters: Default::default(),
-                text: sentence(UNKNOWN),
-                taken: false,
-            });
-        }
-        list.extend(saturation(self.model.base));
-        list.sort_by(|a, b| b.taken.cmp(&a.taken).then(b.probability.total_cmp(&a.probability)));
-        list
+        let result = |t: &Tried| result(t.cause.id, t.gain, parameters(t));
+        let rounds = self.rounds.iter().map(|r| (r.taken, r.tried.iter().map(result).collect()));
+        let left = self.is_unexplained().then(|| self.left.excess());
+        ranked(rounds, left, saturation(self.model.base))
     }
 }
 
+/// The verdict from the names of the causes taken, of those that do as well as the last of them, and whether structure remains.
+pub fn judged(mut causes: Vec<String>, rivals: Vec<String>, unexplained: bool) -> CauseVerdict {
+    let status = match (unexplained, causes.is_empty(), rivals.is_empty()) {
+        (true, ..) => "unexplained",
+        (false, true, _) => "adequate",
+        (false, false, true) => "explained",
+        (false, false, false) => "ambiguous",
+    };
+    if unexplained && !causes.iter().any(|id| id == UNKNOWN) {
+        causes.push(UNKNOWN.into());
+    }
+    let indistinguishable_from = if status == "ambiguous" { rivals } else { vec![] };
+    let mut verdict =
+        CauseVerdict { status: status.into(), causes, indistinguishable_from, ..Default::default() };
+    verdict.text = in_words(&verdict);
+    verdict
+}
+
+/// A cause that was tried, not ranked yet.
+pub fn result(id: &str, gain: f64, parameters: BTreeMap<String, ParameterResult>) -> CauseResult {
+    let (probability, taken) = (1.0, false);
+    CauseResult { id: id.into(), probability, log_evidence_gain: gain, parameters, text: sentence(id), taken }
+}
+
+/// Every cause of the rounds (whether their first was taken; what was tried, the best first) with its probability in its round, what
+/// is left unexplained (χ²) and what shows by itself beside them; those taken first.
+pub fn ranked(
+    rounds: impl Iterator<Item = (bool, Vec<CauseResult>)>,
+    unexplained: Option<f64>,
+    by_itself: Option<CauseResult>,
+) -> Vec<CauseResult> {
+    let mut list: Vec<CauseResult> = Vec::new();
+    for (first_taken, tried) in rounds {
+        let most = tried.first().map_or(0.0, |t| t.log_evidence_gain.max(0.0));
+        let odds = |gain: f64| (gain - most).exp();
+        let all: f64 = odds(0.0) + tried.iter().map(|t| odds(t.log_evidence_gain)).sum::<f64>();
+        for (n, tried) in tried.into_iter().enumerate() {
+            let taken = first_taken && n == 0;
+            if taken || list.iter().all(|known| known.id != tried.id) {
+                list.retain(|known| known.id != tried.id);
+                let probability = odds(tried.log_evidence_gain) / all;
+                list.push(CauseResult { probability, taken, ..tried });
+            }
+        }
+    }
+    if let Some(excess) = unexplained.filter(|_| list.iter().all(|c| c.id != UNKNOWN)) {
+        list.push(result(UNKNOWN, 0.5 * excess, BTreeMap::new()));
+    }
+    list.extend(by_itself);
+    list.sort_by(|a, b| b.taken.cmp(&a.taken).then(b.probability.total_cmp(&a.probability)));
+    list
+}
+
 /// A verdict as a sentence.
-pub fn in_words(verdict: &CauseVerdict) -> String {
+fn in_words(verdict: &CauseVerdict) -> String {
     let named = verdict
         .causes
         .iter()
@@ -163,7 +174,7 @@ const LEAST_SATURATED: usize = 10;
 /// Readings at the end of a sensor's range show it by themselves: they were left out, and nothing needs to be fitted. Each
 /// of them, exactly alike as they are, counts for one nat at least.
 pub fn saturation(base: &Base) -> Option<CauseResult> {
-    let mut limits = std::collections::BTreeMap::new();
+    let mut limits = BTreeMap::new();
     let mut count = 0;
     for swung in &base.swings {
         for repair in swung.evidence.repairs.iter().filter(|r| r.kind == RepairKind::Saturation) {
@@ -182,35 +193,30 @@ pub fn saturation(base: &Base) -> Option<CauseResult> {
             known.value = known.value.max(largest);
         }
     }
-    (count >= LEAST_SATURATED).then(|| CauseResult {
-        id: "saturation".into(),
-        probability: 1.0,
-        log_evidence_gain: count as f64,
-        parameters: limits,
-        text: sentence("saturation"),
-        taken: true,
-    })
+    (count >= LEAST_SATURATED)
+        .then(|| CauseResult { taken: true, ..result("saturation", count as f64, limits) })
 }
 
-/// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause.
-fn is_special_case(best: &Tried, other: &Tried) -> bool {
-    let pair = [best.cause.id, other.cause.id];
-    if !(pair.contains(&"quadratic_drag") && pair.contains(&"power_law_damping")) {
+/// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause. `parameters` are those of the first or the
+/// second of the two.
+pub fn are_one_drag(ids: [&str; 2], parameters: impl Fn(usize) -> BTreeMap<String, ParameterResult>) -> bool {
+    let Some(power) = ids.iter().position(|id| *id == "power_law_damping") else { return false };
+    if !ids.contains(&"quadratic_drag") {
         return false;
     }
-    let power = if best.cause.id == "power_law_damping" { best } else { other };
-    let found = parameters(power).remove("exponent");
-    found.is_some_and(|e| e.u < EXPONENT_U && (e.value - 1.0).abs() < EXPONENT_NEAR * e.u)
+    let is_one = |e: &ParameterResult| e.u < EXPONENT_U && (e.value - 1.0).abs() < EXPONENT_NEAR * e.u;
+    let found = parameters(power);
+    found.iter().filter(|(name, _)| name.starts_with("exponent")).all(|(_, e)| is_one(e))
 }
 
 /// Parameters of a cause in units of the rig.
-fn parameters(tried: &Tried) -> std::collections::BTreeMap<String, ParameterResult> {
+fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
     let cause: &Cause = &tried.cause;
     let values = tried.fitted.point.causes.last().cloned().unwrap_or_default();
     let first = tried.fitted.place_of_last(values.len());
     let covariance = tried.fitted.covariance();
     let swings = tried.fitted.jacobians.len();
-    let mut found = std::collections::BTreeMap::new();
+    let mut found = BTreeMap::new();
     for (k, (parameter, own)) in cause.expanded(swings).into_iter().enumerate() {
         let u = covariance.as_ref().map_or(f64::INFINITY, |c| c[(first + k, first + k)].max(0.0).sqrt());
         let (value, u) = if parameter.is_log {

@@ -10,7 +10,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::error::Result;
 
-use super::point::{Model, Point, SETTLING_S};
+use super::point::{Model, Point, first_settled};
 
 /// Chance that a session of white noise shows anything.
 const FALSE_ALARM: f64 = 1e-4;
@@ -80,7 +80,7 @@ impl Left {
 
 /// Bands of one channel's residuals, over their noise, in a session of so many channels.
 pub fn in_record(place: (usize, usize), t_s: &[f64], residuals: &[f64], channels: usize) -> Vec<Band> {
-    let first = t_s.partition_point(|t| *t < SETTLING_S);
+    let first = first_settled(t_s);
     let span_s = t_s.last().unwrap_or(&0.0) - t_s.get(first).unwrap_or(&0.0);
     in_channel(place, &residuals[first..], span_s, FALSE_ALARM / channels as f64)
 }

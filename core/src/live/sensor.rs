@@ -1,17 +1,12 @@
 //! One sensor's stamps and limits, sample by sample.
 
 use super::estimate::SensorState;
-use crate::recording::Sensor;
+use crate::recording::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, Sensor};
 
 /// Intervals that the usual one is the median of.
 const INTERVALS: usize = 64;
 /// The median is taken anew after so many.
 const RENEWED_AFTER: usize = 16;
-/// An interval of more than this many usual ones is a gap (as in the repairs of a recording).
-const GAP_INTERVALS: f64 = 1.5;
-/// A sample above this part of the full scale is at the limit (as in the repairs of a recording).
-const STATED_RANGE: f64 = 0.999;
-
 /// A sensor being watched.
 #[derive(Debug, Clone)]
 pub(super) struct Watch {
@@ -83,7 +78,7 @@ impl Watch {
         if self.usual_s.is_none() || self.next.is_multiple_of(RENEWED_AFTER) {
             self.usual_s = median(&self.intervals_s);
         }
-        if self.usual_s.is_some_and(|usual_s| interval_s > GAP_INTERVALS * usual_s) {
+        if self.usual_s.is_some_and(|usual_s| interval_s > MISSING_INTERVALS * usual_s) {
             self.gaps += 1;
             self.longest_gap_s = self.longest_gap_s.max(interval_s);
         } else {
@@ -116,12 +111,6 @@ fn median(values: &[f64]) -> Option<f64> {
     (!sorted.is_empty()).then(|| *sorted.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Samples that must stay at the extreme in one go …
-const RUN_SAMPLES: u64 = 3;
-/// … and how often, before the extreme counts as a limit.
-const RUNS: u64 = 2;
-/// Mean step into and out of a run, in steps of resolution, above which the signal was cut off.
-const CUT_STEPS: f64 = 3.0;
 /// A step smaller than this part of the extreme is rounding: a converter of 16 bits makes larger ones.
 const ROUNDING: f64 = 1e-5;
 
@@ -176,7 +165,7 @@ impl Extreme {
     }
 
     fn end_run(&mut self, step_out: f64) {
-        if self.run >= RUN_SAMPLES {
+        if self.run >= RUN_SAMPLES as u64 {
             self.runs += 1;
             self.in_runs += self.run;
             self.steps += 0.5 * (self.step_in + step_out);
@@ -187,6 +176,6 @@ impl Extreme {
     /// Samples at the limit, 0 where there is none.
     fn saturated(&self) -> u64 {
         let cut = self.steps > CUT_STEPS * self.resolution * self.runs as f64;
-        if self.runs >= RUNS && self.peak != 0.0 && cut { self.in_runs } else { 0 }
+        if self.runs >= RUNS as u64 && self.peak != 0.0 && cut { self.in_runs } else { 0 }
     }
 }

@@ -19,10 +19,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::FORMAT;
-use super::point::SETTLING_S;
-use super::result::{CauseVerdict, Criticism, Critique, Gain, ModelResult, SwingTrace};
+use super::gain;
+use super::point::first_settled;
+use super::result::{CauseVerdict, Criticism, Critique, ModelResult, SwingTrace};
 use super::search::Told;
-use super::shifts;
 use crate::error::Result;
 use crate::inertia::estimate::{Observed, System};
 use crate::inertia::measure::{SwingWork, title};
@@ -71,7 +71,7 @@ fn conclude(
         quantities: quantities(session, found, model),
     };
     let (baseline, extended) = (result(&found.base, before), result(&found.best, after));
-    let shifts = shifts(&baseline.quantities, &extended.quantities);
+    let gain = gain((before, after), rows, &baseline, &extended);
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|r| next_swing(found, r));
     warnings.push(
         "No swing was recorded by gyroscope and accelerometer on two lines: each was criticised in its strongest motion alone, by its turn."
@@ -85,12 +85,7 @@ fn conclude(
         verdict: CauseVerdict { next_swing: next, ..found.verdict() },
         baseline,
         extended,
-        gain: Gain {
-            heldout_rms_ratio: Some(rms(before) / rms(after)),
-            log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
-            k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
-            shifts,
-        },
+        gain,
         learned: learned::force(found, rms(after)),
         warnings,
     };
@@ -138,7 +133,7 @@ fn quantities(
 fn traces(found: &Found) -> Option<Vec<SwingTrace>> {
     let one = |s: usize| {
         let swing = &found.swings[s];
-        let first = swing.stream.t_s.partition_point(|t| *t < SETTLING_S);
+        let first = first_settled(&swing.stream.t_s);
         let of = |model: &Extended| {
             Some(swing.readings(&model.fits[s].point, &model.causes_of(swing))?.split_off(first))
         };

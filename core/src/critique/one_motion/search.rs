@@ -3,9 +3,7 @@
 
 use super::super::causes::UNKNOWN;
 use super::super::point::{Part, SETTLING_S};
-use super::super::search::{
-    FURTHER_GAIN, FURTHER_SHARE, FURTHER_TAKES, LEAST_GAIN, MOST_CAUSES, Told, UNNAMED_FROM, UNNAMED_LEAVES,
-};
+use super::super::search::{LEAST_GAIN, MOST_CAUSES, Told, UNNAMED_FROM, UNNAMED_LEAVES, is_missed, pays};
 use super::super::white::{Left, in_record};
 use super::causes::{Cause, Kind, catalogue};
 use super::fitting::{Fitted, fit, fit_from_afar};
@@ -170,15 +168,8 @@ impl Found<'_> {
     }
 
     fn pays(&self, best: &Tried) -> bool {
-        let Some(first) = self.rounds.first().and_then(|round| round.tried.first()) else {
-            return best.gain > LEAST_GAIN;
-        };
-        let left = self.best.left.excess();
-        if self.best.left.is_white() {
-            best.gain > FURTHER_GAIN.max(FURTHER_SHARE * first.gain)
-        } else {
-            best.gain > LEAST_GAIN && best.with.left.excess() < (1.0 - FURTHER_TAKES) * left
-        }
+        let first = self.rounds.first().and_then(|round| round.tried.first());
+        pays(first.map(|t| t.gain), best.gain, &best.with.left, &self.best.left)
     }
 
     /// A cause taken first may owe its gain to one that was taken later: without it nothing is then lost, and it goes.
@@ -186,8 +177,7 @@ impl Found<'_> {
         for k in (0..self.best.causes.len().saturating_sub(1)).rev() {
             let Some(without) = self.without(k) else { continue };
             let Some(lost) = self.gain(&without, &self.best, self.best.causes[k]) else { continue };
-            let shows = without.left.excess() > self.best.left.excess();
-            if lost < if shows { LEAST_GAIN } else { FURTHER_GAIN } {
+            if !is_missed(lost, &without.left, &self.best.left) {
                 self.best = without;
                 self.rounds[k].taken = false;
             }

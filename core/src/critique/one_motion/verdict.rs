@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::causes::UNKNOWN;
 use super::super::result::{CauseResult, CauseVerdict, ParameterResult};
-use super::super::verdict::{EXPONENT_NEAR, EXPONENT_U, LEFT_SHARE, NOT_TOLD, in_words, sentence};
+use super::super::verdict::{LEFT_SHARE, NOT_TOLD, are_one_drag, judged, ranked, result};
 use super::search::{Found, Round, Tried};
 
 impl Found<'_> {
@@ -29,78 +29,20 @@ impl Found<'_> {
         // Where structure remains, evidence counts for less: in proportion to what is left.
         let allowed = NOT_TOLD.max(0.02 * best.with.left.excess());
         let near = |t: &&Tried| best.gain - t.gain < allowed && t.id != UNKNOWN;
-        others.iter().filter(near).filter(|t| !self.is_special_case(best, t)).collect()
-    }
-
-    /// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause.
-    fn is_special_case(&self, best: &Tried, other: &Tried) -> bool {
-        let pair = [best.id, other.id];
-        if !(pair.contains(&"quadratic_drag") && pair.contains(&"power_law_damping")) {
-            return false;
-        }
-        let power = if best.id == "power_law_damping" { best } else { other };
-        let is_one = |e: &ParameterResult| e.u < EXPONENT_U && (e.value - 1.0).abs() < EXPONENT_NEAR * e.u;
-        let found = self.parameters(power);
-        found.iter().filter(|(name, _)| name.starts_with("exponent")).all(|(_, e)| is_one(e))
+        let special = |t: &&Tried| are_one_drag([best.id, t.id], |k| self.parameters([best, t][k]));
+        others.iter().filter(near).filter(|t| !special(t)).collect()
     }
 
     pub fn verdict(&self) -> CauseVerdict {
-        let mut causes = self.names();
-        let rivals: Vec<String> = self.rivals().iter().map(|t| t.id.into()).collect();
-        let status = match (self.is_unexplained(), causes.is_empty(), rivals.is_empty()) {
-            (true, ..) => "unexplained",
-            (false, true, _) => "adequate",
-            (false, false, true) => "explained",
-            (false, false, false) => "ambiguous",
-        };
-        if status == "unexplained" && !causes.iter().any(|id| id == UNKNOWN) {
-            causes.push(UNKNOWN.into());
-        }
-        let indistinguishable_from = if status == "ambiguous" { rivals } else { vec![] };
-        let mut verdict =
-            CauseVerdict { status: status.into(), causes, indistinguishable_from, ..Default::default() };
-        verdict.text = in_words(&verdict);
-        verdict
+        let rivals = self.rivals().iter().map(|t| t.id.into()).collect();
+        judged(self.names(), rivals, self.is_unexplained())
     }
 
     /// Every cause of the rounds with its probability in its round; those taken first.
     pub fn causes(&self) -> Vec<CauseResult> {
-        let mut list: Vec<CauseResult> = Vec::new();
-        for round in &self.rounds {
-            let most = round.tried.first().map_or(0.0, |t| t.gain.max(0.0));
-            let odds = |gain: f64| (gain - most).exp();
-            let all: f64 = odds(0.0) + round.tried.iter().map(|t| odds(t.gain)).sum::<f64>();
-            for (n, tried) in round.tried.iter().enumerate() {
-                let taken = round.taken && n == 0;
-                if taken || list.iter().all(|known| known.id != tried.id) {
-                    list.retain(|known| known.id != tried.id);
-                    list.push(CauseResult {
-                        id: tried.id.into(),
-                        probability: odds(tried.gain) / all,
-                        log_evidence_gain: tried.gain,
-                        parameters: self.parameters(tried),
-                        text: sentence(tried.id),
-                        taken,
-                    });
-                }
-            }
-        }
-        if self.is_unexplained() && list.iter().all(|c| c.id != UNKNOWN) {
-            list.push(self.unknown());
-        }
-        list.sort_by(|a, b| b.taken.cmp(&a.taken).then(b.probability.total_cmp(&a.probability)));
-        list
-    }
-
-    fn unknown(&self) -> CauseResult {
-        CauseResult {
-            id: UNKNOWN.into(),
-            probability: 1.0,
-            log_evidence_gain: 0.5 * self.best.left.excess(),
-            parameters: BTreeMap::new(),
-            text: sentence(UNKNOWN),
-            taken: false,
-        }
+        let result = |t: &Tried| result(t.id, t.gain, self.parameters(t));
+        let rounds = self.rounds.iter().map(|r| (r.taken, r.tried.iter().map(result).collect()));
+        ranked(rounds, self.is_unexplained().then(|| self.best.left.excess()), None)
     }
 
     /// Parameters of the last cause of those tried, swing by swing.

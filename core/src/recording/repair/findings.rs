@@ -5,7 +5,7 @@ use super::{Fates, RawSeries};
 use crate::recording::samples::{Repair, RepairKind, Sensor};
 
 /// An interval longer than this many median intervals means that a row is missing.
-const MISSING_INTERVALS: f64 = 1.5;
+pub(crate) const MISSING_INTERVALS: f64 = 1.5;
 /// … and longer than this, that the record stood still.
 const STALL_INTERVALS: f64 = 10.0;
 /// Intervals that scatter by more than this part of their median are reported as jitter.

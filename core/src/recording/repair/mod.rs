@@ -7,6 +7,8 @@ mod findings;
 mod saturation;
 mod stamps;
 
+pub(crate) use findings::MISSING_INTERVALS;
+pub(crate) use saturation::{CUT_STEPS, RUN_SAMPLES, RUNS, STATED_RANGE};
 pub(crate) use stamps::median_interval_s;
 
 use std::ops::Range;

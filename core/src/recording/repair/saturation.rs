@@ -9,15 +9,15 @@ use super::{Fates, RawSeries};
 use crate::recording::samples::RepairKind;
 
 /// Samples that must stay at the extreme in one go …
-const RUN_SAMPLES: usize = 3;
+pub(crate) const RUN_SAMPLES: usize = 3;
 /// … and how often, before the extreme counts as a limit.
-const RUNS: usize = 2;
+pub(crate) const RUNS: usize = 2;
 /// Mean step into and out of a run, in steps of resolution, above which the signal was cut off.
-const CUT_STEPS: f64 = 3.0;
+pub(crate) const CUT_STEPS: f64 = 3.0;
 /// Limits of a sensor are alike on both sides to this part of the range.
 const SYMMETRY: f64 = 0.98;
 /// A sample above this part of a stated range is at its limit: 2000 °/s are stated, 1999.9 °/s written.
-const STATED_RANGE: f64 = 0.999;
+pub(crate) const STATED_RANGE: f64 = 0.999;
 
 /// Marks the samples that are at a limit.
 pub(super) fn judge(raw: &RawSeries, fates: &mut Fates) {
