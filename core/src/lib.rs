@@ -16,6 +16,7 @@ pub mod frames;
 pub mod inertia;
 pub mod live;
 pub mod modes;
+pub mod plan;
 pub mod practice;
 pub mod recorder;
 pub mod recording;
