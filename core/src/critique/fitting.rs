@@ -232,7 +232,8 @@ impl Model<'_> {
         let (mut matrix, mut gradient) = (DMatrix::zeros(size, size), DVector::zeros(size));
         let parts = self.each(|s| {
             let j = &jacobians[s];
-            (j.tr_mul(j), j.tr_mul(&misfit.rows[s]))
+            // Not `tr_mul`, which multiplies matrices element by element.
+            (j.transpose() * j, j.tr_mul(&misfit.rows[s]))
         });
         for (s, (own_matrix, own_gradient)) in parts.iter().enumerate() {
             let at = places.of_swing(self, s);

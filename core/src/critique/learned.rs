@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::causes::{Scales, TERMS, UNKNOWN, learned_force, reach};
 use super::fitting::Fitted;
-use super::look::Look;
+use super::look::{Look, Standing};
 use super::point::{Form, Model};
 use super::result::LearnedForce;
 use super::search::{Found, LEAST_GAIN, gain};
@@ -103,13 +103,11 @@ struct Closed {
 fn closed_form(before: &Model, without: &Fitted, scales: &Scales, coordinate: usize) -> Option<Closed> {
     let mut terms: Vec<&'static str> = Vec::new();
     let mut best: Option<(f64, Fitted)> = None;
+    let standing = Standing::of(before, without).ok()?;
     for _ in 0..2 {
         let looks = TERMS.iter().filter(|term| !terms.contains(term)).filter_map(|term| {
             let with = [&terms[..], &[*term]].concat();
-            Look::at(before, without, &learned_force(scales, coordinate, &with))
-                .ok()
-                .flatten()
-                .map(|l| (l, with))
+            Look::at(&standing, &learned_force(scales, coordinate, &with)).ok().flatten().map(|l| (l, with))
         });
         let (look, with) = looks.max_by(|a, b| a.0.gain.total_cmp(&b.0.gain))?;
         let model = before.with(&look.cause);

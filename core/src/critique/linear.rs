@@ -1,5 +1,6 @@
 //! How far a simulated swing is from its samples, and how the readings change with everything that is fitted.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use nalgebra::DMatrix;
@@ -76,6 +77,11 @@ impl Model<'_> {
             readings.iter().map(|r| picked(sensor, r)).collect()
         };
         Ok(all.into_iter().zip(sensors).map(part).collect())
+    }
+
+    /// The motion of a swing as far as it is looked at.
+    pub fn path(&self, point: &Point, s: usize) -> Result<Path<f64>> {
+        self.experiment(point, s)?.motion(self.fineness(), self.until_s(s))
     }
 
     /// Mean residual of each block over its standard deviation, block after block.
@@ -228,14 +234,22 @@ pub struct Reader<'a> {
     point: &'a Point,
     pub s: usize,
     blocks: &'a [Block<'a>],
-    path: Path<f64>,
+    path: Cow<'a, Path<f64>>,
 }
 
 impl<'a> Reader<'a> {
     pub fn new(model: &'a Model<'a>, point: &'a Point, s: usize, blocks: &'a [Block<'a>]) -> Result<Self> {
-        let experiment = model.experiment(point, s)?;
-        let path = experiment.motion(model.fineness(), model.until_s(s))?;
-        Ok(Self { model, point, s, blocks, path })
+        Ok(Self { model, point, s, blocks, path: Cow::Owned(model.path(point, s)?) })
+    }
+
+    /// Where the motion at the point is known already.
+    pub fn along(
+        path: &'a Path<f64>,
+        model: &'a Model<'a>,
+        (point, s): (&'a Point, usize),
+        blocks: &'a [Block<'a>],
+    ) -> Self {
+        Self { model, point, s, blocks, path: Cow::Borrowed(path) }
     }
 
     /// Rows of the same motion with another phone.
@@ -245,9 +259,7 @@ impl<'a> Reader<'a> {
 
     /// Rows of another motion.
     pub fn moved(&self, point: &Point) -> Result<Vec<f64>> {
-        let experiment = self.model.experiment(point, self.s)?;
-        let path = experiment.motion(self.model.fineness(), self.model.until_s(self.s))?;
-        self.read(&experiment, &path)
+        self.read(&self.model.experiment(point, self.s)?, &self.model.path(point, self.s)?)
     }
 
     fn read(&self, experiment: &Experiment, path: &Path<f64>) -> Result<Vec<f64>> {

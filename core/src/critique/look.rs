@@ -5,11 +5,32 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::dynamics::Path;
 use crate::error::Result;
+use crate::inertia::by_samples::in_parallel;
 
 use super::fitting::{Fitted, Places};
 use super::linear::Reader;
 use super::point::{Cause, Model, Point};
+
+/// A fitted model as first looks see it.
+pub struct Standing<'a> {
+    pub model: &'a Model<'a>,
+    pub fitted: &'a Fitted,
+    /// What it leaves of each swing, row by row.
+    pub residuals: Vec<DVector<f64>>,
+    paths: Vec<Path<f64>>,
+}
+
+impl<'a> Standing<'a> {
+    pub fn of(model: &'a Model<'a>, fitted: &'a Fitted) -> Result<Self> {
+        let seen = in_parallel(model.base.swings.len(), |s| {
+            Ok((DVector::from_vec(model.rows(&fitted.point, s)?), model.path(&fitted.point, s)?))
+        });
+        let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
+        Ok(Self { model, fitted, residuals, paths })
+    }
+}
 
 /// What a first look says of a cause.
 #[derive(Clone)]
@@ -25,9 +46,10 @@ pub struct Look {
 
 impl Look {
     /// Looks at a cause beside what is fitted; none where it has no parameters like what is seen.
-    pub fn at(model: &Model, fitted: &Fitted, cause: &Cause) -> Result<Option<Self>> {
-        let Some(alike) = &cause.look else { return Self::straight(model, fitted, cause).map(Some) };
-        let seen = Self::straight(model, fitted, &alike.cause)?;
+    pub fn at(standing: &Standing, cause: &Cause) -> Result<Option<Self>> {
+        let Some(alike) = &cause.look else { return Self::straight(standing, cause).map(Some) };
+        let seen = Self::straight(standing, &alike.cause)?;
+        let model = standing.model;
         let swings = model.base.swings.len();
         let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
         let strengths: Vec<f64> = seen.delta.rows(split, size).iter().copied().collect();
@@ -42,17 +64,18 @@ impl Look {
         Ok(Some(Self { cause: cause.clone(), gain: seen.gain, chi2: seen.chi2, delta }))
     }
 
-    fn straight(model: &Model, fitted: &Fitted, cause: &Cause) -> Result<Self> {
+    fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
+        let (model, fitted) = (standing.model, standing.fitted);
         let swings = model.base.swings.len();
         let extended = model.with(cause);
         let mut at = fitted.point.clone();
         at.causes.push(cause.start(swings));
         let strengths: Vec<usize> =
             (0..cause.size(swings)).filter(|k| cause.expanded(swings)[*k].0.is_strength).collect();
-        let parts = model.each(|s| columns(&extended, fitted, &at, s, cause, &strengths));
+        let parts = model.each(|s| columns(standing, &extended, &at, s, &strengths));
         let parts = parts.into_iter().collect::<Result<Vec<_>>>()?;
         let u = DVector::from_fn(strengths.len(), |k, _| cause.expanded(swings)[strengths[k]].0.prior.1);
-        let mut equations = Equations::new(model, fitted, u);
+        let mut equations = Equations::new(standing, u);
         parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, part));
         let Some(solved) = equations.solved(cause.one_sided) else {
             let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
@@ -84,8 +107,7 @@ pub fn laid_out(model: &Model, rest: &DVector<f64>, values: &[f64]) -> DVector<f
 
 /// Strengths beside everything that is fitted: the equations that all swings together make for them.
 pub struct Equations<'a> {
-    model: &'a Model<'a>,
-    fitted: &'a Fitted,
+    standing: &'a Standing<'a>,
     /// Of the strengths' priors.
     u: DVector<f64>,
     outer: DMatrix<f64>,
@@ -102,18 +124,19 @@ pub struct Solved {
 }
 
 impl<'a> Equations<'a> {
-    pub fn new(model: &'a Model<'a>, fitted: &'a Fitted, u: DVector<f64>) -> Self {
-        let outer = DMatrix::zeros(Places::of(model).all(), u.len());
+    pub fn new(standing: &'a Standing<'a>, u: DVector<f64>) -> Self {
+        let outer = DMatrix::zeros(Places::of(standing.model).all(), u.len());
         let inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
         let score = DVector::zeros(u.len());
-        Self { model, fitted, u, outer, inner, score }
+        Self { standing, u, outer, inner, score }
     }
 
     /// Adds what a swing says.
     pub fn add(&mut self, s: usize, part: Part) {
         self.inner += part.inner;
         self.score += part.score;
-        for (row, place) in Places::of(self.model).of_swing(self.model, s).into_iter().enumerate() {
+        let model = self.standing.model;
+        for (row, place) in Places::of(model).of_swing(model, s).into_iter().enumerate() {
             let mut sum = self.outer.row_mut(place);
             sum += part.outer.row(row);
         }
@@ -121,12 +144,13 @@ impl<'a> Equations<'a> {
 
     /// With everything else made the best of; strengths that cannot be negative at zero or above.
     pub fn solved(&self, one_sided: bool) -> Option<Solved> {
-        let base = self.fitted.cholesky()?;
+        let fitted = self.standing.fitted;
+        let base = fitted.cholesky()?;
         let absorbed = base.solve(&self.outer);
         let schur = &self.inner - self.outer.tr_mul(&absorbed);
-        let score = &self.score - absorbed.tr_mul(&self.fitted.gradient);
+        let score = &self.score - absorbed.tr_mul(&fitted.gradient);
         let (strength, gain, chi2) = strengths(&schur, &score, &self.u, one_sided)?;
-        let rest = base.solve(&self.fitted.gradient) - &absorbed * &strength;
+        let rest = base.solve(&fitted.gradient) - &absorbed * &strength;
         Some(Solved { strength, rest, gain, chi2 })
     }
 }
@@ -171,28 +195,24 @@ impl Part {
     /// From derivatives by what is fitted and by the strengths, and the residual, row by row.
     pub fn of(jacobian: &DMatrix<f64>, sensitivity: &DMatrix<f64>, residual: &DVector<f64>) -> Self {
         Self {
-            outer: jacobian.tr_mul(sensitivity),
+            outer: (sensitivity.transpose() * jacobian).transpose(),
             inner: sensitivity.tr_mul(sensitivity),
             score: sensitivity.tr_mul(residual),
         }
     }
 }
 
-fn columns(
-    extended: &Model,
-    fitted: &Fitted,
-    at: &Point,
-    s: usize,
-    cause: &Cause,
-    strengths: &[usize],
-) -> Result<Part> {
+/// Of a swing, by the strengths of the last cause of a model that has one more, at a point where they are zero: what is left there
+/// is what the model without it leaves.
+fn columns(standing: &Standing, extended: &Model, at: &Point, s: usize, strengths: &[usize]) -> Result<Part> {
     let blocks = extended.blocks(s);
+    let last = extended.causes.len() - 1;
+    let cause = &extended.causes[last];
     let expanded = cause.expanded(extended.base.swings.len());
-    let last = at.causes.len() - 1;
-    let reader = Reader::new(extended, at, s, &blocks)?;
-    let zero = reader.reread(at)?;
-    let jacobian = &fitted.jacobians[s];
-    let mut sensitivity = DMatrix::zeros(zero.len(), strengths.len());
+    let reader = Reader::along(&standing.paths[s], extended, (at, s), &blocks);
+    let read = |at: &Point| if cause.on_phone { reader.reread(at) } else { reader.moved(at) };
+    let residual = &standing.residuals[s];
+    let mut sensitivity = DMatrix::zeros(residual.len(), strengths.len());
     for (column, k) in strengths.iter().enumerate() {
         let (parameter, own) = &expanded[*k];
         if own.is_some_and(|own| own != s) {
@@ -201,17 +221,16 @@ fn columns(
         let moved = |by: f64| {
             let mut moved = at.clone();
             moved.causes[last][*k] += by;
-            if cause.on_phone { reader.reread(&moved) } else { reader.moved(&moved) }
+            read(&moved)
         };
         let up = moved(parameter.step)?;
         // The base absorbs nearly all of what shifts a period: the little that is left must not be an error of the step.
-        let (down, by) = match moved(-parameter.step) {
-            Ok(down) if !cause.stiff => (down, 2.0 * parameter.step),
-            _ => (zero.clone(), parameter.step),
+        let (down, by) = match (!cause.stiff).then(|| moved(-parameter.step)) {
+            Some(Ok(down)) => (down, 2.0 * parameter.step),
+            _ => (read(at)?, parameter.step),
         };
         let change = up.iter().zip(&down).map(|(u, d)| (u - d) / by);
         sensitivity.column_mut(column).iter_mut().zip(change).for_each(|(cell, c)| *cell = c);
     }
-    let residual = DVector::from_vec(extended.rows(at, s)?);
-    Ok(Part::of(jacobian, &sensitivity, &residual))
+    Ok(Part::of(&standing.fitted.jacobians[s], &sensitivity, residual))
 }

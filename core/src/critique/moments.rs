@@ -4,11 +4,11 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::error::Result;
+use crate::inertia::by_samples::in_parallel;
 
 use super::causes::{Scales, knock_at, slip_at};
-use super::fitting::Fitted;
-use super::look::{Equations, Look, Part, Solved, laid_out};
-use super::point::{Cause, Model, OWN};
+use super::look::{Equations, Look, Part, Solved, Standing, laid_out};
+use super::point::{Cause, OWN};
 
 /// Moments tried in each swing, first coarse, then about the best.
 const COARSE: usize = 24;
@@ -22,28 +22,25 @@ enum Event {
 }
 
 /// First looks at what may have happened, each at its best moment.
-pub fn moments(model: &Model, fitted: &Fitted) -> Result<Vec<Look>> {
-    let residuals = model.each(|s| model.rows(&fitted.point, s).map(DVector::from_vec));
-    let residuals = residuals.into_iter().collect::<Result<Vec<_>>>()?;
+pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
+    let model = standing.model;
     let times: Vec<Vec<f64>> =
-        (0..residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
-    let scales = Scales::of(model.base, &fitted.point)?;
-    let scan = Scan { model, fitted, residuals, times, scales };
+        (0..standing.residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
+    let scales = Scales::of(model.base, &standing.fitted.point)?;
+    let scan = Scan { standing, times, scales };
     Ok([Event::Slip, Event::Knock].into_iter().filter_map(|event| scan.best(event)).collect())
 }
 
 struct Scan<'a> {
-    model: &'a Model<'a>,
-    fitted: &'a Fitted,
-    residuals: Vec<DVector<f64>>,
+    standing: &'a Standing<'a>,
     times: Vec<Vec<f64>>,
     scales: Scales,
 }
 
 impl Scan<'_> {
     fn best(&self, event: Event) -> Option<Look> {
-        let tried = self.model.each(|s| {
-            let duration_s = self.model.swing(s).samples.duration_s;
+        let tried = in_parallel(self.times.len(), |s| {
+            let duration_s = self.standing.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
             let coarse = (1..COARSE).map(|k| k as f64 * step_s);
             let best =
@@ -77,15 +74,18 @@ impl Scan<'_> {
             }
             Event::Knock => 0.03,
         });
-        let mut equations = Equations::new(self.model, self.fitted, u);
-        let last = if event == Event::Slip { self.residuals.len() } else { s + 1 };
+        let mut equations = Equations::new(self.standing, u);
+        let last = if event == Event::Slip { self.standing.residuals.len() } else { s + 1 };
         for swing in s..last {
             let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
-            if swing != s && self.model.swing(swing).mount != self.model.swing(s).mount {
+            if swing != s && self.standing.model.swing(swing).mount != self.standing.model.swing(s).mount {
                 continue;
             }
             let columns = self.columns(event, swing, from_s);
-            equations.add(swing, Part::of(&self.fitted.jacobians[swing], &columns, &self.residuals[swing]));
+            equations.add(
+                swing,
+                Part::of(&self.standing.fitted.jacobians[swing], &columns, &self.standing.residuals[swing]),
+            );
         }
         let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
         Some(Seen { s, t_s, gain, chi2, strength, rest })
@@ -93,8 +93,8 @@ impl Scan<'_> {
 
     /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
     fn columns(&self, event: Event, swing: usize, from_s: f64) -> DMatrix<f64> {
-        let jacobian = &self.fitted.jacobians[swing];
-        let free = self.model.base.free.len();
+        let jacobian = &self.standing.fitted.jacobians[swing];
+        let free = self.standing.model.base.free.len();
         let (first, count) = match event {
             Event::Slip => (free, 6),
             Event::Knock => (jacobian.ncols() - OWN, 8),
@@ -113,12 +113,12 @@ impl Scan<'_> {
             Event::Slip => slip_at(seen.s, seen.t_s),
             Event::Knock => knock_at(&self.scales, seen.s, seen.t_s),
         };
-        let mut values = vec![0.0; cause.size(self.residuals.len())];
+        let mut values = vec![0.0; cause.size(self.standing.residuals.len())];
         if event == Event::Slip {
             // Place first there, turn first here.
             (0..6).for_each(|k| values[k] = seen.strength[(k + 3) % 6]);
         }
-        let delta = laid_out(self.model, &seen.rest, &values);
+        let delta = laid_out(self.standing.model, &seen.rest, &values);
         Look { cause, gain: seen.gain, chi2: seen.chi2, delta }
     }
 }

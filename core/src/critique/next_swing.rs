@@ -6,6 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::error::Result;
+use crate::inertia::by_samples::in_parallel;
 
 use super::fitting::Places;
 use super::linear::Reader;
@@ -28,19 +29,19 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     *other.causes.last_mut()? = rival.cause.clone();
     let design =
         Design { one: &found.model, other: &other, at: &found.fitted.point, rival: &rival.fitted.point };
-    let mut best: Option<NextSwing> = None;
-    for length in LENGTHS {
-        for spacing in SPACINGS {
-            for angle_deg in ANGLES_DEG {
-                for excited in EXCITED {
-                    let Ok(swing) = design.swing(length, spacing, angle_deg, excited) else { continue };
-                    if best.as_ref().is_none_or(|known| swing.sigma > known.sigma) {
-                        best = Some(swing);
-                    }
-                }
-            }
-        }
-    }
+    let designs: Vec<_> = LENGTHS
+        .iter()
+        .flat_map(|length| SPACINGS.iter().map(move |spacing| (*length, *spacing)))
+        .flat_map(|(length, spacing)| ANGLES_DEG.iter().map(move |angle| (length, spacing, *angle)))
+        .flat_map(|(length, spacing, angle)| {
+            EXCITED.iter().map(move |excited| (length, spacing, angle, *excited))
+        })
+        .collect();
+    let swings = in_parallel(designs.len(), |k| {
+        let (length, spacing, angle_deg, excited) = designs[k];
+        design.swing(length, spacing, angle_deg, excited).ok()
+    });
+    let best = swings.into_iter().flatten().max_by(|a, b| a.sigma.total_cmp(&b.sigma));
     best.map(|swing| in_words(longer(swing), found.model.causes.last().map_or("", |c| c.id), rival.cause.id))
 }
 
@@ -124,7 +125,7 @@ impl Design<'_> {
     fn left(&self, jacobian: &DMatrix<f64>, difference: &DVector<f64>, at: &Point) -> f64 {
         let places = Places::of(self.one).of_swing(self.one, 0);
         let priors = self.one.priors(at);
-        let mut matrix = jacobian.tr_mul(jacobian);
+        let mut matrix = jacobian.transpose() * jacobian;
         for (k, place) in places.iter().enumerate() {
             matrix[(k, k)] += priors[*place].1.powi(-2);
         }

@@ -5,7 +5,7 @@ use crate::inertia::by_samples::in_parallel;
 
 use super::causes::{GUSTS, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts};
 use super::fitting::{CONVERGED_SHARE, Fitted};
-use super::look::Look;
+use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
 use super::result::Progress;
@@ -175,9 +175,13 @@ impl Found<'_> {
             if self.left.is_white() {
                 break;
             }
-            let tones = (1..=count).map(|k| gust(tone, k as f64 / duration_s, duration_s));
-            let looks = tones.filter_map(|tone| Look::at(&self.model, &self.fitted, &tone).ok().flatten());
-            let best = looks.max_by(|a, b| a.gain.total_cmp(&b.gain));
+            let model = Model { alone: true, ..self.model.clone() };
+            let Ok(standing) = Standing::of(&model, &self.fitted) else { break };
+            let looks = in_parallel(count, |k| {
+                let tone = gust(tone, (k + 1) as f64 / duration_s, duration_s);
+                Look::at(&standing, &tone).ok().flatten()
+            });
+            let best = looks.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain));
             let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
             let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
             gained += tried.gain;
@@ -242,18 +246,19 @@ impl Found<'_> {
     fn looks(&self) -> Result<Vec<Look>> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
         let is_new = |cause: &Cause| !self.model.causes.iter().any(|known| known.id == cause.id);
+        let model = Model { alone: true, ..self.model.clone() };
+        let standing = Standing::of(&model, &self.fitted)?;
+        let mut causes = catalogue(&scales);
         let mut looks: Vec<Look> = Vec::new();
-        for cause in catalogue(&scales).iter().filter(|cause| is_new(cause)) {
-            // A cause that cannot be simulated here (a stiff line on a short lever) is no candidate.
-            looks.extend(Look::at(&self.model, &self.fitted, cause).ok().flatten());
-        }
         if !self.left.is_white() {
-            looks.extend(moments(&self.model, &self.fitted)?.into_iter().filter(|look| is_new(&look.cause)));
-            let shapes = (0..4).map(|coordinate| learned_force(&scales, coordinate, &TERMS));
-            for cause in mounts().into_iter().chain(shapes).filter(|cause| is_new(cause)) {
-                looks.extend(Look::at(&self.model, &self.fitted, &cause).ok().flatten());
-            }
+            causes.extend(mounts());
+            causes.extend((0..4).map(|coordinate| learned_force(&scales, coordinate, &TERMS)));
+            looks.extend(moments(&standing)?.into_iter().filter(|look| is_new(&look.cause)));
         }
+        causes.retain(is_new);
+        // A cause that cannot be simulated here (a stiff line on a short lever) is no candidate.
+        let seen = in_parallel(causes.len(), |k| Look::at(&standing, &causes[k]).ok().flatten());
+        looks.extend(seen.into_iter().flatten());
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         let mut leading: Vec<Look> = Vec::new();
         for look in looks {

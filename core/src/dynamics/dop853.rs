@@ -68,61 +68,82 @@ impl<S: Real> Stepper<S> {
         f(&self.inside, &mut self.slopes[stage]);
     }
 
-    /// Coefficients of the output between the ends for the first `kept` parts of the state, one part after the other.
+    /// Coefficients of the output between the ends for the first `KEPT` parts of the state: [`COEFFICIENTS`] rows of all parts.
     ///
     /// `end` and `end_slope` may already be projected. `end_slope` becomes the next step's `first_slope`.
-    pub fn between(
+    pub fn between<const KEPT: usize>(
         &mut self,
         f: &mut impl FnMut(&[S], &mut [S]),
         (start, end): (&[S], &[S]),
         end_slope: &[S],
         h: f64,
-        kept: usize,
-        out: &mut Vec<[S; COEFFICIENTS]>,
+        out: &mut Vec<[S; KEPT]>,
     ) {
         self.slopes[STAGES].copy_from_slice(end_slope);
         for stage in STAGES + 1..EXTENDED {
             self.stage(f, stage, start, h);
         }
-        for i in 0..kept {
+        let first = out.len();
+        out.resize(first + COEFFICIENTS, [S::zero(); KEPT]);
+        let rows = &mut out[first..];
+        for i in 0..KEPT {
             let change = end[i] - start[i];
-            let tail = D.map(|row| {
-                let mut sum = S::zero();
-                row.iter().for_each(|&(stage, weight)| sum.add_scaled(weight * h, self.slopes[stage][i]));
-                sum
-            });
-            let first = self.slopes[0][i];
-            let bend = change.scale(2.0) - (first + end_slope[i]).scale(h);
-            out.push([start[i], change, first.scale(h) - change, bend, tail[0], tail[1], tail[2], tail[3]]);
+            let slope = self.slopes[0][i];
+            rows[0][i] = start[i];
+            rows[1][i] = change;
+            rows[2][i] = slope.scale(h) - change;
+            rows[3][i] = change.scale(2.0) - (slope + end_slope[i]).scale(h);
+        }
+        for (row, stages) in rows[4..].iter_mut().zip(D) {
+            for &(stage, weight) in stages {
+                row.iter_mut().zip(&self.slopes[stage]).for_each(|(sum, s)| sum.add_scaled(weight * h, *s));
+            }
         }
         self.slopes[0].copy_from_slice(end_slope);
     }
 }
 
-/// Value and derivative by `x` at the fraction `x` of a step, 0 … 1.
-pub(super) fn between<S: Real>(coefficients: &[S; COEFFICIENTS], x: f64) -> (S, S) {
-    let (mut y, mut slope) = (S::zero(), S::zero());
-    for (i, coefficient) in coefficients[1..].iter().enumerate().rev() {
-        y += *coefficient;
+/// The parts of a state, and derivatives by `x` of those from `SLOPED` on, at the fraction `x` of a step, 0 … 1, from its
+/// rows of coefficients.
+pub(super) fn between<S: Real, const KEPT: usize, const SLOPED: usize>(
+    rows: &[[S; KEPT]],
+    x: f64,
+) -> ([S; KEPT], [S; KEPT]) {
+    let (mut parts, mut slopes) = ([S::zero(); KEPT], [S::zero(); KEPT]);
+    for (i, row) in rows[1..].iter().enumerate().rev() {
         let (factor, by_x) = if i % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
-        slope = slope.scale(factor);
-        slope.add_scaled(by_x, y);
-        y = y.scale(factor);
+        for k in 0..KEPT {
+            let part = parts[k] + row[k];
+            if k >= SLOPED {
+                slopes[k] = slopes[k].scale(factor);
+                slopes[k].add_scaled(by_x, part);
+            }
+            parts[k] = part.scale(factor);
+        }
     }
-    (coefficients[0] + y, slope)
+    parts.iter_mut().zip(&rows[0]).for_each(|(part, start)| *part += *start);
+    (parts, slopes)
 }
 
 /// The same where the fraction has derivatives of its own.
-pub(super) fn between_moving<S: Real>(coefficients: &[S; COEFFICIENTS], x: S) -> (S, S) {
-    let (mut y, mut slope) = (S::zero(), S::zero());
-    for (i, coefficient) in coefficients[1..].iter().enumerate().rev() {
-        y += *coefficient;
+pub(super) fn between_moving<S: Real, const KEPT: usize, const SLOPED: usize>(
+    rows: &[[S; KEPT]],
+    x: S,
+) -> ([S; KEPT], [S; KEPT]) {
+    let (mut parts, mut slopes) = ([S::zero(); KEPT], [S::zero(); KEPT]);
+    for (i, row) in rows[1..].iter().enumerate().rev() {
         let (factor, by_x) = if i % 2 == 0 { (x, 1.0) } else { (S::one() - x, -1.0) };
-        slope *= factor;
-        slope.add_scaled(by_x, y);
-        y *= factor;
+        for k in 0..KEPT {
+            let part = parts[k] + row[k];
+            if k >= SLOPED {
+                slopes[k] *= factor;
+                slopes[k].add_scaled(by_x, part);
+            }
+            parts[k] = part * factor;
+        }
     }
-    (coefficients[0] + y, slope)
+    parts.iter_mut().zip(&rows[0]).for_each(|(part, start)| *part += *start);
+    (parts, slopes)
 }
 
 fn combine<S: Real>(row: &[(usize, f64)], slopes: &[Vec<S>], start: &[S], h: f64, out: &mut [S]) {

@@ -23,7 +23,8 @@ pub struct Path<S: Real> {
     pieces: Vec<Piece>,
     /// The first piece of each step, and one beyond the last.
     first: Vec<usize>,
-    coefficients: Vec<[S; COEFFICIENTS]>,
+    /// [`COEFFICIENTS`] rows of all parts of the state for each piece.
+    coefficients: Vec<[S; MEMORY]>,
     /// First slack line, if any.
     pub slack: Option<Slack>,
     /// Centre of mass, hull axes, from the mid-point of the suspension points, m.
@@ -206,7 +207,7 @@ impl<'a, S: Real> Integration<'a, S> {
             return Err(Error::no_result("motion", text));
         }
         let (ends, out) = ((&self.state[..], &self.end[..]), &mut self.path.coefficients);
-        self.stepper.between(&mut f, ends, &self.end_slope, piece.length_s, MEMORY, out);
+        self.stepper.between(&mut f, ends, &self.end_slope, piece.length_s, out);
         self.path.pieces.push(piece);
         self.path.note_slack(piece, &self.tension_n, &tension_n, equations.system.cords.len());
         std::mem::swap(&mut self.state, &mut self.end);
@@ -241,7 +242,7 @@ impl<S: Real> Path<S> {
         }
         let steps = steps as usize;
         let mut integration = Integration::new(equations, start, sizes, step_s, fineness);
-        integration.path.coefficients.reserve(steps * MEMORY);
+        integration.path.coefficients.reserve(steps * COEFFICIENTS);
         for n in 0..steps {
             integration.advance(Piece { from_s: n as f64 * step_s, length_s: step_s }, 0)?;
             integration.path.first.push(integration.path.pieces.len());
@@ -271,14 +272,14 @@ impl<S: Real> Path<S> {
     pub fn at(&self, t_s: f64) -> Moment<S> {
         let n = self.piece_at(t_s);
         let x = (t_s - self.pieces[n].from_s) / self.pieces[n].length_s;
-        self.moment(n, |parts| between(parts, x))
+        self.moment(n, between::<S, MEMORY, VELOCITY>(self.rows(n), x))
     }
 
     /// The same at a time that has derivatives of its own.
     pub fn at_time(&self, t_s: S) -> Moment<S> {
         let n = self.piece_at(t_s.value());
         let x = (t_s - S::constant(self.pieces[n].from_s)).scale(1.0 / self.pieces[n].length_s);
-        self.moment(n, |parts| between_moving(parts, x))
+        self.moment(n, between_moving::<S, MEMORY, VELOCITY>(self.rows(n), x))
     }
 
     fn piece_at(&self, t_s: f64) -> usize {
@@ -290,19 +291,15 @@ impl<S: Real> Path<S> {
         n
     }
 
-    fn moment(&self, n: usize, read: impl Fn(&[S; COEFFICIENTS]) -> (S, S)) -> Moment<S> {
-        let parts = &self.coefficients[n * MEMORY..(n + 1) * MEMORY];
+    fn rows(&self, n: usize) -> &[[S; MEMORY]] {
+        &self.coefficients[n * COEFFICIENTS..][..COEFFICIENTS]
+    }
+
+    /// From the state and its derivative by the fraction of piece `n`.
+    fn moment(&self, n: usize, (y, mut slope): ([S; MEMORY], [S; MEMORY])) -> Moment<S> {
         let per_s = 1.0 / self.pieces[n].length_s;
-        let value = |i: usize| read(&parts[i]).0;
-        let both = |first: usize| {
-            let [x, y, z] = [0, 1, 2].map(|i| read(&parts[first + i]));
-            (V3::new(x.0, y.0, z.0), V3::new(x.1, y.1, z.1).map(|slope| slope.scale(per_s)))
-        };
-        let (velocity, acceleration) = both(VELOCITY);
-        let (rate, angular_acceleration) = both(RATE);
-        let position = V3::new(value(PLACE), value(PLACE + 1), value(PLACE + 2));
-        let attitude = [0, 1, 2, 3].map(|i| value(ATTITUDE + i));
-        Moment { position, attitude, velocity, rate, acceleration, angular_acceleration }
+        slope[VELOCITY..].iter_mut().for_each(|part| *part = part.scale(per_s));
+        Moment::new(&y, &slope)
     }
 
     /// Length of the first piece, s: so far the path can be continued backwards.

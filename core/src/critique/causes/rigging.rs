@@ -3,8 +3,10 @@
 use super::super::point::{Cause, CauseParameter};
 use super::{Scales, add, cause, logarithm, put, strength};
 
-/// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes and steel lie near.
-const LINE_DAMPING: f64 = 0.07;
+/// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes and steel lie near, most of them
+/// within a factor of 2. What a line loses delays the list that the hull takes with its sway, so it is fitted.
+const DAMPING: f64 = 0.07;
+const DAMPING_U_LN: f64 = 0.7;
 /// A light support follows the pull at once; its own frequency is set to this, Hz, some twenty
 /// times that of a swing.
 const SUPPORT_HZ: f64 = 8.0;
@@ -44,7 +46,10 @@ fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
 
 /// The stated length is that of the lines as they carry the hull.
 fn line_stretch(scales: &Scales) -> Cause {
-    let parameters = vec![coarse(strength("stretch_under_load_m", "m", scales.line_m, 5e-3), 2e-3)];
+    let parameters = vec![
+        coarse(strength("stretch_under_load_m", "m", scales.line_m, 5e-3), 2e-3),
+        logarithm("damping_ratio", "1", DAMPING, DAMPING_U_LN),
+    ];
     let law = put(|q, _, e| {
         if q[0] == 0.0 {
             return Ok(());
@@ -56,7 +61,7 @@ fn line_stretch(scales: &Scales) -> Cause {
         let heave_rad_s = (2.0 * stiffness).max(0.0).sqrt();
         let numbers = [
             ("force_per_strain_n", stiffness * d.line_length_m),
-            ("delay_s", 2.0 * LINE_DAMPING / heave_rad_s),
+            ("delay_s", 2.0 * q[1].exp() / heave_rad_s),
         ];
         add(e, "line_stretch", &numbers)
     });
@@ -115,7 +120,7 @@ fn support_compliance(scales: &Scales) -> Cause {
         }
         let stiffness = gravity / (q[0] * line_m);
         let own_rad_s = std::f64::consts::TAU * SUPPORT_HZ;
-        let damping = 2.0 * LINE_DAMPING * stiffness / own_rad_s;
+        let damping = 2.0 * DAMPING * stiffness / own_rad_s;
         let numbers = [
             ("mass_kg", stiffness / (own_rad_s * own_rad_s)),
             ("stiffness_x_n_m", stiffness),
