@@ -4,7 +4,8 @@ use super::super::point::{Cause, CauseParameter};
 use super::{Scales, add, cause, logarithm, put, strength};
 
 /// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes and steel lie near, most of them
-/// within a factor of 2. What a line loses delays the list that the hull takes with its sway, so it is fitted.
+/// within a factor of 2. A line's is fitted: it delays the list that the hull takes with its sway. So does a drag that does not act
+/// at the centre of mass, which shows in no other way: what is found is that of both.
 const DAMPING: f64 = 0.07;
 const DAMPING_U_LN: f64 = 0.7;
 /// A light support follows the pull at once; its own frequency is set to this, Hz, some twenty
