@@ -20,8 +20,30 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
     match cause.form {
         Form::Force(coordinate) => force(found, coordinate, heldout_rms),
         Form::Knock(swing) => knock(found, swing, heldout_rms),
+        Form::Second => second(found, heldout_rms),
         Form::Law | Form::Gust => None,
     }
+}
+
+/// Something more that moves inside: a mass m on a spring along a level way in the hull.
+fn second(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
+    let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
+    let [mass, log_frequency, log_damping, ..] = values[..] else { return None };
+    let (mass_kg, frequency_hz) = (mass * cause.parameters.first()?.factor, log_frequency.exp());
+    Some(LearnedForce {
+        coordinate: "all".into(),
+        unit: "N".into(),
+        points: vec![],
+        equation: format!(
+            "F(t) = −m s̈, s̈ + 2 ζ ω ṡ + ω² s = −a; m = {mass_kg:.3} kg, ω = 2π · {frequency_hz:.3} Hz, ζ = {:.3}",
+            log_damping.exp()
+        ),
+        text: format!(
+            "What is missing looks most like something more that moves inside the hull, with a frequency of its own of {frequency_hz:.2} Hz"
+        ),
+        heldout_rms_over_noise: Some(heldout_rms),
+        closed_heldout_rms_over_noise: Some(heldout_rms),
+    })
 }
 
 fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {

@@ -3,7 +3,9 @@
 use crate::error::{Error, Result};
 use crate::inertia::by_samples::in_parallel;
 
-use super::causes::{GUSTS, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts};
+use super::causes::{
+    GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, seconds,
+};
 use super::fitting::{CONVERGED_SHARE, Fitted};
 use super::look::{Look, Standing};
 use super::moments::moments;
@@ -253,6 +255,9 @@ impl Found<'_> {
         if !self.left.is_white() {
             causes.extend(mounts());
             causes.extend((0..4).map(|coordinate| learned_force(&scales, coordinate, &TERMS)));
+            if self.model.causes.iter().any(|cause| cause.id == INTERNAL_MOTION) {
+                causes.extend(seconds(&scales));
+            }
             looks.extend(moments(&standing)?.into_iter().filter(|look| is_new(&look.cause)));
         }
         causes.retain(is_new);
@@ -275,15 +280,17 @@ impl Found<'_> {
         let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
         let mut tried = self.fitted_in_full(named, half_way)?;
         let left = tried.first().map_or(self.left.excess(), |best| best.left.excess());
-        if left > UNNAMED_FROM * self.base_left.excess() {
-            let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
-            let found = in_parallel(unnamed.len().min(2), |k| self.fit(&unnamed[k], limit, true));
-            for unknown in found.into_iter().flatten() {
-                let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
-                let takes_all = beats && unknown.left.excess() < UNNAMED_LEAVES * left;
-                let place = if takes_all { 0 } else { tried.len() };
-                tried.insert(place, unknown);
-            }
+        // What else moves inside follows the law of what was found to move there: little may then be left, and still be seen.
+        let much = left > UNNAMED_FROM * self.base_left.excess();
+        let unnamed: Vec<Look> =
+            unnamed.into_iter().filter(|look| much || look.cause.form == Form::Second).take(2).collect();
+        let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
+        let found = in_parallel(unnamed.len(), |k| self.fit(&unnamed[k], limit, true));
+        for unknown in found.into_iter().flatten() {
+            let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
+            let takes_all = beats && unknown.left.excess() < UNNAMED_LEAVES * left;
+            let place = if takes_all { 0 } else { tried.len() };
+            tried.insert(place, unknown);
         }
         Ok(tried)
     }

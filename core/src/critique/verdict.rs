@@ -15,6 +15,8 @@ use super::search::{Found, Round, Tried};
 pub const NOT_TOLD: f64 = 4.6;
 /// What is left may be this share of what the base simulation left: laws differ a little from nature's.
 pub const LEFT_SHARE: f64 = 0.01;
+/// Two causes at once happen. Where more are needed together, each for what the others leave, one that is not known is likelier.
+pub const MOST_NAMED: usize = 2;
 /// Gusts are irregular: a few tones account for most of them, not for all.
 const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
@@ -22,12 +24,13 @@ const EXPONENT_U: f64 = 0.2;
 const EXPONENT_NEAR: f64 = 3.0;
 
 impl Found<'_> {
-    /// Whether structure remains that nothing accounts for.
+    /// Whether structure remains that nothing accounts for, or nothing but many causes together.
     pub fn is_unexplained(&self) -> bool {
+        let many = self.model.named().count() > MOST_NAMED;
         let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
         let gusts = self.model.causes.iter().any(|cause| cause.form == Form::Gust);
         let share = if gusts { LEFT_SHARE_OF_GUSTS } else { LEFT_SHARE };
-        unnamed || (!self.left.is_white() && self.left.excess() > share * self.base_left.excess())
+        many || unnamed || (!self.left.is_white() && self.left.excess() > share * self.base_left.excess())
     }
 
     /// The round in which the last cause was taken.
@@ -142,13 +145,8 @@ pub fn ranked(
 
 /// A verdict as a sentence.
 fn in_words(verdict: &CauseVerdict) -> String {
-    let named = verdict
-        .causes
-        .iter()
-        .filter(|id| *id != UNKNOWN)
-        .map(|id| named_of(id))
-        .collect::<Vec<_>>()
-        .join(", and ");
+    let known: Vec<&str> = verdict.causes.iter().filter(|id| *id != UNKNOWN).map(|id| named_of(id)).collect();
+    let named = known.join(", and ");
     match &*verdict.status {
         "adequate" => "The simulation accounts for everything that the recordings show.".into(),
         "explained" => format!("What the simulation left out: {named}."),
@@ -162,6 +160,10 @@ fn in_words(verdict: &CauseVerdict) -> String {
         _ if named.is_empty() => {
             "Something acts on the hull or the phone that no known cause accounts for.".into()
         }
+        _ if known.len() > MOST_NAMED => format!(
+            "It takes {} causes together to account for what the recordings show ({named}): more likely something acts that is not known.",
+            known.len()
+        ),
         _ => format!(
             "The simulation left out that {named}; and something remains that no known cause accounts for."
         ),

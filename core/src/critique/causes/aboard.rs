@@ -6,9 +6,11 @@ use std::sync::Arc;
 use crate::dynamics::Experiment;
 use crate::error::Result;
 
-use super::super::point::{Cause, CauseParameter, LookAlike};
-use super::{Scales, add, cause, logarithm, number, put, strength};
+use super::super::point::{Cause, CauseParameter, Form, LookAlike};
+use super::{Scales, UNKNOWN, add, cause, logarithm, number, put, strength};
 
+/// Name in the contract.
+pub const INTERNAL_MOTION: &str = "internal_motion";
 /// Frequencies tried, as shares of the way (by logarithm) from the slowest motion of the hull to four times the fastest.
 const TRIED: [f64; 7] = [0.02, 0.16, 0.32, 0.48, 0.64, 0.8, 0.95];
 
@@ -16,6 +18,11 @@ const TRIED: [f64; 7] = [0.02, 0.16, 0.32, 0.48, 0.64, 0.8, 0.95];
 pub fn causes(scales: &Scales) -> Vec<Cause> {
     let span = (4.0 * scales.fastest_rad_s / scales.slowest_rad_s).ln();
     TRIED.map(|share| internal_motion(scales, scales.slowest_rad_s * (share * span).exp() / TAU)).to_vec()
+}
+
+/// The same beside one that was taken: not a cause with a name of its own, since one that moves in more ways than one is not known.
+pub fn seconds(scales: &Scales) -> Vec<Cause> {
+    causes(scales).into_iter().map(|cause| Cause { id: UNKNOWN, form: Form::Second, ..cause }).collect()
 }
 
 /// Damping ratio from which a fit begins.
@@ -50,7 +57,7 @@ fn internal_motion(scales: &Scales, frequency_hz: f64) -> Cause {
     });
     let look =
         LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
-    Cause { one_sided: true, look: Some(Arc::new(look)), ..cause("internal_motion", parameters, law) }
+    Cause { one_sided: true, look: Some(Arc::new(look)), ..cause(INTERNAL_MOTION, parameters, law) }
 }
 
 /// A mass on a spring along a level way in the hull.
@@ -102,7 +109,7 @@ fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
         }
         Ok(())
     });
-    cause("internal_motion", parameters, law)
+    cause(INTERNAL_MOTION, parameters, law)
 }
 
 /// The slide nearest to such a sum.

@@ -20,6 +20,7 @@ use crate::recording::{ModeName, Orientation};
 use super::base::Base;
 use super::point::{Cause, CauseParameter, Form, Point, Put};
 
+pub use aboard::{INTERNAL_MOTION, seconds};
 pub use friction::{GUSTS, WIND, gust};
 pub use outside::{TERMS, UNKNOWN, knock_at, learned_force, reach};
 pub use phone::{mounts, slip_at};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::causes::UNKNOWN;
 use super::super::result::{CauseResult, CauseVerdict, ParameterResult};
-use super::super::verdict::{LEFT_SHARE, NOT_TOLD, are_one_drag, judged, ranked, result};
+use super::super::verdict::{LEFT_SHARE, MOST_NAMED, NOT_TOLD, are_one_drag, judged, ranked, result};
 use super::search::{Found, Round, Tried};
 
 impl Found<'_> {
@@ -12,11 +12,11 @@ impl Found<'_> {
         self.best.causes.iter().map(|place| self.id(*place).into()).collect()
     }
 
-    /// Whether structure remains that nothing accounts for.
+    /// Whether structure remains that nothing accounts for, or nothing but many causes together.
     pub fn is_unexplained(&self) -> bool {
-        let left = &self.best.left;
-        let unnamed = self.names().iter().any(|id| id == UNKNOWN);
-        unnamed || (!left.is_white() && left.excess() > LEFT_SHARE * self.base.left.excess())
+        let (names, left) = (self.names(), &self.best.left);
+        let beyond = names.len() > MOST_NAMED || names.iter().any(|id| id == UNKNOWN);
+        beyond || (!left.is_white() && left.excess() > LEFT_SHARE * self.base.left.excess())
     }
 
     fn decisive(&self) -> Option<&Round> {
