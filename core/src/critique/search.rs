@@ -96,17 +96,7 @@ impl Told<'_> {
 
 /// Searches from a fitted base and from where its fit began.
 pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
-    let base_left = Left::of(&base, &fitted.point)?;
-    let mut found = Found {
-        base: fitted.clone(),
-        left: base_left.clone(),
-        base_left,
-        model: base,
-        fitted,
-        rounds: vec![],
-        before: None,
-        begin,
-    };
+    let mut found = Found::begun(base, begin, fitted)?;
     while found.model.named().count() < MOST_CAUSES {
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
@@ -136,7 +126,41 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
     Ok(found)
 }
 
+impl<'a> Found<'a> {
+    /// Nothing found yet.
+    pub fn begun(base: Model<'a>, begin: Point, fitted: Fitted) -> Result<Self> {
+        let base_left = Left::of(&base, &fitted.point)?;
+        Ok(Self {
+            base: fitted.clone(),
+            left: base_left.clone(),
+            base_left,
+            model: base,
+            fitted,
+            rounds: vec![],
+            before: None,
+            begin,
+        })
+    }
+}
+
 impl Found<'_> {
+    /// A cause by its name beside what was taken: that of its forms that promises most, fitted in full.
+    pub fn by_name(&self, id: &str) -> Result<Tried> {
+        let scales = Scales::of(self.model.base, &self.fitted.point)?;
+        let all: Vec<Cause> = catalogue(&scales).into_iter().chain(mounts()).collect();
+        let forms: Vec<&Cause> = all.iter().filter(|cause| cause.id == id).collect();
+        if forms.is_empty() {
+            let mut names: Vec<&str> = all.iter().map(|cause| cause.id).filter(|id| *id != UNKNOWN).collect();
+            names.dedup();
+            return Err(Error::argument("cause", format!("one of {}", names.join(", ")), id));
+        }
+        let looks =
+            forms.iter().filter_map(|cause| Look::at(&self.model, &self.fitted, cause).ok().flatten());
+        let best = looks.max_by(|a, b| a.gain.total_cmp(&b.gain));
+        let reason = || Error::no_result(id, "it cannot be fitted to this session");
+        self.fit(&best.ok_or_else(reason)?, f64::INFINITY, false).ok_or_else(reason)
+    }
+
     fn take(&mut self, best: Tried) {
         self.before = Some(std::mem::replace(&mut self.fitted, best.fitted));
         self.model.causes.push(best.cause);
