@@ -266,15 +266,13 @@ impl Hull {
         if !(psi.value.abs() <= 44.0 && psi.u.is_finite() && psi.u >= 0.0) {
             return Err(Error::argument("psi_deg", "an angle from -44 to 44 degrees", psi.value));
         }
-        // Of no body can one moment of inertia exceed the sum of the others.
-        let [r, p, y] = [self.k_roll_m, self.k_pitch_m, self.k_yaw_m].map(|q| q.value.powi(2));
-        if y > 1.05 * (r + p) || p > 1.05 * (r + y) || r > p + y {
+        // Of no body can one moment of inertia exceed the sum of the others; rough figures may seem to.
+        let gyradii = [self.k_roll_m, self.k_pitch_m, self.k_yaw_m];
+        let rough = 1.05 + 4.0 * gyradii.iter().map(|q| q.u / q.value).fold(0.0, f64::max);
+        let [r, p, y] = gyradii.map(|q| q.value.powi(2));
+        if y > rough * (r + p) || p > rough * (r + y) || r > rough * (p + y) {
             let found = format!("{}, {}, {} m", r.sqrt(), p.sqrt(), y.sqrt());
-            return Err(Error::argument(
-                "k_roll_m, k_pitch_m, k_yaw_m",
-                "gyradii that a body can have",
-                found,
-            ));
+            return Err(Error::argument("k_roll_m, k_pitch_m, k_yaw_m", "gyradii that a body can have", found));
         }
         Ok(self)
     }

@@ -194,7 +194,10 @@ fn no_beat(hull: &Hull, swing: &PlannedSwing, shown: &PredictedSwing) -> Option<
 
 fn slack_line(hull: &Hull, means: &Means, swing: &PlannedSwing) -> Option<Warning> {
     let t_s = slack_s(hull, means, swing)?;
-    let numbers = [("amplitude_deg", swing.amplitude_deg), ("t_s", t_s)];
+    // Leaning by θ along the suspension, the lines pull as d + l2 tan θ to d − l2 tan θ: moments about the centre of mass.
+    let half_spacing_m = swing.suspension.spacing_m.map_or(0.0, |q| 0.5 * q.value);
+    let lean_deg = (half_spacing_m / hull.cm_depth_m.value).atan().to_degrees();
+    let numbers = [("amplitude_deg", swing.amplitude_deg), ("t_s", t_s), ("most_lean_deg", lean_deg)];
     Some(Warning::new(WarningKind::SlackLine, Some(&swing.id), &numbers, &[]))
 }
 

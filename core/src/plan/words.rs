@@ -19,7 +19,8 @@ pub const ENGLISH: [(WarningKind, &str); 8] = [
     ),
     (
         WarningKind::SlackLine,
-        "Swing {swing}: released at {amplitude_deg}°, a line goes slack after {t_s} s: release it with less.",
+        "Swing {swing}: released at {amplitude_deg}°, a line goes slack after {t_s} s: release it with less (leaning along the \
+         suspension alone, the lines must stay below {most_lean_deg}°).",
     ),
     (
         WarningKind::TiltNeeded,
