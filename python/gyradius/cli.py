@@ -20,9 +20,9 @@ from .critique_tables import show_critique
 from .imports import import_files
 from .measurement import Measurement
 from .outcome import can_be_written, reported, write_json
+from .plan_tables import show_plan
 from .planning import FORMAT as PLAN
 from .planning import plan as make_plan
-from .plan_tables import show_plan
 from .progress import counted, working
 from .session import Session, load, shipped_sessions
 from .simulation import read_rig

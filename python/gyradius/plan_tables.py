@@ -137,8 +137,8 @@ def _optima(plan: Plan) -> Text:
         f"lines of {short(best['line_length_joint_m'])} m for the pitch gyradius with the depth solved for too "
         f"({short(best['line_length_depth_known_m'])} m were the depth known: the paper's Fig. 17)",
         f"a spacing near {short(best['spacing_m'])} m, twice the yaw gyradius",
-        f"as a compound pendulum an axis {short(best['compound_pitch_axis_to_cm_m'])} m above the centre of mass in pitch "
-        f"and {short(best['compound_roll_axis_to_cm_m'])} m in roll",
+        f"as a compound pendulum an axis {short(best['compound_pitch_axis_to_cm_m'])} m above the centre of mass in "
+        f"pitch and {short(best['compound_roll_axis_to_cm_m'])} m in roll",
     ]
     return Text("Best, were there room for it: " + "; ".join(said) + ".")
 

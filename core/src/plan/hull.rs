@@ -272,7 +272,11 @@ impl Hull {
         let [r, p, y] = gyradii.map(|q| q.value.powi(2));
         if y > rough * (r + p) || p > rough * (r + y) || r > rough * (p + y) {
             let found = format!("{}, {}, {} m", r.sqrt(), p.sqrt(), y.sqrt());
-            return Err(Error::argument("k_roll_m, k_pitch_m, k_yaw_m", "gyradii that a body can have", found));
+            return Err(Error::argument(
+                "k_roll_m, k_pitch_m, k_yaw_m",
+                "gyradii that a body can have",
+                found,
+            ));
         }
         Ok(self)
     }

@@ -50,20 +50,22 @@ pub struct Way {
 /// # Errors
 /// Where the hull can be hung in none of the ways thought of.
 pub fn search(hull: &Hull, means: &Means, wanted: &[Wanted], optima: &Optima) -> Result<Way> {
-    let designs = designs(hull, means, wanted, optima);
-    let judged = in_parallel(designs.len(), |i| Way::of(hull, means, wanted, &designs[i], false));
-    let mut first_error = None;
-    let mut ways: Vec<Way> = Vec::new();
-    for way in judged {
-        match way {
-            Ok(way) => ways.push(way),
-            Err(error) => first_error = first_error.or(Some(error)),
-        }
-    }
+    let programmes = programmes(means, wanted);
+    let judge = |designs: Vec<Design>| {
+        in_parallel(designs.len(), |i| Way::of(hull, means, wanted, &designs[i], false))
+    };
+    let simplest = programmes.first().map_or_else(Vec::new, |first| designs(hull, means, first, optima));
+    let (mut ways, errors) = parted(judge(simplest));
     let reason = || Error::no_result("plan", "the hull can be hung in none of the ways thought of");
     if ways.is_empty() {
-        return Err(first_error.unwrap_or_else(reason));
+        return Err(errors.into_iter().next().unwrap_or_else(reason));
     }
+    in_order(&mut ways);
+    // What more can be done is thought of for the best dimensions alone.
+    let best: Vec<Design> = ways.iter().take(LEADING).map(|way| way.design.clone()).collect();
+    let more =
+        programmes.iter().skip(1).flat_map(|programme| best.iter().filter_map(|d| programme.sized(d, means)));
+    ways.extend(parted(judge(more.collect())).0);
     in_order(&mut ways);
     ways.truncate(LEADING);
     let mut by_samples: Vec<Way> = Vec::new();
@@ -182,26 +184,41 @@ fn period_u_wanted(
     wanted.iter().filter_map(allowed).fold(PERIOD_U.1, f64::min).max(PERIOD_U.0)
 }
 
-/// The ways that are thought of.
-fn designs(hull: &Hull, means: &Means, wanted: &[Wanted], optima: &Optima) -> Vec<Design> {
-    let mut designs = Vec::new();
-    for programme in programmes(means, wanted) {
-        for length_m in lengths(means, optima, programme.is_fore_and_aft && !programme.is_level) {
-            for spacing_m in spacings(hull, means) {
-                let second_length_m = programme.second_length_m.and_then(|_| second_length(means, length_m));
-                if programme.second_length_m.is_some() && second_length_m.is_none() {
-                    continue;
-                }
-                designs.push(Design {
-                    line_length_m: length_m,
-                    spacing_m,
-                    second_length_m,
-                    ..programme.clone()
-                });
-            }
+fn parted(judged: Vec<Result<Way>>) -> (Vec<Way>, Vec<Error>) {
+    let (mut ways, mut errors) = (Vec::new(), Vec::new());
+    for way in judged {
+        match way {
+            Ok(way) => ways.push(way),
+            Err(error) => errors.push(error),
         }
     }
-    designs
+    (ways, errors)
+}
+
+/// A programme at all dimensions that are thought of.
+fn designs(hull: &Hull, means: &Means, programme: &Design, optima: &Optima) -> Vec<Design> {
+    let spacings = spacings(hull, means);
+    let lengths = lengths(means, optima, programme.is_fore_and_aft && !programme.is_level);
+    let at = |line_length_m: f64| {
+        spacings.iter().map(move |spacing_m| Design {
+            line_length_m,
+            spacing_m: *spacing_m,
+            ..programme.clone()
+        })
+    };
+    lengths.into_iter().flat_map(at).collect()
+}
+
+impl Design {
+    /// This programme at the dimensions of another; `None` where there is no room for a second length.
+    fn sized(&self, like: &Design, means: &Means) -> Option<Self> {
+        let second_length_m = match self.second_length_m {
+            Some(_) => Some(second_length(means, like.line_length_m)?),
+            None => None,
+        };
+        let (line_length_m, spacing_m) = (like.line_length_m, like.spacing_m);
+        Some(Design { line_length_m, spacing_m, second_length_m, ..self.clone() })
+    }
 }
 
 /// What may be done, dimensions left open.

@@ -174,6 +174,7 @@ fn release(swing: &PlannedSwing, hull: &True) -> String {
 fn gauss(rng: &mut ChaCha8Rng, q: Quantity) -> f64 {
     use rand_distr::{Distribution, StandardNormal};
     let z: f64 = StandardNormal.sample(rng);
+    println!("    {:.4} {z:+.2}", q.value);
     q.value + q.u * z
 }
 
@@ -235,16 +236,34 @@ fn asked_for() -> Option<usize> {
     std::env::var("GYRADIUS_PLAN_HULLS").ok()?.parse().ok()
 }
 
+/// The median over many hulls stays within 0.8 to 1.25. Single hulls scatter by a fifth or so, mostly because the planner is
+/// told rough figures: that of a few is held to a range that a right program leaves less than once in a thousand runs.
+fn range(hulls: usize) -> (f64, f64) {
+    if hulls >= 30 { (0.8, 1.25) } else { (0.5, 2.0) }
+}
+
 #[test]
 fn what_is_predicted_is_achieved() {
-    let count = asked_for().unwrap_or(4);
-    for wanted in
-        [&["k_yaw=0.1%", "k_pitch=0.3%"][..], &["k_yaw=0.1%", "k_pitch=0.5%", "k_roll=1%", "psi=1deg"]]
-    {
-        for (name, (n, ratio, rms)) in medians(count, wanted) {
+    let hulls = asked_for().unwrap_or(8);
+    let sets = [
+        (&["k_yaw=0.1%", "k_pitch=0.3%"][..], 0.75),
+        (&["k_yaw=0.1%", "k_pitch=0.5%", "k_roll=1%", "psi=1deg"], 0.25),
+    ];
+    for (wanted, share) in sets {
+        let count = ((hulls as f64 * share).round() as usize).max(1);
+        let found = medians(count, wanted);
+        for (name, (n, ratio, rms)) in &found {
             println!(
                 "{name}: median of predicted over achieved {ratio:.3} of {n}; errors {rms:.2} predicted u (rms)"
             );
         }
+        let is_asked = |name: &str| wanted.iter().any(|w| name.starts_with(w.split('=').next().unwrap()));
+        for (name, (n, ratio, _)) in found.iter().filter(|(name, _)| is_asked(name)) {
+            let (least, most) = range(*n);
+            assert!((least..=most).contains(ratio), "{name}: {ratio} of {n} hulls");
+        }
+        assert!(
+            wanted.iter().all(|w| found.keys().any(|name| name.starts_with(w.split('=').next().unwrap())))
+        );
     }
 }

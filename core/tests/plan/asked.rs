@@ -1,7 +1,9 @@
 //! What may be asked, what is refused, and that a plan survives being written.
 
 use gyradius_core::Error;
-use gyradius_core::plan::{BOAT_TYPES, BoatType, Plan, Request, Wanted, WarningKind, plan, rig_toml, session_toml};
+use gyradius_core::plan::{
+    BOAT_TYPES, BoatType, Plan, Request, Wanted, WarningKind, plan, rig_toml, session_toml,
+};
 use gyradius_core::practice::read_rig;
 use gyradius_core::recording::read_session;
 
@@ -25,7 +27,18 @@ fn wanted_uncertainties_are_read() {
         assert_eq!((wanted.quantity.as_str(), wanted.is_relative), (quantity, is_relative), "{text}");
         assert!((wanted.u - u).abs() < 1e-12, "{text}");
     }
-    for text in ["", "k_yaw", "k_yaw=", "k_yaw=1", "k_yaw=0%", "k_yaw=-1%", "psi=1%", "k_yaw=1deg", "sway=1%", "k_yaw=nan%"] {
+    for text in [
+        "",
+        "k_yaw",
+        "k_yaw=",
+        "k_yaw=1",
+        "k_yaw=0%",
+        "k_yaw=-1%",
+        "psi=1%",
+        "k_yaw=1deg",
+        "sway=1%",
+        "k_yaw=nan%",
+    ] {
         let refused = text.parse::<Wanted>();
         assert!(matches!(refused, Err(Error::Argument { .. })), "{text}: {refused:?}");
     }
@@ -63,7 +76,8 @@ fn every_type_has_a_source_and_a_plan() {
     for (name, kind) in BOAT_TYPES {
         assert_eq!(BoatType::named(name).unwrap(), kind);
         assert!(kind.ratios().source.len() > 20);
-        let json = format!(r#"{{"hull": {{"mass_kg": 90, "length_m": 4, "beam_m": 1.2, "boat_type": "{name}"}}}}"#);
+        let json =
+            format!(r#"{{"hull": {{"mass_kg": 90, "length_m": 4, "beam_m": 1.2, "boat_type": "{name}"}}}}"#);
         let plan = plan(&Request::from_json(&json).unwrap()).unwrap();
         assert!(plan.quantities["k_yaw_m"].u.is_some(), "{name}");
     }
