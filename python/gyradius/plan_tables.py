@@ -5,12 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rich.console import Console, RenderableType
+from rich.console import Console, Group, RenderableType
 from rich.text import Text
 
 from .measurement import BudgetLine
 from .numbers import decimals_for, short, with_u
-from .planning import HangingAdvice, Plan, PlannedIncline, PlannedSwing, PlanWarning, PredictedQuantity, PredictedSwing
+from .planning import (
+    Beat,
+    HangingAdvice,
+    Plan,
+    PlannedIncline,
+    PlannedSwing,
+    PlanWarning,
+    PredictedQuantity,
+    PredictedSwing,
+)
 from .tables import grid, spaced, warning_line
 
 # Inputs of a budget that are worth a word.
@@ -44,10 +53,13 @@ def _parts(plan: Plan) -> list[RenderableType]:
 
 def _hull(hull: Mapping[str, Any]) -> RenderableType:
     size = f"{hull['mass_kg']:.4g} kg, {hull['length_m']:.3g} m by {hull['beam_m']:.3g} m"
-    table = grid(f"The hull as it is assumed: {size}", "", "value", "from", words=("from",))
+    table = grid("The hull as it is assumed", size, "value", left=1)
+    by_source: dict[str, list[str]] = {}
     for name in ("k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m"):
-        table.add_row(_name(name), with_u(hull[name]["value"], hull[name]["u"], "m"), hull["sources"].get(name, ""))
-    return table
+        table.add_row(_name(name), with_u(hull[name]["value"], hull[name]["u"], "m"))
+        by_source.setdefault(hull["sources"].get(name, ""), []).append(_name(name))
+    said = [Text(f"  {', '.join(names)}: {source}", style="dim") for source, names in by_source.items() if source]
+    return Group(table, *said)
 
 
 def _hangings(hangings: tuple[HangingAdvice, ...]) -> RenderableType:
@@ -58,42 +70,35 @@ def _hangings(hangings: tuple[HangingAdvice, ...]) -> RenderableType:
 
 
 def _swings(plan: Plan) -> RenderableType:
-    shown = {swing.id: swing for swing in plan.predicted}
     hung = {swing: hanging for hanging in plan.suspensions for swing in hanging.swings}
-    columns = ("swing", "points", "lines", "set going", "release", "record", "expect", "beat")
-    table = grid("Swings", *columns, words=("set going", "expect", "beat"))
+    table = grid("Swings", "swing", "on", "set going", "release", "record", "periods at small amplitude", left=3)
     for step in plan.steps:
         if isinstance(step, PlannedSwing):
-            length = step.suspension["line_length_m"]["value"]
+            periods = [mode for mode in MODES if mode in step.periods_s]
             table.add_row(
                 step.id,
                 hung[step.id].frame_points,
-                f"{length:.3f} m",
-                ", ".join(step.excited),
+                "\n".join(step.excited),
                 f"{step.amplitude_deg:.3g}°",
                 f"{step.duration_s:.0f} s",
-                _periods(step, shown.get(step.id)),
-                _beat(shown.get(step.id)),
+                "\n".join(f"{spaced(mode)} {step.periods_s[mode]:.3f} s" for mode in periods),
             )
-    return table
+            table.add_section()
+    return Group(table, *(Text(f"  {swing.id}: {said}") for swing in plan.predicted if (said := _shown(swing))))
 
 
-def _periods(step: PlannedSwing, shown: PredictedSwing | None) -> str:
-    longer = shown.longer_at_release_ppm if shown else {}
-
-    def line(mode: str) -> str:
-        at_release = f" (+{longer[mode]:.0f} ppm at release)" if mode in longer else ""
-        return f"{spaced(mode)} {step.periods_s[mode]:.3f} s{at_release}"
-
-    return "\n".join(line(mode) for mode in MODES if mode in step.periods_s)
+def _shown(swing: PredictedSwing) -> str:
+    longer = [f"{spaced(mode)} takes {ppm:.0f} ppm longer" for mode, ppm in swing.longer_at_release_ppm.items()]
+    said = [_beat(swing.beat)] if swing.beat is not None else []
+    if longer:
+        said.append(f"just released, {', '.join(longer)}")
+    return "; ".join(said)
 
 
-def _beat(shown: PredictedSwing | None) -> str:
-    if shown is None or shown.beat is None:
-        return "–"
-    if shown.beat.period_s is None or shown.beat.oscillations is None:
-        return "none"
-    return f"{shown.beat.period_s:.1f} s\n(n = {shown.beat.oscillations:.1f})"
+def _beat(beat: Beat) -> str:
+    if beat.period_s is None or beat.oscillations is None:
+        return "yaw and sway keep step and do not beat"
+    return f"yaw and sway beat every {beat.period_s:.1f} s, {beat.oscillations:.1f} oscillations to a beat"
 
 
 def _incline(step: PlannedIncline) -> Text:

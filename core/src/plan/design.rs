@@ -10,11 +10,13 @@ use crate::recording::{
     SuspensionKind, Swing, SwingData,
 };
 
-/// Cost of hanging the hull anew, of a swing beside its recording, of an incline, s, and of a metre of line.
+/// Cost of hanging the hull anew, of a swing beside its recording, of an incline, s, and of a metre of line, s.
 const HANGING_S: f64 = 1200.0;
 const SWING_S: f64 = 180.0;
 const INCLINE_S: f64 = 300.0;
 const METRE_S: f64 = 60.0;
+/// A degree of tilt: the steeper a hull hangs the longer it takes to make fast.
+const TILT_S: f64 = 60.0;
 /// The weight of an incline test tilts the hull by so much, degrees, and is known to this part, as its arm.
 const INCLINE_DEG: f64 = 5.0;
 const INCLINE_WEIGHT_U: f64 = 1e-3;
@@ -65,6 +67,7 @@ impl Design {
             Step::Incline(_) => INCLINE_S,
         };
         HANGING_S * hangings as f64
+            + TILT_S * self.tilts_deg.iter().map(|tilt| tilt.abs()).sum::<f64>()
             + METRE_S * (self.line_length_m + self.second_length_m.unwrap_or(0.0))
             + steps.iter().map(of_step).sum::<f64>()
     }

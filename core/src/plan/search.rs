@@ -18,13 +18,15 @@ const SPACINGS: [f64; 4] = [0.85, 0.93, 1.07, 1.15];
 const KEEPS_STEP: f64 = 0.03;
 /// Lengths and spacings that differ by less are one.
 const ALIKE: f64 = 0.03;
-/// A level tilt and a wide one, degrees: the paper's were 23° and 31°, and nearer to level the precision deteriorates
+/// A tilt and a steep one, degrees: the paper's were 23° and 31°, and nearer to level the precision deteriorates
 /// rapidly (beside (26)).
 const TILTS_DEG: [f64; 2] = [25.0, 35.0];
 /// Yaw this near to the in-phase mode is swung by itself, sway by itself.
 const APART_FROM: f64 = 0.06;
 /// Ways whose effort is within this of the least count as alike: the most certain of them is taken.
 const ALIKE_EFFORT: f64 = 0.1;
+/// Below this share of what is wanted more certainty is worth nothing: then the spacing nearest to twice the gyradius is.
+const COMFORT: f64 = 0.7;
 /// So many of the leading ways are looked at by what their samples would say.
 const LEADING: usize = 3;
 /// A period's part in what is wanted, at most.
@@ -43,6 +45,8 @@ pub struct Way {
     /// The largest of the uncertainties over those wanted.
     pub worst: f64,
     pub effort_s: f64,
+    /// Distance of the spacing from twice the yaw gyradius, as a logarithm.
+    from_gyradius: f64,
 }
 
 /// The best way.
@@ -88,7 +92,7 @@ pub fn search(hull: &Hull, means: &Means, wanted: &[Wanted], optima: &Optima) ->
 fn in_order(ways: &mut [Way]) {
     let least = ways.iter().filter(|w| w.worst <= 1.0).map(|w| w.effort_s).fold(f64::INFINITY, f64::min);
     let rank = |way: &Way| match (way.worst <= 1.0, way.effort_s <= (1.0 + ALIKE_EFFORT) * least) {
-        (true, true) => (0, way.worst),
+        (true, true) => (0, way.worst.max(COMFORT) + way.from_gyradius),
         (true, false) => (1, way.effort_s),
         // Ways that come as near as no matter go by effort.
         (false, _) => (2, way.worst * (1.0 + 1e-5 * way.effort_s)),
@@ -112,7 +116,8 @@ impl Way {
         let expected = expected(hull, means, &steps, by_samples)?;
         let worst = wanted.iter().map(|w| over_wanted(&expected, hull, w)).fold(0.0, f64::max);
         let effort_s = design.effort_s(&steps);
-        Ok(Self { design, steps, expected, worst, effort_s })
+        let from_gyradius = (0.5 * design.spacing_m / hull.k_yaw_m.value).ln().abs();
+        Ok(Self { design, steps, expected, worst, effort_s, from_gyradius })
     }
 
     /// With longer recordings where their samples are what limits.

@@ -24,13 +24,13 @@ pub const ENGLISH: [(WarningKind, &str); 8] = [
     ),
     (
         WarningKind::TiltNeeded,
-        "Swing {swing} hangs {tilt_deg}° bow up: move the points {points_moved_m} m along the deck (the frame's corners \
-         would give {corner_tilt_deg}°), and read the tilt from the phone.",
+        "Swing {swing} hangs tilted, {tilt_deg}° (bow up positive): move the points {points_moved_m} m along the deck \
+         (forward positive; the frame's corners would give {corner_tilt_deg}°), and read the tilt from the phone.",
     ),
     (
         WarningKind::SpacingTooShort,
         "{quantity} reaches u = {reached_percent} %, not {wanted_percent} %: a spacing of {spacing_m} m known to {u_input_mm} mm is \
-         what limits it. Measure it to {u_input_needed_mm} mm, or move the points to {spacing_needed_m} m.",
+         what limits it. Measure it to {u_input_needed_mm} mm; with this tape the points would have to be {spacing_needed_m} m apart.",
     ),
     (
         WarningKind::NotReached,

@@ -174,7 +174,6 @@ fn release(swing: &PlannedSwing, hull: &True) -> String {
 fn gauss(rng: &mut ChaCha8Rng, q: Quantity) -> f64 {
     use rand_distr::{Distribution, StandardNormal};
     let z: f64 = StandardNormal.sample(rng);
-    println!("    {:.4} {z:+.2}", q.value);
     q.value + q.u * z
 }
 
