@@ -12,13 +12,14 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-blind test-hidden blind hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
+	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
 	@echo "make hidden  whether the critique finds what is hidden in N=200 fresh sessions (4 of them in make test): some hours"
 	@echo "make peers   the same of sparse regression and least squares, on N=20 swings in yaw"
 	@echo "make bench   speed of the analysis, and its speed and precision beside other methods"
@@ -67,6 +68,11 @@ test-hidden: package blind-tools
 N ?= 200
 blind: package blind-tools
 	@$(BIN)/python tests/blind/coverage.py --count $(N)
+
+# What the planner predicts against what is then measured, on fresh hulls.
+plan-check: N = 100
+plan-check:
+	GYRADIUS_PLAN_HULLS=$(N) cargo test -p gyradius-core --test plan what_is_predicted -- --nocapture
 
 # The critique on fresh sessions with hidden effects; writes tests/hidden/RESULTS.md.
 hidden: package blind-tools

@@ -35,11 +35,23 @@ from .measurement import (
     SwingResult,
     Verdict,
 )
+from .planning import (
+    Beat,
+    HangingAdvice,
+    Plan,
+    PlannedIncline,
+    PlannedSwing,
+    PlanWarning,
+    PredictedQuantity,
+    PredictedSwing,
+    plan,
+)
 from .session import Session, load, shipped_session, shipped_sessions
 from .simulation import Rig, Simulation, read_rig, shipped_rigs, simulate
 
 __all__ = [
     "AmplitudePoint",
+    "Beat",
     "BudgetLine",
     "CancelledError",
     "CauseResult",
@@ -50,6 +62,7 @@ __all__ = [
     "Discrepancy",
     "Gain",
     "GyradiusError",
+    "HangingAdvice",
     "InputError",
     "LearnedForce",
     "Measurement",
@@ -59,6 +72,12 @@ __all__ = [
     "NextSwing",
     "NoResultError",
     "ParameterResult",
+    "Plan",
+    "PlanWarning",
+    "PlannedIncline",
+    "PlannedSwing",
+    "PredictedQuantity",
+    "PredictedSwing",
     "Quantity",
     "Repair",
     "Rig",
@@ -73,6 +92,7 @@ __all__ = [
     "evaluate_route",
     "import_files",
     "load",
+    "plan",
     "read_rig",
     "routes",
     "shipped_rigs",

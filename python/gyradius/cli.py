@@ -19,7 +19,10 @@ from .critique import Critique
 from .critique_tables import show_critique
 from .imports import import_files
 from .measurement import Measurement
-from .outcome import BAD_INPUT, can_be_written, reported, write_json
+from .outcome import can_be_written, reported, write_json
+from .plan_tables import show_plan
+from .planning import FORMAT as PLAN
+from .planning import plan as make_plan
 from .progress import counted, working
 from .session import Session, load, shipped_sessions
 from .simulation import read_rig
@@ -207,16 +210,104 @@ def _slots(slots: list[dict[str, Any]]) -> str:
     return ", ".join(slot["name"] if slot.get("required", True) else f"({slot['name']})" for slot in slots)
 
 
-def _later(name: str) -> None:
-    def command() -> None:
-        typer.echo(f"gyradius: `{name}` comes with a later version", err=True)
-        raise typer.Exit(BAD_INPUT)
+@app.command()
+def plan(
+    session: Annotated[
+        str | None, typer.Argument(metavar="[SESSION]", help="A session that has measured the hull so far.")
+    ] = None,
+    mass: Annotated[float | None, typer.Option(metavar="KG", help="Everything that hangs.")] = None,
+    length: Annotated[float | None, typer.Option(metavar="M", help="Length overall.")] = None,
+    beam: Annotated[float | None, typer.Option(metavar="M", help="Largest beam.")] = None,
+    type_: Annotated[
+        str | None, typer.Option("--type", metavar="TYPE", help="keelboat, dinghy, model_keelboat or uniform_bar.")
+    ] = None,
+    k_yaw: Annotated[str | None, stated("m, where known")] = None,
+    k_pitch: Annotated[str | None, stated("m, where known")] = None,
+    k_roll: Annotated[str | None, stated("m, where known")] = None,
+    depth: Annotated[str | None, stated("m, of the centre of mass below the suspension points, where known")] = None,
+    wanted: Annotated[
+        list[str] | None,
+        typer.Option(metavar="QUANTITY=U", help="Such as k_yaw=0.1%, k_pitch=2mm, depth=5mm, psi=1deg; repeat."),
+    ] = None,
+    max_height: Annotated[float | None, typer.Option(metavar="M", help="Room for the lines (3).")] = None,
+    max_spacing: Annotated[float | None, typer.Option(metavar="M", help="Between the points (1.25 beams).")] = None,
+    u_line_length: Annotated[float | None, typer.Option(metavar="M", help="Tape on the lines (0.003).")] = None,
+    u_spacing: Annotated[float | None, typer.Option(metavar="M", help="Tape between the points (0.001).")] = None,
+    amplitude: Annotated[float | None, typer.Option(metavar="DEG", help="Of a release (5).")] = None,
+    gravity: Annotated[str | None, stated("m/s² (9.80665:0.015)")] = None,
+    tell_apart: Annotated[
+        str | None, typer.Option(metavar="CAUSE,CAUSE", help="The swing that tells two causes of `critique` apart.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a session.toml to fill in.")
+    ] = None,
+    rig: Annotated[Path | None, typer.Option(metavar="FILE", help="Write a rig file to rehearse with.")] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
+    title: Annotated[str, typer.Option(help="What the plan is for.")] = "",
+    json: Json = None,
+) -> None:
+    """What to hang and swing for a wanted uncertainty, and what to expect; warns of resonances."""
+    with reported(_errors(), json, PLAN):
+        for file in (output, rig):
+            if file is not None:
+                _can_be_made(file, replace)
+        means = {
+            "most_line_length_m": max_height,
+            "most_spacing_m": max_spacing,
+            "u_line_length_m": u_line_length,
+            "u_spacing_m": u_spacing,
+            "amplitude_deg": amplitude,
+            "gravity_m_s2": _figure(gravity),
+        }
+        loaded = None if session is None else _loaded(session)
+        with counted(_errors(), "planning") as told:
+            found = make_plan(
+                loaded,
+                mass=mass,
+                length=length,
+                beam=beam,
+                boat_type=type_,
+                k_yaw=quantity(k_yaw),
+                k_pitch=quantity(k_pitch),
+                k_roll=quantity(k_roll),
+                depth=quantity(depth),
+                wanted=wanted or [],
+                means={name: value for name, value in means.items() if value is not None},
+                title=title,
+                tell_apart=_two(tell_apart),
+                progress=told,
+            )
+        if output is not None:
+            output.write_text(found.session_toml(), encoding="utf-8")
+        if rig is not None:
+            rig.write_text(found.rig_toml(), encoding="utf-8")
+        if json is not None:
+            write_json(found.to_json(), json)
+        console = _console(json)
+        show_plan(console, found)
+        for name, file in (("Session to fill in", output), ("Rig", rig)):
+            if file is not None:
+                console.print(f"{name}: {file}", soft_wrap=True, highlight=False, markup=False)
 
-    settings = {"allow_extra_args": True, "ignore_unknown_options": True}
-    app.command(name, hidden=True, context_settings=settings, add_help_option=False)(command)
+
+def _figure(text: str | None) -> dict[str, float] | None:
+    figure = quantity(text)
+    return None if figure is None else {"value": figure[0], "u": figure[1]}
 
 
-_later("plan")
+def _two(text: str | None) -> tuple[str, str] | None:
+    if text is None:
+        return None
+    one, comma, other = (part.strip() for part in text.partition(","))
+    if not (one and comma and other):
+        raise _core.InputError(f"--tell-apart: expected two causes with a comma between, found `{text}`")
+    return one, other
+
+
+def _can_be_made(file: Path, replace: bool) -> None:
+    can_be_written(file)
+    if file.exists() and not replace:
+        raise _core.InputError(f"{file}: it exists already and is not overwritten (--replace does)")
 
 
 def write_report(measurement: Measurement, output: Path, critique: Critique | str | None = None) -> None:

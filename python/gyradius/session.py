@@ -25,6 +25,11 @@ class Session:
         self._core = core
 
     @property
+    def core(self) -> _core.Session:
+        """The session as the native module holds it."""
+        return self._core
+
+    @property
     def title(self) -> str:
         """The session's title, or the recording's name."""
         return self._core.title

@@ -11,6 +11,7 @@ mod critique;
 mod errors;
 mod import;
 mod measurement;
+mod plan;
 mod routes;
 mod session;
 mod simulation;
@@ -30,6 +31,8 @@ mod _core {
     use super::import::import_files;
     #[pymodule_export]
     use super::measurement::Measurement;
+    #[pymodule_export]
+    use super::plan::{Plan, plan_swings};
     #[pymodule_export]
     use super::routes::{evaluate_route, routes};
     #[pymodule_export]

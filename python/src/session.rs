@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gyradius_core::critique::criticise;
+use gyradius_core::critique::{Progress, criticise};
 use gyradius_core::inertia::{Analysis, MeasureOptions, analyse, measure_recording};
+use gyradius_core::plan::{Request, plan_on, plan_to_tell_apart};
 use gyradius_core::recording::import::{ImportedData, import_files};
 use gyradius_core::recording::{LoadedSession, Recording, SESSION_FILE, Store, load_session, load_store};
 use gyradius_core::{Error, Result};
@@ -14,6 +15,7 @@ use crate::critique::{Criticism, watched};
 use crate::errors::{detached, raise};
 use crate::import::{import_options, read_input};
 use crate::measurement::Measurement;
+use crate::plan::Plan;
 
 /// What was loaded.
 pub enum Loaded {
@@ -58,14 +60,29 @@ impl Session {
     /// Criticise the simulation; the callback is told a share and a text, and stops it by answering false.
     #[pyo3(signature = (progress=None))]
     fn critique(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Criticism> {
-        let loaded = match &self.loaded {
-            Loaded::Session(loaded) => loaded,
-            Loaded::Bare(recording) => {
-                let reason = "a bare recording tells no dimensions to simulate it by";
-                return Err(raise(py, &Error::no_result(&recording.name, reason)));
-            }
-        };
+        let loaded = self.loaded.with_dimensions().map_err(|error| raise(py, &error))?;
         watched(py, progress, |progress| criticise(loaded, progress)).map(|inner| Criticism { inner })
+    }
+
+    /// The plan from what was measured so far; the request is JSON.
+    fn plan(&self, py: Python<'_>, request: &str) -> PyResult<Plan> {
+        detached(py, || plan_on(self.loaded.with_dimensions()?, &Request::from_json(request)?)).map(Plan::new)
+    }
+
+    /// The plan of the swing that tells two causes apart; the callback as of `critique`.
+    #[pyo3(signature = (one, other, request, progress=None))]
+    fn plan_to_tell_apart(
+        &self,
+        py: Python<'_>,
+        one: &str,
+        other: &str,
+        request: &str,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Plan> {
+        let loaded = self.loaded.with_dimensions().map_err(|error| raise(py, &error))?;
+        let request = Request::from_json(request).map_err(|error| raise(py, &error))?;
+        let work = |progress: &Progress| plan_to_tell_apart(loaded, [one, other], &request, progress);
+        watched(py, progress, work).map(Plan::new)
     }
 }
 
@@ -74,6 +91,17 @@ impl Loaded {
         match self {
             Loaded::Session(loaded) => Some(Arc::clone(loaded)),
             Loaded::Bare(_) => None,
+        }
+    }
+
+    /// What can be simulated.
+    fn with_dimensions(&self) -> Result<&LoadedSession> {
+        match self {
+            Loaded::Session(loaded) => Ok(loaded),
+            Loaded::Bare(recording) => {
+                let reason = "a bare recording tells no dimensions to simulate it by";
+                Err(Error::no_result(&recording.name, reason))
+            }
         }
     }
 

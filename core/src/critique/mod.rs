@@ -19,6 +19,7 @@ mod result;
 mod search;
 mod seen;
 mod shape;
+mod tell_apart;
 mod traces;
 mod verdict;
 mod white;
@@ -28,6 +29,7 @@ pub use result::{
     CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterResult, Progress, SwingTrace,
 };
+pub use tell_apart::tell_apart;
 
 use std::collections::BTreeMap;
 
@@ -39,10 +41,10 @@ use crate::recording::{LoadedData, LoadedSession, Quantity};
 use base::{Base, by_periods};
 use findings::findings;
 use learned::learned;
-use next_swing::next_swing;
+use next_swing::{Explained, next_swing};
 use point::{Model, Part};
 use quantities::quantities;
-use search::{Found, Told, search};
+use search::{Found, Told, Tried, search};
 use traces::traces;
 
 /// Name and version of the result's format.
@@ -106,7 +108,7 @@ fn conclude(
         let other = quantities(&model, &fitted, 1.0, inclines)?;
         widen(&mut extended.quantities, &other, weight);
     }
-    let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| next_swing(found, t));
+    let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| would_tell(found, t));
     let gain = gain((before, after), rows, &baseline, &extended);
     let critique = Critique {
         format: FORMAT.into(),
@@ -121,6 +123,16 @@ fn conclude(
         warnings,
     };
     Ok(Criticism { critique, traces: traces(base, found)? })
+}
+
+/// The swing that would tell the cause taken last from a rival.
+fn would_tell(found: &Found, rival: &Tried) -> Option<NextSwing> {
+    let mut other = found.model.clone();
+    *other.causes.last_mut()? = rival.cause.clone();
+    next_swing(
+        &Explained { model: &found.model, point: &found.fitted.point, id: found.model.causes.last()?.id },
+        &Explained { model: &other, point: &rival.fitted.point, id: rival.cause.id },
+    )
 }
 
 /// Takes into an uncertainty that another cause, of a weight beside the one taken, puts the figure elsewhere.

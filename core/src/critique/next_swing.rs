@@ -12,37 +12,69 @@ use super::fitting::Places;
 use super::linear::Reader;
 use super::point::{Model, Point};
 use super::result::NextSwing;
-use super::search::{Found, Tried};
 
 /// Changes of line length and spacing that are thought of, and angles of release, degrees.
 const LENGTHS: [f64; 4] = [0.5, 0.75, 1.0, 1.5];
 const SPACINGS: [f64; 3] = [0.7, 1.0, 1.4];
 const ANGLES_DEG: [f64; 2] = [5.0, 15.0];
+/// Tilts that are thought of beside the hanging of the session, degrees.
+const TILTS_DEG: [f64; 2] = [-20.0, 20.0];
 const EXCITED: [&[&str]; 4] = [&["yaw"], &["sway"], &["pitch"], &["yaw", "sway", "pitch"]];
 /// Durations, s; what differs in phase grows as the time to the power 3/2.
 const DURATIONS_S: [f64; 3] = [120.0, 300.0, 600.0];
 const DECISIVE: f64 = 5.0;
 
-/// The best of the swings thought of, for the cause taken and its strongest rival.
-pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
-    let mut other = found.model.clone();
-    *other.causes.last_mut()? = rival.cause.clone();
-    let design =
-        Design { one: &found.model, other: &other, at: &found.fitted.point, rival: &rival.fitted.point };
-    let designs: Vec<_> = LENGTHS
-        .iter()
-        .flat_map(|length| SPACINGS.iter().map(move |spacing| (*length, *spacing)))
-        .flat_map(|(length, spacing)| ANGLES_DEG.iter().map(move |angle| (length, spacing, *angle)))
-        .flat_map(|(length, spacing, angle)| {
-            EXCITED.iter().map(move |excited| (length, spacing, angle, *excited))
-        })
-        .collect();
-    let swings = in_parallel(designs.len(), |k| {
-        let (length, spacing, angle_deg, excited) = designs[k];
-        design.swing(length, spacing, angle_deg, excited).ok()
-    });
-    let best = swings.into_iter().flatten().max_by(|a, b| a.sigma.total_cmp(&b.sigma));
-    best.map(|swing| in_words(longer(swing), found.model.causes.last().map_or("", |c| c.id), rival.cause.id))
+/// One of two ways to explain a session: the simulation with a cause in it, fitted.
+pub struct Explained<'a> {
+    pub model: &'a Model<'a>,
+    pub point: &'a Point,
+    /// The cause's name.
+    pub id: &'static str,
+}
+
+/// The best of the swings thought of, for two ways to explain a session that differ in their last cause.
+pub fn next_swing(one: &Explained, other: &Explained) -> Option<NextSwing> {
+    let design = Design { one: one.model, other: other.model, at: one.point, rival: other.point };
+    let best_of = |releases: Vec<Release>| {
+        let swings = in_parallel(releases.len(), |k| Some((design.swing(&releases[k]).ok()?, releases[k])));
+        swings.into_iter().flatten().max_by(|a, b| a.0.sigma.total_cmp(&b.0.sigma))
+    };
+    let (level, release) = best_of(level())?;
+    // A tilt is worth the trouble only where it tells more than the best level swing does.
+    let tilts = TILTS_DEG.iter().flat_map(|tilt| EXCITED.iter().map(move |excited| (*tilt, *excited)));
+    let tilted = best_of(tilts.map(|(tilt_deg, excited)| Release { excited, tilt_deg, ..release }).collect());
+    let best = tilted.map(|(swing, _)| swing).filter(|swing| swing.sigma > level.sigma).unwrap_or(level);
+    Some(in_words(longer(best), one.id, other.id))
+}
+
+/// The swings thought of that leave the hull level.
+fn level() -> Vec<Release> {
+    let mut all = Vec::new();
+    for length in LENGTHS {
+        for spacing in SPACINGS {
+            for angle_deg in ANGLES_DEG {
+                all.extend(EXCITED.map(|excited| Release {
+                    length,
+                    spacing,
+                    angle_deg,
+                    excited,
+                    tilt_deg: 0.0,
+                }));
+            }
+        }
+    }
+    all
+}
+
+/// A swing that is thought of: length and spacing over those of the session, and how it is let go.
+#[derive(Clone, Copy)]
+struct Release {
+    length: f64,
+    spacing: f64,
+    angle_deg: f64,
+    excited: &'static [&'static str],
+    /// Added to the pitch of the session's first swing, degrees.
+    tilt_deg: f64,
 }
 
 /// As long as it takes to decide.
@@ -57,8 +89,12 @@ pub fn longer(mut swing: NextSwing) -> NextSwing {
 }
 
 fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {
+    let hull = match swing.hull_pitch_deg {
+        pitch if pitch.abs() < 1.0 => String::new(),
+        pitch => format!(" with the bow {:.0}° {}", pitch.abs(), if pitch > 0.0 { "up" } else { "down" }),
+    };
     swing.text = format!(
-        "swing {} at {:.0}° on lines of {:.2} m, {:.2} m apart, for {:.0} s: {one} and {other} then differ by {:.0} standard deviations",
+        "swing {}{hull} at {:.0}° on lines of {:.2} m, {:.2} m apart, for {:.0} s: {one} and {other} then differ by {:.0} standard deviations",
         swing.excited.join(" and "),
         swing.amplitude_deg,
         swing.line_length_m,
@@ -78,7 +114,8 @@ struct Design<'a> {
 
 impl Design<'_> {
     /// How well a swing would tell the two apart: a swing like the first of the session with other lines and another start.
-    fn swing(&self, length: f64, spacing: f64, angle_deg: f64, excited: &[&str]) -> Result<NextSwing> {
+    fn swing(&self, release: &Release) -> Result<NextSwing> {
+        let Release { length, spacing, angle_deg, excited, tilt_deg } = *release;
         const S: usize = 0;
         let index = self.one.swing(S).setup.index;
         let changed = |point: &Point| {
@@ -88,6 +125,12 @@ impl Design<'_> {
             scale(index.spacing, spacing);
             if index.top_spacing != index.spacing {
                 scale(index.top_spacing, spacing);
+            }
+            if tilt_deg != 0.0 {
+                let (from, to) = (there.x[index.pitch_deg], there.x[index.pitch_deg] + tilt_deg);
+                there.x[index.pitch_deg] = to;
+                // Moved along the deck until the centre hangs below them, the points lie 1/cos of the tilt above it.
+                there.x[index.log_depth] += (from.to_radians().cos() / to.to_radians().cos()).ln();
             }
             let angle = angle_deg.to_radians();
             let line_m = index.line_length.map_or(1.0, |i| there.x[i]);

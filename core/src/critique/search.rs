@@ -98,17 +98,7 @@ impl Told<'_> {
 
 /// Searches from a fitted base and from where its fit began.
 pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
-    let base_left = Left::of(&base, &fitted.point)?;
-    let mut found = Found {
-        base: fitted.clone(),
-        left: base_left.clone(),
-        base_left,
-        model: base,
-        fitted,
-        rounds: vec![],
-        before: None,
-        begin,
-    };
+    let mut found = Found::begun(base, begin, fitted)?;
     while found.model.named().count() < MOST_CAUSES {
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
@@ -138,7 +128,41 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
     Ok(found)
 }
 
+impl<'a> Found<'a> {
+    /// Nothing found yet.
+    pub fn begun(base: Model<'a>, begin: Point, fitted: Fitted) -> Result<Self> {
+        let base_left = Left::of(&base, &fitted.point)?;
+        Ok(Self {
+            base: fitted.clone(),
+            left: base_left.clone(),
+            base_left,
+            model: base,
+            fitted,
+            rounds: vec![],
+            before: None,
+            begin,
+        })
+    }
+}
+
 impl Found<'_> {
+    /// A cause by its name beside what was taken: that of its forms that promises most, fitted in full.
+    pub fn by_name(&self, id: &str) -> Result<Tried> {
+        let scales = Scales::of(self.model.base, &self.fitted.point)?;
+        let all: Vec<Cause> = catalogue(&scales).into_iter().chain(mounts()).collect();
+        let forms: Vec<Cause> = all.iter().filter(|cause| cause.id == id).cloned().collect();
+        if forms.is_empty() {
+            let mut names: Vec<&str> = all.iter().map(|cause| cause.id).filter(|id| *id != UNKNOWN).collect();
+            names.dedup();
+            return Err(Error::argument("cause", format!("one of {}", names.join(", ")), id));
+        }
+        let model = Model { alone: true, ..self.model.clone() };
+        let looks = looks_at(&Standing::of(&model, &self.fitted)?, &forms);
+        let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
+        let reason = || Error::no_result(id, "it cannot be fitted to this session");
+        self.fit(&best.ok_or_else(reason)?, f64::INFINITY, false).ok_or_else(reason)
+    }
+
     fn take(&mut self, best: Tried) {
         self.before = Some(std::mem::replace(&mut self.fitted, best.fitted));
         self.model.causes.push(best.cause);
@@ -179,11 +203,10 @@ impl Found<'_> {
             }
             let model = Model { alone: true, ..self.model.clone() };
             let Ok(standing) = Standing::of(&model, &self.fitted) else { break };
-            let looks = in_parallel(count, |k| {
-                let tone = gust(tone, (k + 1) as f64 / duration_s, duration_s);
-                Look::at(&standing, &tone).ok().flatten()
-            });
-            let best = looks.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain));
+            let tones: Vec<Cause> =
+                (1..=count).map(|k| gust(tone, k as f64 / duration_s, duration_s)).collect();
+            let looks = looks_at(&standing, &tones);
+            let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
             let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
             let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
             gained += tried.gain;
@@ -261,9 +284,7 @@ impl Found<'_> {
             looks.extend(moments(&standing)?.into_iter().filter(|look| is_new(&look.cause)));
         }
         causes.retain(is_new);
-        // A cause that cannot be simulated here (a stiff line on a short lever) is no candidate.
-        let seen = in_parallel(causes.len(), |k| Look::at(&standing, &causes[k]).ok().flatten());
-        looks.extend(seen.into_iter().flatten());
+        looks.extend(looks_at(&standing, &causes));
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         let mut leading: Vec<Look> = Vec::new();
         for look in looks {
@@ -367,6 +388,12 @@ impl Found<'_> {
     fn first_gain(&self) -> Option<f64> {
         Some(self.rounds.first().filter(|round| round.taken)?.tried.first()?.gain)
     }
+}
+
+/// First looks at causes, side by side. One that cannot be simulated here (a stiff line on a short lever) is no candidate.
+fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
+    let seen = in_parallel(causes.len(), |k| Look::at(standing, &causes[k]).ok().flatten());
+    seen.into_iter().flatten().collect()
 }
 
 /// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.

@@ -35,7 +35,7 @@ use super::words::mode_text;
 pub const FORMAT: &str = "gyradius-measurement/1";
 /// Uncertainty of a phone's tilt between two swings, degrees: an accelerometer's bias of some 0.03 m/s² that does
 /// not turn with gravity.
-const PHONE_TILT_U_DEG: f64 = 0.15;
+pub(super) const PHONE_TILT_U_DEG: f64 = 0.15;
 /// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last digit).
 const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 

@@ -7,6 +7,7 @@ mod beats;
 pub(crate) mod by_samples;
 mod court;
 pub(crate) mod estimate;
+pub(crate) mod expected;
 pub(crate) mod measure;
 mod measurement;
 mod observe;

@@ -9,6 +9,8 @@ use crate::recording::{AddedMass, End, Excitation, ModeName, Suspension};
 /// One thing to do, in the order of the plan.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+// A plan has a dozen steps: plain data is worth more than their size.
+#[allow(clippy::large_enum_variant)]
 pub enum Step {
     /// Hang it so, set it going, record.
     Swing(PlannedSwing),

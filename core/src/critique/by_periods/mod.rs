@@ -11,13 +11,14 @@ mod words;
 
 use std::collections::BTreeMap;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::inertia::outputs::write_quantities;
 use crate::inertia::{Analysis, Measurement, QuantityResult, solved_periods};
 use crate::recording::LoadedSession;
 
-use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult};
+use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing};
 use super::{FORMAT, shifts};
+use causes::CAUSES;
 use choice::Choice;
 use model::{Fitted, HeldOut, Setting};
 use words::Standing;
@@ -42,6 +43,29 @@ pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<
         warnings: warnings(analysis),
     };
     Ok(Criticism { critique, traces: vec![] })
+}
+
+/// The swing that would tell two causes (by name) apart, each fitted to the periods beside nothing else; `None` where none
+/// thought of does.
+///
+/// # Errors
+/// [`Error::Argument`] for a name that is no cause that periods show; [`Error::NoResult`] where one cannot be fitted.
+pub fn tell_apart_by_periods(
+    loaded: &LoadedSession,
+    analysis: &Analysis,
+    names: [&str; 2],
+) -> Result<Option<NextSwing>> {
+    let setting = Setting::new(solved_periods(loaded)?, analysis)?;
+    let [one, other] = [fitted(&setting, names[0])?, fitted(&setting, names[1])?];
+    Ok(next_swing::next_swing(&setting, &one, &[other]))
+}
+
+fn fitted<'a>(setting: &Setting<'a>, name: &str) -> Result<Fitted<'a>> {
+    let cause = CAUSES.iter().find(|cause| cause.id == name).ok_or_else(|| {
+        let names: Vec<&str> = CAUSES.iter().map(|cause| cause.id).collect();
+        Error::argument("cause", format!("one of {} (what periods show)", names.join(", ")), name)
+    })?;
+    setting.fit(&[cause]).ok_or_else(|| Error::no_result(name, "it cannot be fitted to this session"))
 }
 
 fn warnings(analysis: &Analysis) -> Vec<String> {

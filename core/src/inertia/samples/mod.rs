@@ -9,6 +9,7 @@
 //! # Conventions
 //! Times count from the start of the free span, by the phone's clock. The body hangs in hanging axes (level at rest).
 
+mod expected;
 mod fit;
 mod linearise;
 mod marquardt;
@@ -17,6 +18,7 @@ mod record;
 mod scene;
 mod session;
 
+pub use expected::{Recorded, expected_statements};
 pub use fit::Statement;
 pub use record::{Samples, Sensor, Stream, Turning};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup};

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::expected::Recorded;
 use crate::frames::Vec3;
 use crate::inertia::observe::Evidence;
 
@@ -124,6 +125,29 @@ impl Samples {
         ];
         let (_, duration_s) = inside(evidence);
         (duration_s > 0.0).then_some(Self { streams, duration_s, up })
+    }
+
+    /// Of a recording to come: one reading for each block that its samples would be averaged over, with the noise of that
+    /// average. `None` where it is shorter than two periods.
+    pub fn expected(recorded: &Recorded, fastest_period_s: f64) -> Option<Self> {
+        let duration_s = recorded.duration_s - 2.0 * MARGIN_S;
+        // Not more readings than there are samples.
+        let block_s = (fastest_period_s * BLOCK_OF_PERIOD).max(1.0 / recorded.rate_hz);
+        let in_block = recorded.rate_hz * block_s;
+        let t_s: Vec<f64> =
+            (0..(duration_s / block_s) as usize).map(|i| (i as f64 + 0.5) * block_s).collect();
+        let stream = |sensor: Sensor, noise: f64| Stream {
+            sensor,
+            values: vec![Vec3::zeros(); t_s.len()],
+            noise: Vec3::repeat(noise / in_block.sqrt()),
+            blocks: (0..t_s.len()).map(|i| i..i + 1).collect(),
+            t_s: t_s.clone(),
+        };
+        let streams = vec![
+            stream(Sensor::Gyroscope, recorded.gyro_rad_s),
+            stream(Sensor::Accelerometer, recorded.acc_m_s2),
+        ];
+        (duration_s > 2.0 * fastest_period_s).then_some(Self { streams, duration_s, up: Vec3::z() })
     }
 }
 
