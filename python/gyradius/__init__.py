@@ -23,6 +23,7 @@ from .critique import (
     SwingTrace,
 )
 from .imports import import_files
+from .live import Live
 from .measurement import (
     AmplitudePoint,
     BudgetLine,
@@ -35,6 +36,8 @@ from .measurement import (
     SwingResult,
     Verdict,
 )
+from .practice import Practice
+from .recorder import RecordedSamples, RecordedSensor, RecorderFile, read_recorder
 from .session import Session, load, shipped_session, shipped_sessions
 from .simulation import Rig, Simulation, read_rig, shipped_rigs, simulate
 
@@ -52,6 +55,7 @@ __all__ = [
     "GyradiusError",
     "InputError",
     "LearnedForce",
+    "Live",
     "Measurement",
     "Mode",
     "ModeResult",
@@ -59,7 +63,11 @@ __all__ = [
     "NextSwing",
     "NoResultError",
     "ParameterResult",
+    "Practice",
     "Quantity",
+    "RecordedSamples",
+    "RecordedSensor",
+    "RecorderFile",
     "Repair",
     "Rig",
     "Route",
@@ -73,6 +81,7 @@ __all__ = [
     "evaluate_route",
     "import_files",
     "load",
+    "read_recorder",
     "read_rig",
     "routes",
     "shipped_rigs",

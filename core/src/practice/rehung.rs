@@ -105,10 +105,7 @@ fn start(swing: &Swing, release: &Release, mistakes: &Mistakes) -> BTreeMap<Stri
 
 fn touch(at_s: f64, mass_kg: f64) -> Result<EffectValues> {
     let (push, turn) = (TOUCH_N_S_PER_KG * mass_kg, TOUCH_N_M_S_PER_KG * mass_kg);
-    effect(
-        "knock",
-        &[("at_s", at_s), ("over_s", TOUCH_S), ("impulse_y_n_s", push), ("turn_z_n_m_s", turn)],
-    )
+    effect("knock", &[("at_s", at_s), ("over_s", TOUCH_S), ("impulse_y_n_s", push), ("turn_z_n_m_s", turn)])
 }
 
 fn slip(at_s: f64) -> Result<EffectValues> {
@@ -118,7 +115,8 @@ fn slip(at_s: f64) -> Result<EffectValues> {
 fn effect(id: &str, numbers: &[(&str, f64)]) -> Result<EffectValues> {
     let mut all = effects::catalogue().into_iter().chain(sensors::catalogue());
     let kind = all.find(|kind| kind.id == id).ok_or_else(|| Error::argument("effect", "a known one", id))?;
-    let value = |name: &str| numbers.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, value)| *value);
+    let value =
+        |name: &str| numbers.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, value)| *value);
     let values = kind.numbers.iter().map(|number| value(number.name)).collect();
     Ok(EffectValues { kind, values })
 }

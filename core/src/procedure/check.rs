@@ -95,7 +95,8 @@ pub(super) fn measured(step: &StepMemory, measured: Measured) -> Result<()> {
 }
 
 fn missing(step: &StepMemory, measured: Measured) -> Option<&'static str> {
-    let first = |needed: &[(&'static str, bool)]| needed.iter().find(|(_, there)| !there).map(|(name, _)| *name);
+    let first =
+        |needed: &[(&'static str, bool)]| needed.iter().find(|(_, there)| !there).map(|(name, _)| *name);
     match &step.planned {
         Step::Incline(_) => first(&[
             ("mass_kg", measured.mass_kg.is_some()),
@@ -107,9 +108,10 @@ fn missing(step: &StepMemory, measured: Measured) -> Option<&'static str> {
                 ("line_length_m", measured.line_length_m.or(swing.suspension.line_length_m).is_some()),
                 ("spacing_m", measured.spacing_m.or(swing.suspension.spacing_m).is_some()),
             ]),
-            SuspensionKind::Compound => {
-                first(&[("axis_height_m", measured.axis_height_m.or(swing.suspension.axis_height_m).is_some())])
-            }
+            SuspensionKind::Compound => first(&[(
+                "axis_height_m",
+                measured.axis_height_m.or(swing.suspension.axis_height_m).is_some(),
+            )]),
         },
     }
 }

@@ -17,23 +17,63 @@ pub(super) const FORMAT: &str = "gyradius-procedure/1";
 #[serde(tag = "entry", rename_all = "snake_case")]
 #[allow(clippy::large_enum_variant)]
 pub(super) enum Entry {
-    Created { format: String, task: Task },
-    Begun { at_utc: String, phone: PhoneInfo, placement: Placement },
+    Created {
+        format: String,
+        task: Task,
+    },
+    Begun {
+        at_utc: String,
+        phone: PhoneInfo,
+        placement: Placement,
+    },
     /// Direction of specific force in the phone while the hull was level.
-    Levelled { up: [f64; 3] },
-    Rested { rest: Rest },
+    Levelled {
+        up: [f64; 3],
+    },
+    Rested {
+        rest: Rest,
+    },
     RestSkipped,
-    Hung { step: usize, measured: Measured },
-    Started { step: usize, take: usize, at_utc: String },
-    Ended { step: usize, take: usize, judgement: Judgement },
-    Decided { step: usize, take: usize, accepted: bool },
-    Skipped { step: usize },
-    Reopened { step: usize },
-    Measured { result: ResultView },
-    Failed { work: Work, reason: String },
+    Hung {
+        step: usize,
+        measured: Measured,
+    },
+    Started {
+        step: usize,
+        take: usize,
+        at_utc: String,
+    },
+    Ended {
+        step: usize,
+        take: usize,
+        judgement: Judgement,
+    },
+    Decided {
+        step: usize,
+        take: usize,
+        accepted: bool,
+    },
+    Skipped {
+        step: usize,
+    },
+    Reopened {
+        step: usize,
+    },
+    Measured {
+        result: ResultView,
+    },
+    Failed {
+        work: Work,
+        reason: String,
+    },
     Retried,
-    Criticised { critique: CritiqueView, suggestion: Option<Step> },
+    Criticised {
+        critique: CritiqueView,
+        suggestion: Option<Step>,
+    },
     CritiqueSkipped,
-    SuggestionTaken { step: Step },
+    SuggestionTaken {
+        step: Step,
+    },
     SuggestionDeclined,
 }

@@ -48,7 +48,8 @@ pub enum Outcome {
 
 impl Job {
     pub(super) fn of(work: Work, folder: &Path, memory: &Memory) -> Self {
-        let mut job = Self { work, folder: folder.to_owned(), session: memory.task.head(), takes: Vec::new() };
+        let mut job =
+            Self { work, folder: folder.to_owned(), session: memory.task.head(), takes: Vec::new() };
         for (index, step) in memory.steps.iter().enumerate().filter(|(_, step)| !step.skipped) {
             job.add(index, step);
         }

@@ -66,7 +66,12 @@ impl Journal {
         let (entries, whole) = read(&bytes);
         if entries.is_empty() {
             let expected = "a procedure's journal".to_owned();
-            return Err(Error::Malformed { file: name, line: Some(1), expected, found: "no whole line".into() });
+            return Err(Error::Malformed {
+                file: name,
+                line: Some(1),
+                expected,
+                found: "no whole line".into(),
+            });
         }
         let fail = |doing: &str, error: &std::io::Error| unwritable(&name, doing, error);
         let opened = OpenOptions::new().append(true).open(&path);

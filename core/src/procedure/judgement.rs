@@ -185,7 +185,9 @@ pub(super) fn is_unwanted(line: &Line, planned: &PlannedSwing) -> bool {
     let fine = match line.kind {
         LineKind::Sway => asked(&[Excitation::Sway, Excitation::Surge]),
         // A hull that pitches or surges on two lines has two modes that turn about the same axis.
-        LineKind::SameTurn => asked(&[Excitation::Pitch, Excitation::Roll, Excitation::Surge, Excitation::Sway]),
+        LineKind::SameTurn => {
+            asked(&[Excitation::Pitch, Excitation::Roll, Excitation::Surge, Excitation::Sway])
+        }
         LineKind::OtherTurn => turns.count() > 1,
     };
     line.share >= UNWANTED_SHARE && !fine
@@ -203,8 +205,7 @@ fn unwanted(line: &Line) -> Text {
 
 fn of_period(swing: &SwingState, wanted: f64, reasons: &mut Vec<Text>, notes: &mut Vec<Text>) {
     let u = swing.period_noise_u_s / swing.period_s;
-    let (key, to) =
-        if u <= wanted { ("note_period", notes) } else { ("reason_period", reasons) };
+    let (key, to) = if u <= wanted { ("note_period", notes) } else { ("reason_period", reasons) };
     to.push(Text::new(key, [("u_ppm", number(1e6 * u, 0)), ("wanted_ppm", number(1e6 * wanted, 0))]));
 }
 

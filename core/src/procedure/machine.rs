@@ -132,7 +132,11 @@ impl Procedure {
             let offered = self.actions();
             if !offered.contains(&action) {
                 let offered: Vec<String> = offered.iter().map(|action| name_of(*action)).collect();
-                return Err(Error::argument("event", format!("one of: {}", offered.join(", ")), name_of(action)));
+                return Err(Error::argument(
+                    "event",
+                    format!("one of: {}", offered.join(", ")),
+                    name_of(action),
+                ));
             }
         }
         match event {
@@ -142,7 +146,7 @@ impl Procedure {
                 Ok(())
             }
             Event::SensorStopped { sensor, stamp_ns } => {
-                self.told.push(Text::new("warn_sensor_stopped", [("sensor", plain(sensor.name()))]));
+                self.tell(Text::new("warn_sensor_stopped", [("sensor", plain(sensor.name()))]));
                 self.of_running(|running| running.sensor_stopped(stamp_ns, sensor))
             }
             Event::SlipSeen { stamp_ns } => self.of_running(|running| running.slip_seen(stamp_ns)),
@@ -249,6 +253,7 @@ impl Procedure {
         self.write(Entry::Started { step, take, at_utc })?;
         let file = self.folder.join(file_of(step, &id, take));
         self.cut_off = Extent::default();
+        self.told.clear();
         self.running = Some(Running::begin(&file, &planned, &id, &self.before())?);
         Ok(())
     }
@@ -258,9 +263,10 @@ impl Procedure {
         let (follow, ended) = running.end();
         // A missing end mark is told by whoever reads the file; what was recorded is judged all the same.
         if let Err(error) = ended {
-            self.told.push(Text::new("warn_unwritable", [("reason", plain(error.to_string()))]));
+            self.tell(Text::new("warn_unwritable", [("reason", plain(error.to_string()))]));
         }
-        self.cut_off = Extent { recorded_s: follow.recorded_s(), ended: true };
+        self.cut_off =
+            Extent { recorded_s: follow.recorded_s(), ended: true, newest_ns: Some(follow.last_ns()) };
         self.judge(&follow)
     }
 
@@ -274,6 +280,7 @@ impl Procedure {
     fn go_on(&mut self) -> Result<()> {
         let Some((step, file, _)) = self.open_take() else { return Ok(()) };
         let planned = self.memory.steps[step].planned.clone();
+        self.told.clear();
         self.running = Some(Running::resume(&file, &planned, &self.before())?);
         Ok(())
     }
@@ -321,8 +328,15 @@ impl Procedure {
         })
     }
 
+    /// Told until the next recording.
+    fn tell(&mut self, warning: Text) {
+        if !self.told.contains(&warning) {
+            self.told.push(warning);
+        }
+    }
+
     fn interrupt(&mut self, why: Text) {
-        self.told.push(why);
+        self.tell(why);
         if let Some(running) = self.running.take() {
             drop(running);
             self.look_at_cut_off();
@@ -343,7 +357,11 @@ impl Procedure {
     pub fn finish(&mut self, outcome: Outcome) -> Result<()> {
         let wanted = self.job().map(|job| job.work());
         if wanted != Some(outcome.work()) {
-            return Err(Error::argument("outcome", "that of the work that is wanted", format!("{:?}", outcome.work())));
+            return Err(Error::argument(
+                "outcome",
+                "that of the work that is wanted",
+                format!("{:?}", outcome.work()),
+            ));
         }
         self.write(outcome.into_entry())
     }
@@ -354,6 +372,12 @@ impl Procedure {
             Some(job) => self.finish(job.run(progress)?),
             None => Ok(()),
         }
+    }
+
+    /// The newest stamp of all recordings, ns.
+    pub(super) fn newest_ns(&self) -> Option<i64> {
+        let files = fs::read_dir(self.folder.join(TAKES)).ok()?.flatten();
+        files.filter_map(|file| extent(&file.path()).newest_ns).max()
     }
 
     /// The folder that it is kept in.
@@ -405,7 +429,7 @@ impl Procedure {
         use Action::*;
         let mut actions = match self.phase() {
             Phase::Start => vec![Begin],
-            Phase::Level => [self.tilt.up().map(|_| vec![SetReference, Accept])].into_iter().flatten().flatten().collect(),
+            Phase::Level => self.tilt.up().map_or_else(Vec::new, |_| vec![SetReference, Accept]),
             Phase::Rest => self.rest.found().map(|_| Accept).into_iter().chain([Repeat, Skip]).collect(),
             Phase::Hang => vec![Measured, Skip],
             Phase::Ready => vec![StartRecording, Measured, Skip],
@@ -418,7 +442,8 @@ impl Procedure {
             Phase::Suggest => vec![Accept, Skip],
             Phase::Done => vec![],
         };
-        let after_steps = matches!(self.phase(), Phase::Failed | Phase::Critique | Phase::Suggest | Phase::Done);
+        let after_steps =
+            matches!(self.phase(), Phase::Failed | Phase::Critique | Phase::Suggest | Phase::Done);
         if after_steps || matches!(self.phase(), Phase::Hang | Phase::Ready) {
             let any = self.memory.steps.iter().any(StepMemory::is_done);
             actions.extend(any.then_some(Reopen));

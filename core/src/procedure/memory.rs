@@ -158,7 +158,8 @@ impl Memory {
             self.forget_result();
         }
         let Some(step) = self.steps.get_mut(index) else { return };
-        let numbered = |takes: &mut Vec<Take>, number: usize| takes.iter().position(|take| take.number == number);
+        let numbered =
+            |takes: &mut Vec<Take>, number: usize| takes.iter().position(|take| take.number == number);
         match entry {
             Entry::Hung { measured, .. } => step.measured = Some(measured),
             Entry::Started { take, .. } => step.takes.push(Take { number: take, ..Take::default() }),

@@ -36,6 +36,10 @@ const AMPLITUDE_DEG: f64 = 6.0;
 const PERIOD_U: f64 = 1e-4;
 /// The phone's clock when it is first heard, ns.
 const BOOT_NS: i64 = 7_000_000_000_000;
+/// An app that was killed is back after this time, ns.
+const AWAY_NS: i64 = 2_000_000_000;
+/// A rest that has not been found after this time, s, is done without: wind moves some hulls all the time.
+const LONGEST_REST_S: f64 = 120.0;
 /// An operator who plays by the book makes a swing so often before a bad one is taken all the same.
 const MOST_TAKES: usize = 3;
 /// The phone of practice.
@@ -59,6 +63,8 @@ pub struct Rehearsal {
     feeds: usize,
     feed: Option<(Scene, Feed)>,
     now_ns: i64,
+    /// When the rest began, ns.
+    rest_ns: Option<i64>,
     mishaps: BTreeMap<(String, usize), Mishap>,
 }
 
@@ -100,14 +106,16 @@ impl Rehearsal {
         Ok(Self::of(Procedure::create(folder, task)?, rig, seed, BOOT_NS))
     }
 
-    /// Goes on with one that was left: the hull hangs quietly, and a recording that goes on finds it at rest.
-    /// `now_ns` is the phone's clock. Fails as [`Procedure::open`] does.
-    pub fn open(folder: impl AsRef<Path>, rig: RigFile, seed: u64, now_ns: i64) -> Result<Self> {
-        Ok(Self::of(Procedure::open(folder)?, rig, seed, now_ns))
+    /// Goes on with one that was left: two seconds have gone by on the phone's clock, and a recording that goes on finds
+    /// the hull held aside once more. Fails as [`Procedure::open`] does.
+    pub fn open(folder: impl AsRef<Path>, rig: RigFile, seed: u64) -> Result<Self> {
+        let procedure = Procedure::open(folder)?;
+        let now_ns = procedure.newest_ns().map_or(BOOT_NS, |newest| newest.saturating_add(AWAY_NS));
+        Ok(Self::of(procedure, rig, seed, now_ns))
     }
 
     fn of(procedure: Procedure, rig: RigFile, seed: u64, now_ns: i64) -> Self {
-        Self { procedure, rig, seed, feeds: 0, feed: None, now_ns, mishaps: BTreeMap::new() }
+        Self { procedure, rig, seed, feeds: 0, feed: None, now_ns, rest_ns: None, mishaps: BTreeMap::new() }
     }
 
     /// Lets something go wrong with one recording of a step, counted from 1.
@@ -125,11 +133,6 @@ impl Rehearsal {
         self.procedure.state()
     }
 
-    /// The phone's clock, ns.
-    pub fn now_ns(&self) -> i64 {
-        self.now_ns
-    }
-
     /// The folder of the procedure.
     pub fn folder(&self) -> PathBuf {
         self.procedure.folder().to_owned()
@@ -137,7 +140,10 @@ impl Rehearsal {
 
     /// Takes what the operator did. Fails as [`Procedure::handle`] does.
     pub fn handle(&mut self, event: Event) -> Result<()> {
-        self.procedure.handle(event)
+        self.procedure.handle(event)?;
+        let rests = self.procedure.phase() == Phase::Rest;
+        self.rest_ns = rests.then(|| self.rest_ns.unwrap_or(self.now_ns));
+        Ok(())
     }
 
     /// Lets so much time go by on the simulated hull, s; less where the recording ends meanwhile, and none where the
@@ -178,7 +184,12 @@ impl Rehearsal {
                 let phone = PhoneInfo { model: PHONE.to_owned(), sensors: Vec::new() };
                 Some(Event::Begin { at_utc: at_utc.to_owned(), phone, placement: Placement::AnyWay })
             }
-            Phase::Level | Phase::Rest => offered(Action::Accept).then_some(Event::Accept),
+            Phase::Level => offered(Action::Accept).then_some(Event::Accept),
+            Phase::Rest if offered(Action::Accept) => Some(Event::Accept),
+            Phase::Rest => {
+                let rested_s = self.rest_ns.map_or(0.0, |from| self.now_ns.saturating_sub(from) as f64 / 1e9);
+                (rested_s > LONGEST_REST_S).then_some(Event::Skip)
+            }
             Phase::Hang => Some(Event::Measured(self.tape()?)),
             Phase::Ready => Some(Event::StartRecording { at_utc: at_utc.to_owned() }),
             Phase::Interrupted => [
@@ -344,7 +355,7 @@ impl std::str::FromStr for Mishap {
         match name {
             "bad_release" => mistakes.amplitude = Some(0.3),
             "sway" => mistakes.sway_m = 0.25,
-            "touch" => mistakes.touch_s = Some(40.0),
+            "touch" => mistakes.touch_s = Some(80.0),
             "slip" => mistakes.slip_s = Some(50.0),
             "silence" => {
                 mishap.silence = Some(Silence { sensor: Sensor::Gyroscope, from_s: 30.0, until_s: 60.0 });

@@ -146,7 +146,9 @@ impl Release {
             self.half = 0.0;
         }
         match self.follows {
-            Follows::Turn => self.half += 0.5 * (along + last).abs() * at_ns.saturating_sub(last_ns) as f64 / 1e9,
+            Follows::Turn => {
+                self.half += 0.5 * (along + last).abs() * at_ns.saturating_sub(last_ns) as f64 / 1e9
+            }
             Follows::Lines => self.half = self.half.max(along.abs()),
         }
     }

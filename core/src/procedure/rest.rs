@@ -8,6 +8,7 @@ use std::collections::VecDeque;
 use serde::{Deserialize, Serialize};
 
 use super::event::Channel;
+use crate::constants::STANDARD_GRAVITY_M_S2;
 use crate::frames::Vec3;
 
 /// Length of a block, ns.
@@ -94,14 +95,14 @@ pub(super) struct RestReader {
     wanted_s: f64,
     gyroscope: Sensed,
     accelerometer: Sensed,
-    moved: bool,
+    /// End of the last block that was not still, ns.
+    moved_ns: Option<i64>,
 }
 
 impl RestReader {
     pub fn new(wanted_s: f64) -> Self {
-        let sensed =
-            || Sensed { open: Block::default(), still: VecDeque::new(), latest: VecDeque::new() };
-        Self { wanted_s, gyroscope: sensed(), accelerometer: sensed(), moved: false }
+        let sensed = || Sensed { open: Block::default(), still: VecDeque::new(), latest: VecDeque::new() };
+        Self { wanted_s, gyroscope: sensed(), accelerometer: sensed(), moved_ns: None }
     }
 
     pub fn wanted_s(&self) -> f64 {
@@ -111,19 +112,20 @@ impl RestReader {
     pub fn push(&mut self, channel: Channel, stamps_ns: &[i64], values: &[[f64; 3]]) {
         // A little more than is wanted is kept, so that both sensors have it.
         let most = (self.wanted_s * 1e9 / BLOCK_NS as f64).ceil() as usize + 2;
-        let (sensed, least) = match channel {
-            Channel::Gyroscope => (&mut self.gyroscope, LEAST_RATE_RAD_S),
-            Channel::Accelerometer => (&mut self.accelerometer, LEAST_TILT_RAD * 9.81),
+        let (sensed, other, least) = match channel {
+            Channel::Gyroscope => (&mut self.gyroscope, &mut self.accelerometer, LEAST_RATE_RAD_S),
+            Channel::Accelerometer => {
+                (&mut self.accelerometer, &mut self.gyroscope, LEAST_TILT_RAD * STANDARD_GRAVITY_M_S2)
+            }
             Channel::GyroscopeBias => return,
         };
-        let mut moved = false;
         for (&stamp, value) in stamps_ns.iter().zip(values) {
-            moved |= sensed.push(stamp, Vec3::from(*value), least, most);
+            let moved_ns = sensed.push(stamp, Vec3::from(*value), least, most, self.moved_ns);
+            self.moved_ns = self.moved_ns.max(moved_ns);
         }
-        if moved {
-            self.moved = true;
-            self.gyroscope.still.clear();
-            self.accelerometer.still.clear();
+        // What moves one sensor moves the hull: the other has been still only since.
+        if let Some(moved_ns) = self.moved_ns {
+            other.forget_before(moved_ns);
         }
     }
 
@@ -136,7 +138,7 @@ impl RestReader {
 
     /// How the hull moves, while it has not been still for long enough since it did.
     pub fn moving(&self) -> Option<Moving> {
-        let unsettled = self.moved && self.still_s() < self.wanted_s;
+        let unsettled = self.moved_ns.is_some() && self.still_s() < self.wanted_s;
         unsettled.then(|| Moving {
             rate_deg_s: self.gyroscope.largest(|mean, value| (value - mean).norm()).to_degrees(),
             tilt_deg: self.accelerometer.largest(|mean, value| mean.angle(value)).to_degrees(),
@@ -162,21 +164,33 @@ impl RestReader {
 }
 
 impl Sensed {
-    /// Takes a sample; true where the block that it ends says that the hull moved.
-    fn push(&mut self, stamp: i64, value: Vec3, least: f64, most: usize) -> bool {
+    /// Takes a sample; its stamp where the block that it ends says that the hull moved.
+    fn push(
+        &mut self,
+        stamp: i64,
+        value: Vec3,
+        least: f64,
+        most: usize,
+        moved_ns: Option<i64>,
+    ) -> Option<i64> {
         let steps_back = self.open.stamps_ns.last().is_some_and(|last| stamp <= *last);
         if steps_back || !value.iter().all(|v| v.is_finite()) {
-            return false;
+            return None;
         }
         let first = *self.open.stamps_ns.first().unwrap_or(&stamp);
         let ends = stamp.saturating_sub(first) >= BLOCK_NS;
-        let moved = ends && self.close(least, most);
+        let moved = ends && self.close(least, most, moved_ns);
         self.open.stamps_ns.push(stamp);
         self.open.values.push(value);
-        moved
+        moved.then_some(stamp)
     }
 
-    fn close(&mut self, least: f64, most: usize) -> bool {
+    /// Drops what was before the hull last moved.
+    fn forget_before(&mut self, moved_ns: i64) {
+        self.still.retain(|block| block.stamps_ns.first().is_some_and(|first| *first >= moved_ns));
+    }
+
+    fn close(&mut self, least: f64, most: usize, moved_ns: Option<i64>) -> bool {
         let block = std::mem::take(&mut self.open);
         let mean = block.mean();
         self.latest.push_back(mean);
@@ -185,11 +199,18 @@ impl Sensed {
         }
         let noise = SIGMAS * (block.variance() / block.values.len() as f64).sqrt();
         let moved = self.level().is_some_and(|level| (mean - level).norm() > least.max(noise));
+        if moved {
+            self.still.clear();
+            return true;
+        }
+        if moved_ns.is_some_and(|moved_ns| block.stamps_ns.first().is_none_or(|first| *first < moved_ns)) {
+            return false;
+        }
         self.still.push_back(block);
         if self.still.len() > most {
             self.still.pop_front();
         }
-        moved
+        false
     }
 
     /// Mean of the still blocks.

@@ -109,7 +109,9 @@ impl Procedure {
         let step = self.memory.step(index)?;
         let file = file_of(index, &step.id(), take.number).display().to_string();
         match &self.running {
-            Some(running) if phase == Phase::Record => Some(running_view(file, &step.planned, &running.follow)),
+            Some(running) if phase == Phase::Record => {
+                Some(running_view(file, &step.planned, &running.follow))
+            }
             _ => (phase == Phase::Interrupted).then(|| RecordingView {
                 file,
                 recorded_s: self.cut_off.recorded_s,
@@ -155,8 +157,12 @@ impl Procedure {
             Phase::Start => self.start_text(),
             Phase::Level => level_text(tilt),
             Phase::Rest => rest.map_or_else(|| Text::new("rest", []), rest_text),
-            Phase::Hang => self.shown_step().map_or_else(|| Text::new("measure", []), |step| hang_text(step.1)),
-            Phase::Ready => self.shown_step().map_or_else(|| Text::new("measure", []), |step| ready_text(step.1)),
+            Phase::Hang => {
+                self.shown_step().map_or_else(|| Text::new("measure", []), |step| hang_text(step.1))
+            }
+            Phase::Ready => {
+                self.shown_step().map_or_else(|| Text::new("measure", []), |step| ready_text(step.1))
+            }
             Phase::Record => recording.map_or_else(|| Text::new("waiting", []), record_text),
             Phase::Interrupted => {
                 let recorded_s = self.cut_off.recorded_s;
@@ -199,7 +205,8 @@ impl Procedure {
 
     fn suggest_text(&self) -> Text {
         let Some(Step::Swing(swing)) = &self.memory.suggestion else { return Text::new("suggest", []) };
-        let causes = self.memory.critique.iter().flatten().next().map_or(2, |critique| critique.causes.max(2));
+        let causes =
+            self.memory.critique.iter().flatten().next().map_or(2, |critique| critique.causes.max(2));
         let arguments = [
             ("count", number(causes as f64, 0)),
             ("line_length_m", length(swing.suspension.line_length_m)),
@@ -293,10 +300,9 @@ fn rest_text(rest: &RestView) -> Text {
             "rest_moving",
             [("rate_deg_s", number(moving.rate_deg_s, 2)), ("tilt_deg", number(moving.tilt_deg, 2))],
         ),
-        None => Text::new(
-            "rest",
-            [("still_s", number(rest.still_s, 0)), ("wanted_s", number(rest.wanted_s, 0))],
-        ),
+        None => {
+            Text::new("rest", [("still_s", number(rest.still_s, 0)), ("wanted_s", number(rest.wanted_s, 0))])
+        }
     }
 }
 

@@ -48,3 +48,46 @@ fn free_id(session: &Session) -> String {
     let mut ids = (1..).map(|number| format!("extra-{number}"));
     ids.find(|id| !taken(id)).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::read_session;
+
+    const SESSION: &str = r#"
+format = "gyradius-session/1"
+title = "t"
+[body]
+name = "b"
+[[swing]]
+id = "extra-1"
+periods_s = { yaw = 4.0 }
+[swing.suspension]
+kind = "bifilar"
+orientation = "athwartships"
+line_length = { value = 3.0, u = 0.004 }
+spacing = { value = 1.8, u = 0.001 }
+"#;
+
+    #[test]
+    fn the_next_swing_hangs_like_the_others_with_an_id_of_its_own() {
+        let session = read_session(SESSION, "session.toml").unwrap();
+        let next = NextSwing {
+            line_length_m: 2.5,
+            spacing_m: 1.2,
+            excited: vec!["yaw".into(), "sway".into(), "dance".into()],
+            amplitude_deg: 12.0,
+            duration_s: 300.0,
+            hull_pitch_deg: 0.0,
+            sigma: 9.0,
+            text: String::new(),
+        };
+        let Some(Step::Swing(swing)) = step(&next, &session) else { panic!() };
+        assert_eq!(swing.id, "extra-2");
+        assert_eq!(swing.suspension.line_length_m, Some(Quantity::new(2.5, 0.004)));
+        assert_eq!(swing.suspension.spacing_m, Some(Quantity::new(1.2, 0.001)));
+        assert_eq!(swing.excited, [Excitation::Yaw, Excitation::Sway]);
+        assert_eq!((swing.amplitude_deg, swing.duration_s), (12.0, 300.0));
+        assert_eq!(step(&next, &Session::default()), None);
+    }
+}

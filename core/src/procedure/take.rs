@@ -135,7 +135,8 @@ impl Follow {
     /// Start of the free swing, ns: as the live estimator has it, or where motion began.
     pub fn free_from_ns(&self) -> Option<i64> {
         let first = self.span_ns?.0;
-        let estimated = self.live.estimate().swing.map(|swing| first.saturating_add((swing.from_s * 1e9) as i64));
+        let estimated =
+            self.live.estimate().swing.map(|swing| first.saturating_add((swing.from_s * 1e9) as i64));
         estimated.or(self.release.moving_ns())
     }
 
@@ -166,9 +167,7 @@ impl Follow {
                     resumed: self.resumed,
                 },
             ),
-            Step::Incline(planned) => {
-                Judgement::of_incline(planned, &self.still, level, self.recorded_s())
-            }
+            Step::Incline(planned) => Judgement::of_incline(planned, &self.still, level, self.recorded_s()),
         }
     }
 }
@@ -244,6 +243,8 @@ pub(super) struct Extent {
     pub recorded_s: f64,
     /// Whether its end mark is there.
     pub ended: bool,
+    /// Its newest stamp, ns.
+    pub newest_ns: Option<i64>,
 }
 
 /// How far a file goes; nothing where it is not there or no recorder's file.
@@ -264,5 +265,5 @@ pub(super) fn extent(file: &Path) -> Extent {
         }
     }
     let recorded_s = span_ns.map_or(0.0, |(first, last)| last.saturating_sub(first) as f64 / 1e9);
-    Extent { recorded_s, ended }
+    Extent { recorded_s, ended, newest_ns: span_ns.map(|span| span.1) }
 }
