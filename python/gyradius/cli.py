@@ -212,7 +212,9 @@ def practise(
             help="Let go wrong: bad_release, sway, touch, slip or silence, as in yaw-sway:1:touch; repeat.",
         ),
     ] = None,
-    critique: Annotated[bool, typer.Option("--critique", help="Criticise the result too, which takes minutes.")] = False,
+    critique: Annotated[
+        bool, typer.Option("--critique", help="Criticise the result too, which takes minutes.")
+    ] = False,
     json: Json = None,
 ) -> None:
     """Practise the whole measurement on a simulated hull, from hanging it to the result."""

@@ -27,7 +27,7 @@ class Live:
         gyroscope_full_scale: float | None = None,
         accelerometer_full_scale: float | None = None,
     ) -> None:
-        """``wanted`` is the relative standard uncertainty of the period that is enough; full scales in rad/s and m/s²."""
+        """``wanted``: relative standard uncertainty of the period that is enough; full scales in rad/s and m/s²."""
         self._core = _core.Live(wanted, gyroscope_full_scale, accelerometer_full_scale)
 
     def push_gyroscope(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:

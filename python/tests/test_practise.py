@@ -75,9 +75,7 @@ def test_the_state_offers_what_may_be_done_and_refuses_the_rest(tmp_path: Path) 
     assert practice.state["tilt"]["angle_deg"] < 0.1
 
 
-def test_a_recorders_file_is_read_and_imported(
-    practised: tuple[Path, dict[str, object], str], tmp_path: Path
-) -> None:
+def test_a_recorders_file_is_read_and_imported(practised: tuple[Path, dict[str, object], str], tmp_path: Path) -> None:
     take = sorted((practised[0] / "takes").glob("*.gyr"))[-1]
     recorded = gyradius.read_recorder(take)
     assert recorded.phone == "simulated phone"

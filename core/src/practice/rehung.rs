@@ -12,10 +12,10 @@ use super::truth::{experiment, keys};
 
 /// What goes along with a turn swings by this part of its angle: sway beside yaw, surge beside pitch.
 const BESIDE: f64 = 1.0 / 3.0;
-/// A touch lasts so long, s, and pushes so hard for each kg of the hull, N s and N m s.
+/// A touch lasts so long, s, and pushes so hard for each kg of the hull, N s and N m s: 60 N at the bow of 600 kg.
 const TOUCH_S: f64 = 0.3;
-const TOUCH_N_S_PER_KG: f64 = 0.01;
-const TOUCH_N_M_S_PER_KG: f64 = 0.02;
+const TOUCH_N_S_PER_KG: f64 = 0.03;
+const TOUCH_N_M_S_PER_KG: f64 = 0.06;
 /// A slip lasts so long, s, and turns the phone by so much, rad (8°).
 const SLIP_S: f64 = 0.5;
 const SLIP_RAD: f64 = 0.14;

@@ -452,10 +452,15 @@ impl Procedure {
     }
 
     fn actions_of_cut_off(&self) -> Vec<Action> {
-        match self.cut_off {
-            Extent { recorded_s, .. } if recorded_s <= 0.0 => vec![Action::Repeat],
-            Extent { ended: true, .. } => vec![Action::Keep, Action::Repeat],
-            Extent { .. } => vec![Action::Continue, Action::Keep, Action::Repeat],
+        let Extent { recorded_s, ended, newest_ns } = self.cut_off;
+        // A phone that was switched off counts anew: what it says now cannot follow what it said then.
+        let restarted = self.now_ns.zip(newest_ns).is_some_and(|(now, newest)| now < newest);
+        if recorded_s <= 0.0 {
+            vec![Action::Repeat]
+        } else if ended || restarted {
+            vec![Action::Keep, Action::Repeat]
+        } else {
+            vec![Action::Continue, Action::Keep, Action::Repeat]
         }
     }
 

@@ -3,7 +3,7 @@
 use super::judgement::{Recommend, TOO_LARGE, TOO_SMALL, is_unwanted};
 use super::machine::Procedure;
 use super::memory::StepMemory;
-use super::state::{Phase, Progress, RecordingView, RestView, State, StepView, Work};
+use super::state::{Action, Phase, Progress, RecordingView, RestView, State, StepView, Work};
 use super::take::{Follow, INCLINE_STILL_S, file_of};
 use super::tilt::{Against, Tilt};
 use super::words::{Argument, Text, number, plain, words};
@@ -166,10 +166,12 @@ impl Procedure {
             Phase::Record => recording.map_or_else(|| Text::new("waiting", []), record_text),
             Phase::Interrupted => {
                 let recorded_s = self.cut_off.recorded_s;
+                let goes_on = self.actions().contains(&Action::Continue);
                 let key = match (recorded_s > 0.0, self.cut_off.ended) {
                     (false, _) => "interrupted_empty",
                     (true, true) => "interrupted_ended",
-                    (true, false) => "interrupted",
+                    (true, false) if goes_on => "interrupted",
+                    (true, false) => "interrupted_restarted",
                 };
                 Text::new(key, [("id", id()), ("recorded_s", number(recorded_s, 0))])
             }

@@ -34,7 +34,7 @@ pub enum Argument {
 }
 
 /// Sentences by key; `{name}` stands for an argument.
-pub const ENGLISH: [(&str, &str); 72] = [
+pub const ENGLISH: [(&str, &str); 73] = [
     (
         "start",
         "Measure {title}: {steps} steps, about {minutes} minutes of recording. Tape the phone to the hull where it cannot slip, and do not move it until the end. Then begin.",
@@ -95,6 +95,11 @@ pub const ENGLISH: [(&str, &str); 72] = [
     (
         "interrupted_ended",
         "The recording of {id} had just ended, after {recorded_s} s, when the app stopped. Keep it, or repeat it.",
+    ),
+    (
+        "interrupted_restarted",
+        "The recording of {id} was cut off after {recorded_s} s, and the phone was switched off meanwhile: it cannot go \
+         on. Keep what was recorded, or repeat it.",
     ),
     ("interrupted_empty", "The recording of {id} was cut off before anything was recorded. Repeat it."),
     ("judge_accept", "{id} is good: accept it."),
