@@ -10,8 +10,6 @@ use crate::signal::{ChannelGroup, FreeSpan, free_swing_span};
 const WINDOW_PERIODS: f64 = 16.0;
 /// It is looked at every so many periods.
 const EVERY_PERIODS: f64 = 3.0;
-/// Whether the phone has moved is looked for over so many of the slowest periods.
-const SLOW_PERIODS: f64 = 8.0;
 /// A disturbance is told once the record goes on for so many periods.
 const TOLD_AFTER_PERIODS: f64 = 2.0;
 /// The period taken before there is one, s.
@@ -24,8 +22,6 @@ const SAME_PERIODS: f64 = 4.0;
 pub(super) struct Limits {
     /// Start of the present free swing, s.
     pub from_s: f64,
-    /// Start of the first one, s: before it the hull was held, perhaps at another tilt.
-    released_s: f64,
     /// The last disturbance of a free swing, s.
     pub touched_s: Option<f64>,
     /// When the phone moved, s, and by how much, degrees.
@@ -54,28 +50,23 @@ impl Limits {
         self.from_s.max(now_s - WINDOW_PERIODS * period_s.unwrap_or(UNSEEN_PERIOD_S))
     }
 
-    /// Start of the window in which the phone may be seen to have moved; a disturbance does not begin it anew, as a slip
-    /// is one.
-    pub fn phone_from_s(&self, now_s: f64, slowest_s: Option<f64>) -> f64 {
-        self.released_s.max(now_s - SLOW_PERIODS * slowest_s.unwrap_or(UNSEEN_PERIOD_S))
-    }
-
-    /// Looks at the cells of a window that ends now, and for the phone at those of the accelerometer since
-    /// [`Limits::phone_from_s`]; of all that swings, the slowest averages out last.
+    /// Looks at the cells of a window that ends now; the accelerometer's stand last where there are any.
     pub fn look(
         &mut self,
         window: &[ChannelGroup],
-        (accelerometer, slowest_s): (Option<&ChannelGroup>, Option<f64>),
+        accelerometer: Option<&ChannelGroup>,
         now_s: f64,
         period_s: Option<f64>,
     ) -> Change {
         let window_from_s = self.window_from_s(now_s, period_s);
+        let is_known = period_s.is_some();
         let period_s = period_s.unwrap_or(UNSEEN_PERIOD_S);
         self.next_look_s = now_s + EVERY_PERIODS * period_s;
         let change = self.judge(&free_swing_span(window), window_from_s, now_s, period_s);
-        if let Some(moved) =
-            accelerometer.and_then(|group| phone::moved(group, slowest_s.unwrap_or(period_s)))
-        {
+        // A hull that is held aside may be held at another tilt: before the free swing nothing is said of the phone.
+        let swings = is_known && change != Change::Later;
+        let gravity = accelerometer.filter(|_| swings);
+        if let Some(moved) = gravity.and_then(|group| phone::moved(group, period_s)) {
             self.moved =
                 Some(self.moved.map_or(moved, |known| if known.1 > moved.1 { known } else { moved }));
         }
@@ -95,7 +86,7 @@ impl Limits {
         if window_from_s > self.from_s {
             return self.disturbed(span.start_s);
         }
-        (self.from_s, self.released_s) = (span.start_s, span.start_s);
+        self.from_s = span.start_s;
         Change::Later
     }
 

@@ -14,8 +14,6 @@ use crate::signal::ChannelGroup;
 const RENEWED_AFTER_S: f64 = 1.0;
 /// … and this part of it: a long one changes slowly.
 const RENEWED_AFTER_PART: f64 = 0.05;
-/// A motion below this share of the main one turns gravity by nothing that matters.
-const LEAST_SHARE: f64 = 0.02;
 
 /// What is known of the phone and wanted of the swing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -141,10 +139,8 @@ impl Live {
         let from_s = self.limits.window_from_s(now_s, period_s);
         let accelerometer = self.accelerometer.cells.group(from_s);
         let window: Vec<ChannelGroup> =
-            self.gyroscope.cells.group(from_s).into_iter().chain(accelerometer).collect();
-        let slowest_s = self.best_swing().map(slowest_s);
-        let gravity = self.accelerometer.cells.group(self.limits.phone_from_s(now_s, slowest_s));
-        match self.limits.look(&window, (gravity.as_ref(), slowest_s), now_s, period_s) {
+            self.gyroscope.cells.group(from_s).into_iter().chain(accelerometer.clone()).collect();
+        match self.limits.look(&window, accelerometer.as_ref(), now_s, period_s) {
             Change::None => {}
             Change::Later => self.swing = None,
             Change::Disturbed => {
@@ -185,14 +181,4 @@ impl Live {
         let touched = self.limits.touched_s(period_s).map(|at_s| Advice::Touched { at_s });
         moved.into_iter().chain(touched).collect()
     }
-}
-
-/// The longest period of all that swings, s.
-fn slowest_s(swing: &SwingState) -> f64 {
-    swing
-        .lines
-        .iter()
-        .filter(|line| line.share > LEAST_SHARE)
-        .map(|line| line.period_s)
-        .fold(swing.period_s, f64::max)
 }
