@@ -194,7 +194,7 @@ def simulate(
 @app.command()
 def practise(
     rig: Annotated[
-        str | None, typer.Argument(metavar="[RIG]", help="The hull to practise on; the keelboat that ships otherwise.")
+        str | None, typer.Argument(metavar="RIG", help="The hull to practise on; the keelboat that ships otherwise.")
     ] = None,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where everything goes.")] = Path(
         "gyradius-practice"

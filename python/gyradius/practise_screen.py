@@ -84,7 +84,7 @@ def _worked(console: Console, practice: Practice, state: dict[str, Any], critiqu
     if state["work"] == "critique" and not critique:
         practice.handle("skip")
         return True
-    with counted(console, {"measure": "measuring", "critique": "criticising"}[state["work"]]) as told:
+    with counted(console, {"measure": "result", "critique": "criticism"}[state["work"]]) as told:
         practice.work(told)
     return True
 
@@ -123,7 +123,10 @@ def _panel(practice: Practice, state: dict[str, Any], speed: float) -> Renderabl
     parts.extend(_figures(state))
     for text in state["warnings"]:
         parts.append(Text(text["english"], style="red"))
-    parts.extend([Text(), ProgressBar(total=1.0, completed=state["progress"]["share"]), _offers(practice, state)])
+    # A bar ends no line of its own: in a table it does.
+    bar = Table.grid(expand=True)
+    bar.add_row(ProgressBar(total=1.0, completed=state["progress"]["share"]))
+    parts.extend([Text(), bar, _offers(practice, state)])
     return Panel(Group(*parts), title=title, subtitle=f"{speed:g} × real time", width=100)
 
 
