@@ -17,7 +17,7 @@ pub(super) fn step(next: &NextSwing, session: &Session) -> Option<Step> {
     // Lines hung vertically again: the points above follow those on the hull.
     suspension.top_spacing_m = None;
     suspension.hull_pitch_deg = match next.hull_pitch_deg {
-        pitch if pitch == 0.0 => None,
+        0.0 => None,
         pitch => Some(Quantity::new(pitch, 0.5)),
     };
     Some(Step::Swing(PlannedSwing {
