@@ -18,6 +18,7 @@ pub mod live;
 pub mod modes;
 pub mod plan;
 pub mod practice;
+pub mod procedure;
 pub mod recorder;
 pub mod recording;
 pub mod report;

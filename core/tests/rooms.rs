@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 14] = [
+const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
@@ -21,6 +21,7 @@ const MAY_KNOW: [(&str, &[&str]); 14] = [
     ("inertia", &["recording", "signal", "modes", "dynamics"]),
     ("critique", &["recording", "signal", "modes", "dynamics", "inertia"]),
     ("plan", &["recording", "signal", "modes", "dynamics", "practice", "inertia", "critique"]),
+    ("procedure", &["recording", "recorder", "live", "plan", "practice", "inertia", "critique"]),
     ("report", &["recording", "signal", "modes", "dynamics", "inertia", "critique"]),
 ];
 const KNOWN_TO_ALL: [&str; 3] = ["error", "constants", "frames"];

@@ -23,6 +23,7 @@ from .critique import (
     SwingTrace,
 )
 from .imports import import_files
+from .live import Live
 from .measurement import (
     AmplitudePoint,
     BudgetLine,
@@ -46,6 +47,8 @@ from .planning import (
     PredictedSwing,
     plan,
 )
+from .practice import Practice
+from .recorder import RecordedSamples, RecordedSensor, RecorderFile, read_recorder
 from .session import Session, load, shipped_session, shipped_sessions
 from .simulation import Rig, Simulation, read_rig, shipped_rigs, simulate
 
@@ -65,6 +68,7 @@ __all__ = [
     "HangingAdvice",
     "InputError",
     "LearnedForce",
+    "Live",
     "Measurement",
     "Mode",
     "ModeResult",
@@ -76,9 +80,13 @@ __all__ = [
     "PlanWarning",
     "PlannedIncline",
     "PlannedSwing",
+    "Practice",
     "PredictedQuantity",
     "PredictedSwing",
     "Quantity",
+    "RecordedSamples",
+    "RecordedSensor",
+    "RecorderFile",
     "Repair",
     "Rig",
     "Route",
@@ -93,6 +101,7 @@ __all__ = [
     "import_files",
     "load",
     "plan",
+    "read_recorder",
     "read_rig",
     "routes",
     "shipped_rigs",

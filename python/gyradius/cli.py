@@ -23,9 +23,11 @@ from .outcome import can_be_written, reported, write_json
 from .plan_tables import show_plan
 from .planning import FORMAT as PLAN
 from .planning import plan as make_plan
+from .practice import Practice
+from .practise_screen import Left, play, show_compared
 from .progress import counted, working
 from .session import Session, load, shipped_sessions
-from .simulation import read_rig
+from .simulation import read_rig, shipped_rigs
 from .tables import show
 
 app = typer.Typer(
@@ -190,6 +192,64 @@ def simulate(
         console = _console(json)
         for name, value in (("Seed", drawn), ("Truth", file), ("Session", output)):
             console.print(f"{name}: {value}", soft_wrap=True, highlight=False, markup=False)
+
+
+@app.command()
+def practise(
+    rig: Annotated[
+        str | None, typer.Argument(metavar="RIG", help="The hull to practise on; the keelboat that ships otherwise.")
+    ] = None,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where everything goes.")] = Path(
+        "gyradius-practice"
+    ),
+    speed: Annotated[
+        float | None, typer.Option(metavar="X", min=0.01, help="Times real time: 1, or as fast as can be by itself.")
+    ] = None,
+    auto: Annotated[bool, typer.Option("--auto", help="A careful operator plays it; nothing is asked.")] = False,
+    seed: Annotated[int | None, typer.Option(metavar="N", min=0, max=2**64 - 1, help="Of all chance.")] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on with what was left in DIR.")] = False,
+    mishap: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="STEP:TAKE:WHAT",
+            help="Let go wrong: bad_release, sway, touch, slip or silence, as in yaw-sway:1:touch; repeat.",
+        ),
+    ] = None,
+    critique: Annotated[
+        bool, typer.Option("--critique", help="Criticise the result too, which takes minutes.")
+    ] = False,
+    json: Json = None,
+) -> None:
+    """Practise the whole measurement on a simulated hull, from hanging it to the result."""
+    with reported(_errors(), json):
+        if not auto and not (sys.stdin.isatty() and sys.stdout.isatty()):
+            raise _core.InputError("practise: expected a terminal, or --auto, which asks nothing")
+        practice = Practice(read_rig(rig or shipped_rigs()["keelboat"]), output, seed=seed, resume=resume)
+        for one in mishap or []:
+            practice.mishap(*_mishap(one))
+        console = _console(json)
+        console.print(f"Seed: {practice.seed}", highlight=False)
+        try:
+            play(console, practice, speed=speed, auto=auto, critique=critique)
+        except Left:
+            console.print(f"Left; go on with: gyradius practise -o {output} --resume", highlight=False, markup=False)
+            raise typer.Exit(0) from None
+        if practice.state["result"] is None:
+            raise _core.NoResultError(practice.state["instruction"]["english"])
+        show_compared(console, practice)
+        if json is not None:
+            session = output / practice.state["result"]["session"]
+            found = {"session": str(session), "seed": practice.seed, "compared": practice.compared()}
+            write_json(dumps(found, ensure_ascii=False, indent=2), json)
+        console.print(f"Session: {output / 'session'}", soft_wrap=True, highlight=False, markup=False)
+
+
+def _mishap(text: str) -> tuple[str, int, str]:
+    step, _, rest = text.partition(":")
+    take, _, what = rest.partition(":")
+    if not (take.isdigit() and what):
+        raise typer.BadParameter(f"expected STEP:TAKE:WHAT, found `{text}`", param_hint="--mishap")
+    return step, int(take), what
 
 
 @app.command()

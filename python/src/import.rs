@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use gyradius_core::recorder::convert;
 use gyradius_core::recording::import::{
     ColumnMapping, ImportOptions, ImportedData, ImportedRecording, Platform, import_files as import,
 };
@@ -16,6 +18,9 @@ use gyradius_core::{Error, Result};
 use pyo3::prelude::*;
 
 use crate::errors::detached;
+
+/// How a recorder's file begins (`core/docs/recorder-file.md`).
+const RECORDED: [u8; 4] = [0x89, b'G', b'R', b'1'];
 
 /// What the caller knows of the session beside its recordings (`gyradius.imports.ImportPlan`).
 #[derive(FromPyObject)]
@@ -52,20 +57,26 @@ pub fn import_files(
 }
 
 fn write(files: &[PathBuf], folder: &Path, plan: &Plan) -> Result<Vec<String>> {
-    let inputs = files.iter().map(|file| read_input(file)).collect::<Result<Vec<_>>>()?;
-    let imported = import(&inputs, &import_options(&plan.mapping, plan.platform.as_deref())?)?;
+    let (recorded, exported) = split(files)?;
     let mut session = plan.session();
     let mut files = Vec::new();
     let mut ids = BTreeSet::new();
-    for recording in &imported.recordings {
-        let id = free_id(&recording.name, &mut ids);
-        let name = format!("{id}.csv");
-        let (data, bytes) = contents(recording, &name, plan)?;
-        session.swings.push(plan.swing(id, data)?);
-        files.push((name, bytes));
+    let mut notes = Vec::new();
+    if !exported.is_empty() || recorded.is_empty() {
+        let imported = import(&exported, &import_options(&plan.mapping, plan.platform.as_deref())?)?;
+        for recording in &imported.recordings {
+            let id = free_id(&recording.name, &mut ids);
+            let name = format!("{id}.csv");
+            let (data, bytes) = contents(recording, &name, plan)?;
+            session.swings.push(plan.swing(id, data)?);
+            files.push((name, bytes));
+        }
+        notes.extend(imported.recordings.into_iter().flat_map(|recording| recording.notes));
     }
     let overwrite = if plan.replace { Overwrite::Replace } else { Overwrite::Refuse };
-    let notes = imported.recordings.into_iter().flat_map(|recording| recording.notes).collect();
+    convert_recorded(&recorded, folder, (plan, overwrite), &mut ids, &mut session)?;
+    notes
+        .extend(session.recorded.iter().flat_map(|recorded| recorded.repairs.iter().map(|r| r.text.clone())));
     let missing = plan.missing();
     if missing.is_empty() {
         save_session(folder, &session, &files, overwrite)?;
@@ -73,6 +84,49 @@ fn write(files: &[PathBuf], folder: &Path, plan: &Plan) -> Result<Vec<String>> {
     }
     save_draft(folder, &session, files, &missing, overwrite)?;
     Ok([notes, vec![draft_note(&missing)]].concat())
+}
+
+/// Recorder's files by path, and what other programs exported by name and bytes.
+type Inputs = (Vec<PathBuf>, Vec<(String, Vec<u8>)>);
+
+/// Tells recorder's files, which may be long and are read piece by piece, from what other programs exported.
+fn split(files: &[PathBuf]) -> Result<Inputs> {
+    let mut inputs = Inputs::default();
+    for file in files {
+        if is_recorded(file) { inputs.0.push(file.clone()) } else { inputs.1.push(read_input(file)?) }
+    }
+    Ok(inputs)
+}
+
+fn is_recorded(file: &Path) -> bool {
+    let mut start = [0; RECORDED.len()];
+    let read = fs::File::open(file).and_then(|mut file| file.read_exact(&mut start));
+    read.is_ok() && start == RECORDED
+}
+
+/// Writes recorder's files as recordings of the session; refused before anything is written where a file is there.
+fn convert_recorded(
+    recorded: &[PathBuf],
+    folder: &Path,
+    (plan, overwrite): (&Plan, Overwrite),
+    ids: &mut BTreeSet<String>,
+    session: &mut Session,
+) -> Result<()> {
+    let name = |file: &PathBuf| file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let named: Vec<(&PathBuf, String)> =
+        recorded.iter().map(|file| (file, free_id(&name(file).unwrap_or_default(), ids))).collect();
+    let written = named.iter().flat_map(|(_, id)| [format!("{id}.csv"), format!("{id}-bias.csv")]);
+    let mut all = written.chain([SESSION_FILE.to_owned()]).map(|file| folder.join(file));
+    if let (Overwrite::Refuse, false, Some(path)) =
+        (overwrite, recorded.is_empty(), all.find(|path| path.exists()))
+    {
+        return Err(unwritable(&path, "it exists already and is not overwritten"));
+    }
+    for (file, id) in named {
+        session.recorded.push(convert(file, folder, &id)?);
+        session.swings.push(plan.swing(id.clone(), SwingData::Recording(format!("{id}.csv")))?);
+    }
+    Ok(())
 }
 
 /// A session that lacks dimensions cannot be read back, so the core does not save it: its recordings and a

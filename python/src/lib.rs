@@ -10,8 +10,11 @@ mod arrays;
 mod critique;
 mod errors;
 mod import;
+mod live;
 mod measurement;
 mod plan;
+mod practice;
+mod recorder;
 mod routes;
 mod session;
 mod simulation;
@@ -30,9 +33,15 @@ mod _core {
     #[pymodule_export]
     use super::import::import_files;
     #[pymodule_export]
+    use super::live::Live;
+    #[pymodule_export]
     use super::measurement::Measurement;
     #[pymodule_export]
     use super::plan::{Plan, plan_swings};
+    #[pymodule_export]
+    use super::practice::Practice;
+    #[pymodule_export]
+    use super::recorder::{RecorderFile, read_recorder};
     #[pymodule_export]
     use super::routes::{evaluate_route, routes};
     #[pymodule_export]

@@ -32,6 +32,13 @@ pub fn read_rig(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult
     detached(py, read).map(|inner| Rig { inner })
 }
 
+impl Rig {
+    /// The file's content.
+    pub fn file(&self) -> &RigFile {
+        &self.inner
+    }
+}
+
 #[pymethods]
 impl Rig {
     /// Ids of the swings, in the order of the file.

@@ -59,10 +59,14 @@ impl Limits {
         period_s: Option<f64>,
     ) -> Change {
         let window_from_s = self.window_from_s(now_s, period_s);
+        let is_known = period_s.is_some();
         let period_s = period_s.unwrap_or(UNSEEN_PERIOD_S);
         self.next_look_s = now_s + EVERY_PERIODS * period_s;
         let change = self.judge(&free_swing_span(window), window_from_s, now_s, period_s);
-        if let Some(moved) = accelerometer.and_then(|group| phone::moved(group, period_s)) {
+        // A hull that is held aside may be held at another tilt: before the free swing nothing is said of the phone.
+        let swings = is_known && change != Change::Later;
+        let gravity = accelerometer.filter(|_| swings);
+        if let Some(moved) = gravity.and_then(|group| phone::moved(group, period_s)) {
             self.moved =
                 Some(self.moved.map_or(moved, |known| if known.1 > moved.1 { known } else { moved }));
         }

@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 use crate::recording::{AddedMass, End, Excitation, ModeName, Suspension};
 
 /// One thing to do, in the order of the plan.
+// A plan has a handful of steps and mostly of the large kind: a box would buy nothing.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 // A plan has a dozen steps: plain data is worth more than their size.

@@ -4,11 +4,15 @@
 //! (the motion); nothing of what is made of a session.
 
 mod draws;
+mod feed;
 mod hull;
 mod job;
+mod rehung;
 mod rig;
 mod truth;
 
+pub use feed::{Feed, Heard, Silence};
 pub use job::{Practised, practise, save_practised};
+pub use rehung::{Mistakes, Release};
 pub use rig::{RIG_FORMAT, RigFile, RiggedSwing, Sampling, read_rig, read_rig_bytes};
 pub use truth::Truth;

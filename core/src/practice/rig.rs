@@ -25,6 +25,8 @@ pub struct RigFile {
     pub truth: Truth,
     /// What is true of each swing, in the order of the session.
     pub swings: Vec<RiggedSwing>,
+    /// Effects that act in every swing.
+    pub effects: Vec<EffectValues>,
 }
 
 /// A swing as it is simulated.
@@ -88,7 +90,9 @@ fn rig(root: &Table<'_>) -> Result<RigFile> {
     if swings.is_empty() {
         return Err(root.error("at least one [[swing]]", "none"));
     }
-    Ok(RigFile { session: parsed, truth: everywhere, swings })
+    let everywhere_too = effects.into_iter().filter(|effect| effect.swing.is_none());
+    let effects = everywhere_too.map(|effect| effect.values).collect();
+    Ok(RigFile { session: parsed, truth: everywhere, swings, effects })
 }
 
 fn rigged(
@@ -151,7 +155,7 @@ fn switched(root: &Table<'_>, swings: &[&str]) -> Result<Vec<Switched>> {
     root.open_tables("effect")?.iter().map(|table| effect(table, &kinds, swings)).collect()
 }
 
-fn is_of_sensors(effect: &EffectValues) -> bool {
+pub(super) fn is_of_sensors(effect: &EffectValues) -> bool {
     sensors::catalogue().iter().any(|kind| kind.id == effect.kind.id)
 }
 

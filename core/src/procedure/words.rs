@@ -1,0 +1,251 @@
+//! Sentences by key, in English: the one place where they stand. Other languages have the same keys.
+//!
+//! What the live estimator says has its own sentences (`live::ENGLISH`); their keys begin with `live.` here.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::live::{self, Advice, Parameter};
+
+/// A sentence: its key, what it names, and the English of both.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Text {
+    /// Key for translation.
+    pub key: String,
+    /// What it names, by the name that stands in it.
+    pub arguments: BTreeMap<String, Argument>,
+    /// The sentence in English.
+    pub english: String,
+}
+
+/// Something that a sentence names.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Argument {
+    /// A number with the decimals that it is shown with.
+    Number(f64, u8),
+    /// A word with a key of its own, e.g. `gyroscope` or `yaw`.
+    Word(String),
+    /// Text as it stands: an id, a file, a reason.
+    Plain(String),
+    /// Sentences of their own, in a row.
+    Texts(Vec<Text>),
+}
+
+/// Sentences by key; `{name}` stands for an argument.
+pub const ENGLISH: [(&str, &str); 73] = [
+    (
+        "start",
+        "Measure {title}: {steps} steps, about {minutes} minutes of recording. Tape the phone to the hull where it cannot slip, and do not move it until the end. Then begin.",
+    ),
+    (
+        "level_flat",
+        "Hang the hull so that it is level: bow up {bow_up_deg}°, starboard down {starboard_down_deg}°. Accept when both are near 0 and it hangs quietly.",
+    ),
+    (
+        "level_reference",
+        "Hang the hull level by a spirit level, and say when it is: tilts count from there. Now it is {angle_deg}° from there. Accept when it hangs level and quiet.",
+    ),
+    (
+        "level_nothing",
+        "Hang the hull level by a spirit level, and say when it is: the phone alone cannot know, as nobody has told it how it sits.",
+    ),
+    ("level_no_gravity", "Hang the hull level. The accelerometer gives no reading of gravity yet."),
+    ("rest", "Let the hull hang, touch nothing: {still_s} of {wanted_s} s of stillness."),
+    (
+        "rest_moving",
+        "The hull moves, by {rate_deg_s} °/s and {tilt_deg}° of tilt: steady it with your hands, let go slowly. Stillness counts from then.",
+    ),
+    (
+        "rest_found",
+        "Rest is taken: gyroscope {gyroscope_hz} Hz, noise {noise_mrad_s} mrad/s, bias {bias_mrad_s} mrad/s. Accept it.",
+    ),
+    (
+        "hang",
+        "Step {id}: hang the hull with lines of {line_length_m} m, {spacing_m} m apart {orientation}, {extras}. Then measure length and spacing from knot to knot and type them in.",
+    ),
+    (
+        "hang_compound",
+        "Step {id}: hang the hull in two inverted Vs with the axis {axis_height_m} m above the points, {orientation}, {extras}. Then measure that height and type it in.",
+    ),
+    (
+        "hang_incline",
+        "Step {id}: hang {mass_kg} kg from the {end}, {arm_m} m from the suspension points and {depth_m} m below them. Measure all three and type them in.",
+    ),
+    ("no_extras", "level, nothing added"),
+    ("extra_pitch", "the bow {pitch_deg}° up"),
+    ("extra_points", "the points moved {points_m} m forward"),
+    ("extra_masses", "{count} added masses fixed on"),
+    (
+        "ready",
+        "Hold the hull aside for {excited}: {amplitude_deg}°. Start the recording, wait 3 s, let go without a push, and step back. It runs {duration_s} s and ends by itself.",
+    ),
+    (
+        "ready_incline",
+        "Let the hull come to rest with the weight on. Start the recording and step back; it ends by itself after {wanted_s} s of stillness.",
+    ),
+    ("waiting", "Let go without a push, and step back."),
+    ("swinging", "Do not touch anything: {left_s} s to go."),
+    ("still", "Do not touch anything: {still_s} of {wanted_s} s of stillness."),
+    (
+        "interrupted",
+        "The recording of {id} was cut off after {recorded_s} s. Go on with it if the hull has swung freely all the while; keep what was recorded; or repeat it.",
+    ),
+    (
+        "interrupted_ended",
+        "The recording of {id} had just ended, after {recorded_s} s, when the app stopped. Keep it, or repeat it.",
+    ),
+    (
+        "interrupted_restarted",
+        "The recording of {id} was cut off after {recorded_s} s, and the phone was switched off meanwhile: it cannot go \
+         on. Keep what was recorded, or repeat it.",
+    ),
+    ("interrupted_empty", "The recording of {id} was cut off before anything was recorded. Repeat it."),
+    ("judge_accept", "{id} is good: accept it."),
+    ("judge_repeat", "{id} should be repeated. Repeat it, or accept it all the same."),
+    ("measure", "All steps are done. The session is being written and measured."),
+    ("failed", "No result: {reason}. Open a step again and repeat it, or try once more."),
+    (
+        "critique",
+        "The result is there. What the simulation gets wrong is being looked for; this takes minutes, and can be left out.",
+    ),
+    (
+        "suggest",
+        "One more swing would tell {count} causes apart that these swings cannot: lines of {line_length_m} m, {spacing_m} m apart, {amplitude_deg}°, {duration_s} s. Make it, or leave it.",
+    ),
+    ("done", "Done. The session is in {session}."),
+    ("reason_no_swing", "no free swing of four periods was found in it"),
+    ("reason_slip", "the phone moved on the hull at {at_s} s, by {tilt_deg}°: tape it on anew"),
+    ("reason_slip_seen", "the phone was seen to slip"),
+    (
+        "reason_touched",
+        "the swing was disturbed at {at_s} s, and the part before is too short to make up for it",
+    ),
+    (
+        "reason_sway",
+        "{kind} of {percent} % of the main motion (period {period_s} s) was set going that nobody asked for: release it more gently",
+    ),
+    (
+        "reason_period",
+        "the period is certain to {u_ppm} ppm, and {wanted_ppm} ppm are wanted: let it swing longer, or release it farther",
+    ),
+    ("reason_small", "it was released at {released_deg}° instead of {wanted_deg}°"),
+    (
+        "reason_large",
+        "it was released at {released_deg}° instead of {wanted_deg}°, where drag and finite amplitude count for more",
+    ),
+    ("reason_saturated", "{samples} samples of the {sensor} stand at its limit: release it less far"),
+    ("reason_gaps", "the {sensor} has a gap of {longest_s} s"),
+    ("reason_silent", "the {sensor} fell silent"),
+    ("reason_moving", "the hull was not still for {wanted_s} s"),
+    ("reason_no_tilt", "the tilt cannot be told: no rest was taken with an accelerometer"),
+    (
+        "reason_far",
+        "the hull tilted by {angle_deg}°, and {expected_deg}° were expected: check weight and arm",
+    ),
+    ("note_touched", "the swing was disturbed at {at_s} s; the part before it is long enough, and is used"),
+    ("note_period", "the period is certain to {u_ppm} ppm; {wanted_ppm} ppm were wanted"),
+    ("note_amplitude", "released at {released_deg}°, {left_deg}° at the end"),
+    ("note_tilt", "the weight tilts the hull by {angle_deg}°"),
+    ("note_gaps", "the {sensor} has {gaps} gaps, the longest of {longest_s} s"),
+    ("note_interrupted", "the recording was cut off and went on"),
+    ("advice_small", "It swings by {amplitude_deg}° instead of {wanted_deg}°: stop, and release it farther."),
+    (
+        "advice_large",
+        "It swings by {amplitude_deg}° instead of {wanted_deg}°: stop, and release it less far.",
+    ),
+    ("advice_moving", "The hull still moves: wait, or steady it slowly."),
+    ("warn_silent", "No samples have come for {silent_s} s: keep the app on the screen."),
+    ("warn_sensor_stopped", "The phone's system stopped the {sensor}."),
+    ("warn_disk", "The disk is full: make room, then keep what was recorded or repeat it."),
+    ("warn_unwritable", "The recording cannot be written: {reason}"),
+    (
+        "warn_journal_cut",
+        "The journal's last {bytes} bytes were not whole and were cut off: the last decision is asked for again.",
+    ),
+    ("warn_unused", "{files} recordings in the folder belong to no step; they are kept."),
+    ("warn_no_rest", "No rest was taken: bias, noise and rates are not known beforehand."),
+    ("warn_critique", "There is no criticism: {reason}"),
+    ("yaw", "yaw"),
+    ("sway", "sway"),
+    ("surge", "surge"),
+    ("pitch", "pitch"),
+    ("roll", "roll"),
+    ("turn", "another turn"),
+    ("bow", "bow"),
+    ("stern", "stern"),
+    ("athwartships", "athwartships"),
+    ("fore_and_aft", "fore and aft"),
+    ("reason_lines_unknown", "line length and spacing are not known"),
+];
+
+impl Text {
+    /// The sentence of a key with what it names.
+    pub(super) fn new<const N: usize>(key: &str, arguments: [(&str, Argument); N]) -> Self {
+        Self::of(key, arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    }
+
+    fn of(key: &str, arguments: BTreeMap<String, Argument>) -> Self {
+        let english = filled(sentence(key), &arguments);
+        Self { key: key.to_owned(), arguments, english }
+    }
+}
+
+impl From<&Advice> for Text {
+    fn from(advice: &Advice) -> Self {
+        let argument = |(name, value): (&str, Parameter)| {
+            let value = match value {
+                Parameter::Number(value, decimals) => Argument::Number(value, decimals as u8),
+                Parameter::Sensor(sensor) => Argument::Plain(sensor.name().to_owned()),
+            };
+            (name.to_owned(), value)
+        };
+        Self {
+            key: format!("live.{}", advice.key()),
+            arguments: advice.parameters().into_iter().map(argument).collect(),
+            english: live::english(advice),
+        }
+    }
+}
+
+/// A number with its decimals.
+pub(super) fn number(value: f64, decimals: u8) -> Argument {
+    Argument::Number(value, decimals)
+}
+
+/// Words with keys, in a row.
+pub(super) fn words<'a>(keys: impl Iterator<Item = &'a str>) -> Argument {
+    let keys: Vec<&str> = keys.collect();
+    Argument::Word(keys.join(" "))
+}
+
+pub(super) fn plain(text: impl Into<String>) -> Argument {
+    Argument::Plain(text.into())
+}
+
+fn sentence(key: &str) -> &'static str {
+    ENGLISH.iter().find(|(known, _)| *known == key).map_or("", |(_, sentence)| sentence)
+}
+
+fn filled(sentence: &str, arguments: &BTreeMap<String, Argument>) -> String {
+    arguments
+        .iter()
+        .fold(sentence.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), &shown(value)))
+}
+
+fn shown(argument: &Argument) -> String {
+    match argument {
+        Argument::Number(value, decimals) => format!("{value:.*}", usize::from(*decimals)),
+        // Several words stand with spaces between their keys.
+        Argument::Word(keys) => keys
+            .split(' ')
+            .map(|key| if sentence(key).is_empty() { key } else { sentence(key) })
+            .collect::<Vec<_>>()
+            .join(" and "),
+        Argument::Plain(text) => text.clone(),
+        Argument::Texts(texts) => {
+            texts.iter().map(|text| text.english.as_str()).collect::<Vec<_>>().join(", ")
+        }
+    }
+}

@@ -1,0 +1,55 @@
+"""What is known while the hull swings, from the samples so far."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+
+
+class Live:
+    """Period, amplitude, decay, unwanted motion and advice, from samples as they come.
+
+    >>> live = Live(wanted=1e-4)
+    >>> live.push_gyroscope([0, 10_000_000], [[0.0, 0.0, 0.1], [0.0, 0.0, 0.1]])
+    >>> live.estimate["swing"] is None
+    True
+    """
+
+    def __init__(
+        self,
+        wanted: float = 1e-4,
+        *,
+        gyroscope_full_scale: float | None = None,
+        accelerometer_full_scale: float | None = None,
+    ) -> None:
+        """``wanted``: relative standard uncertainty of the period that is enough; full scales in rad/s and m/s²."""
+        self._core = _core.Live(wanted, gyroscope_full_scale, accelerometer_full_scale)
+
+    def push_gyroscope(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:
+        """Samples of the gyroscope: stamps in ns of the phone's clock (N), rad/s in phone axes (N, 3)."""
+        self._core.push("gyroscope", *_batch(stamps_ns, values))
+
+    def push_accelerometer(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:
+        """Samples of the accelerometer: stamps in ns (N), m/s² of specific force in phone axes (N, 3)."""
+        self._core.push("accelerometer", *_batch(stamps_ns, values))
+
+    @property
+    def estimate(self) -> dict[str, Any]:
+        """Everything that is known now: ``now_s``, ``sensors``, ``swing`` (None before four periods), ``advice``."""
+        return dict(json.loads(self._core.estimate()))
+
+    @property
+    def advice(self) -> list[str]:
+        """What to know or do now, in English, most urgent first."""
+        return self._core.advice()
+
+
+def _batch(stamps_ns: ArrayLike, values: ArrayLike) -> tuple[Any, Any]:
+    # An empty list has no second axis.
+    rows = np.ascontiguousarray(values, dtype=np.float64)
+    return np.ascontiguousarray(stamps_ns, dtype=np.int64), rows.reshape(0, 3) if rows.size == 0 else rows
