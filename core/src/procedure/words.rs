@@ -128,7 +128,7 @@ pub const ENGLISH: [(&str, &str); 73] = [
     ),
     (
         "reason_period",
-        "the period is certain to {u_ppm} ppm, and {wanted_ppm} ppm are wanted: let it swing longer, or release it farther",
+        "noise leaves the period uncertain by {u_ppm} ppm, and {wanted_ppm} ppm are wanted: let it swing longer, or release it farther",
     ),
     ("reason_small", "it was released at {released_deg}° instead of {wanted_deg}°"),
     (
@@ -145,7 +145,7 @@ pub const ENGLISH: [(&str, &str); 73] = [
         "the hull tilted by {angle_deg}°, and {expected_deg}° were expected: check weight and arm",
     ),
     ("note_touched", "the swing was disturbed at {at_s} s; the part before it is long enough, and is used"),
-    ("note_period", "the period is certain to {u_ppm} ppm; {wanted_ppm} ppm were wanted"),
+    ("note_period", "noise leaves the period uncertain by {u_ppm} ppm; {wanted_ppm} ppm were allowed"),
     ("note_amplitude", "released at {released_deg}°, {left_deg}° at the end"),
     ("note_tilt", "the weight tilts the hull by {angle_deg}°"),
     ("note_gaps", "the {sensor} has {gaps} gaps, the longest of {longest_s} s"),
