@@ -11,8 +11,6 @@ use crate::recording::{AddedMass, End, Excitation, ModeName, Suspension};
 #[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-// A plan has a dozen steps: plain data is worth more than their size.
-#[allow(clippy::large_enum_variant)]
 pub enum Step {
     /// Hang it so, set it going, record.
     Swing(PlannedSwing),

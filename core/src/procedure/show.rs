@@ -112,18 +112,14 @@ impl Procedure {
             Some(running) if phase == Phase::Record => {
                 Some(running_view(file, &step.planned, &running.follow))
             }
-            _ => (phase == Phase::Interrupted).then(|| RecordingView {
-                file,
-                recorded_s: self.cut_off.recorded_s,
-                swinging_s: None,
-                left_s: None,
-                amplitude_deg: None,
-                released_deg: None,
-                wanted_deg: None,
-                still_s: None,
-                live: None,
-                advice: Vec::new(),
-            }),
+            _ => {
+                let recorded_s = self.cut_off.recorded_s;
+                (phase == Phase::Interrupted).then(|| RecordingView {
+                    file,
+                    recorded_s,
+                    ..Default::default()
+                })
+            }
         }
     }
 
@@ -221,18 +217,7 @@ impl Procedure {
 }
 
 fn running_view(file: String, planned: &Step, follow: &Follow) -> RecordingView {
-    let mut view = RecordingView {
-        file,
-        recorded_s: follow.recorded_s(),
-        swinging_s: None,
-        left_s: None,
-        amplitude_deg: None,
-        released_deg: None,
-        wanted_deg: None,
-        still_s: None,
-        live: None,
-        advice: Vec::new(),
-    };
+    let mut view = RecordingView { file, recorded_s: follow.recorded_s(), ..Default::default() };
     match planned {
         Step::Swing(swing) => {
             let estimate = follow.live.estimate();

@@ -143,7 +143,7 @@ pub struct RestView {
 }
 
 /// The recording while it runs, or as far as it goes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Default)]
 pub struct RecordingView {
     /// File inside the procedure's folder.
     pub file: String,
