@@ -48,8 +48,9 @@ pub const UNNAMED_FROM: f64 = 0.01;
 /// … and come first where they leave less than this share of that.
 pub const UNNAMED_LEAVES: f64 = 0.1;
 
-/// Name of the parameter that says when something happened.
-const MOMENT: &str = "at_s";
+/// Names of the parameters that say when something happened and what shows only while it does: how fast it went, and how far a phone
+/// was pushed along, which its place shows a hundred times less than the push.
+const OF_MOMENT: [&str; 5] = ["at_s", "over_s", "shift_x_m", "shift_y_m", "shift_z_m"];
 
 /// A cause fitted in full beside those taken before.
 #[derive(Clone)]
@@ -428,10 +429,10 @@ impl<'a> Found<'a> {
     /// A model fitted to the stretches that are not held out, and its χ² and number of rows in those that are.
     pub fn held_out(model: &Model<'a>, fitted: &Fitted) -> Result<(f64, usize)> {
         let mut fitting = Model { part: Part::Fitted, ..model.clone() };
-        // A moment that lies in a stretch held out cannot be found from the others: it stays where all of them put it.
+        // What happened in a stretch held out cannot be found from the others: it stays where all of them put it.
         for (cause, values) in fitting.causes.iter_mut().zip(&fitted.point.causes) {
             for (parameter, value) in cause.parameters.iter_mut().zip(values) {
-                if parameter.name == MOMENT {
+                if OF_MOMENT.contains(&parameter.name) {
                     parameter.prior = (*value, 0.1 * parameter.step);
                 }
             }
