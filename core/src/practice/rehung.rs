@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::dynamics::effects::{self, EffectValues};
-use crate::dynamics::sensors;
+use crate::dynamics::effects::{self, Described, EffectValues, Knock};
+use crate::dynamics::sensors::{self, PhoneSlip, SensorDescribed};
 use crate::error::{Error, Result};
 use crate::recording::{Excitation, Swing};
 
@@ -105,11 +105,17 @@ fn start(swing: &Swing, release: &Release, mistakes: &Mistakes) -> BTreeMap<Stri
 
 fn touch(at_s: f64, mass_kg: f64) -> Result<EffectValues> {
     let (push, turn) = (TOUCH_N_S_PER_KG * mass_kg, TOUCH_N_M_S_PER_KG * mass_kg);
-    effect("knock", &[("at_s", at_s), ("over_s", TOUCH_S), ("impulse_y_n_s", push), ("turn_z_n_m_s", turn)])
+    effect(
+        Knock::<f64>::ID,
+        &[("at_s", at_s), ("over_s", TOUCH_S), ("impulse_y_n_s", push), ("turn_z_n_m_s", turn)],
+    )
 }
 
 fn slip(at_s: f64) -> Result<EffectValues> {
-    effect("phone_slip", &[("at_s", at_s), ("over_s", SLIP_S), ("turn_x_rad", SLIP_RAD), ("shift_x_m", 0.02)])
+    effect(
+        PhoneSlip::<f64>::ID,
+        &[("at_s", at_s), ("over_s", SLIP_S), ("turn_x_rad", SLIP_RAD), ("shift_x_m", 0.02)],
+    )
 }
 
 fn effect(id: &str, numbers: &[(&str, f64)]) -> Result<EffectValues> {
