@@ -16,7 +16,7 @@ use super::measurement::{ModeResult, SwingResult};
 use super::observe::{Evidence, hints_contradicted, parasites};
 use super::parameters::Layout;
 use super::samples::{FittedSwing, Statement};
-use super::words::mode_text;
+use super::words::period_label;
 
 /// A swing contradicts the others where leaving it out takes more off χ²: chance takes 30 of some ten figures once in a
 /// thousand times (χ² of 10 degrees of freedom).
@@ -265,7 +265,7 @@ fn periods(i: usize, modes: &[ModeResult], stated: &Swing) -> Vec<Observation> {
         what: Observed::Period(i, mode.mode),
         value: Quantity::new(mode.period_s, mode.period_se_s),
         u_amplitude: 0.0,
-        label: format!("{} period of {}", mode_text(mode.mode), stated.id),
+        label: period_label(mode.mode, &stated.id),
     };
     modes.iter().filter(|m| m.relative_db > WEAKEST_DB).map(observation).collect()
 }

@@ -18,7 +18,7 @@ use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::samples::{Own, Recorded, Statement, SwingSetup, expected_statements};
 use super::theory::swing_periods;
-use super::words::mode_text;
+use super::words::period_label;
 
 /// Places of a start in a swing's own numbers: along the suspension, across it, turn about it, yaw.
 const START: usize = 4;
@@ -51,8 +51,6 @@ pub struct Expected {
     pub quantities: BTreeMap<String, QuantityResult>,
     /// Contributions of each input, largest first, with the names that a measurement gives them.
     pub budget: BTreeMap<String, Vec<BudgetLine>>,
-    /// Small-amplitude periods of every mode, by swing, s.
-    pub periods_s: Vec<Vec<(ModeName, f64)>>,
 }
 
 /// A session that was planned and the hull that it is expected to find: inertia about the centre of mass in hull axes,
@@ -81,11 +79,11 @@ impl<'a> Prospect<'a> {
         Ok(Self { session, layout, x, periods_s })
     }
 
-    /// What the joint estimate would make of what the swings bring; `inclines` are the angles read, degrees.
+    /// What the joint estimate would make of what the swings bring beside the inclines as stated.
     ///
     /// # Errors
     /// Where the swings cannot be simulated or admit no solution.
-    pub fn expected(&self, brought: &[Brought], inclines: &[Option<Quantity>]) -> Result<Expected> {
+    pub fn expected(&self, brought: &[Brought]) -> Result<Expected> {
         let mut system = System::new(self.session, self.layout.clone());
         let mut periods = Vec::new();
         let mut said: Vec<Vec<Statement>> = Vec::new();
@@ -98,12 +96,12 @@ impl<'a> Prospect<'a> {
                 }
             }
         }
-        system.state(&periods, &said, inclines);
+        system.state(&periods, &said, &[]);
         let solution = system.solve(&self.x)?;
         let mut found = Measurement::default();
         write_quantities(&system, &solution, &mut found);
         let Measurement { quantities, budget, .. } = found;
-        Ok(Expected { quantities, budget, periods_s: self.periods_s.clone() })
+        Ok(Expected { quantities, budget })
     }
 
     fn said(&self, i: usize, released: &Released, recorded: &Recorded) -> Result<Vec<Statement>> {
@@ -128,11 +126,6 @@ impl<'a> Prospect<'a> {
             label: period_label(mode, &self.session.swings[i].id),
         })
     }
-}
-
-/// Name of a period in budgets.
-pub fn period_label(mode: ModeName, swing: &str) -> String {
-    format!("{} period of {swing}", mode_text(mode))
 }
 
 /// The stated pitches as the phones will have them: each tilted hanging against the one nearest to level.

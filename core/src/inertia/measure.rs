@@ -29,13 +29,13 @@ use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
 use super::twin::{Correction, corrections};
-use super::words::mode_text;
+use super::words::period_label;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-measurement/1";
 /// Uncertainty of a phone's tilt between two swings, degrees: an accelerometer's bias of some 0.03 m/s² that does
 /// not turn with gravity.
-pub(super) const PHONE_TILT_U_DEG: f64 = 0.15;
+pub(crate) const PHONE_TILT_U_DEG: f64 = 0.15;
 /// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last digit).
 const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 
@@ -469,7 +469,7 @@ fn observations(session: &Session, works: &[SwingWork], corrections: &[Vec<Corre
                 what: Observed::Period(i, mode.mode),
                 value: Quantity::new(value, observed.u.hypot(u_amplitude)),
                 u_amplitude,
-                label: format!("{} period of {}", mode_text(mode.mode), work.result.id),
+                label: period_label(mode.mode, &work.result.id),
             });
         }
     }

@@ -105,3 +105,8 @@ pub fn route(method: &str) -> String {
 pub fn spaced(key: &str) -> String {
     key.replace('_', " ")
 }
+
+/// Name of a period in budgets.
+pub fn period_label(mode: ModeName, swing: &str) -> String {
+    format!("{} period of {swing}", mode_text(mode))
+}

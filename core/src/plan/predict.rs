@@ -86,7 +86,7 @@ pub fn expected(hull: &Hull, means: &Means, steps: &[Step], by_samples: bool) ->
             },
         )
         .collect();
-    prospect.expected(&brought, &[])
+    prospect.expected(&brought)
 }
 
 fn samples(hull: &Hull, means: &Means, swing: &PlannedSwing) -> Brought {

@@ -83,7 +83,7 @@ impl RigFile {
 /// Keys of the start.
 fn start(swing: &Swing, release: &Release, mistakes: &Mistakes) -> BTreeMap<String, f64> {
     let angle_deg = release.amplitude_deg * mistakes.amplitude.unwrap_or(1.0);
-    let turns = release.excited.iter().any(|one| !matches!(one, Excitation::Sway | Excitation::Surge));
+    let turns = release.excited.iter().any(|one| one.turns());
     let lines_deg = if turns { BESIDE * angle_deg } else { angle_deg };
     let length_m = swing.suspension.line_length_m.map_or(1.0, |length| length.value);
     let aside_m = length_m * lines_deg.to_radians().sin();
@@ -105,24 +105,17 @@ fn start(swing: &Swing, release: &Release, mistakes: &Mistakes) -> BTreeMap<Stri
 
 fn touch(at_s: f64, mass_kg: f64) -> Result<EffectValues> {
     let (push, turn) = (TOUCH_N_S_PER_KG * mass_kg, TOUCH_N_M_S_PER_KG * mass_kg);
-    effect(
+    EffectValues::of(
+        &effects::catalogue(),
         Knock::<f64>::ID,
         &[("at_s", at_s), ("over_s", TOUCH_S), ("impulse_y_n_s", push), ("turn_z_n_m_s", turn)],
     )
 }
 
 fn slip(at_s: f64) -> Result<EffectValues> {
-    effect(
+    EffectValues::of(
+        &sensors::catalogue(),
         PhoneSlip::<f64>::ID,
         &[("at_s", at_s), ("over_s", SLIP_S), ("turn_x_rad", SLIP_RAD), ("shift_x_m", 0.02)],
     )
-}
-
-fn effect(id: &str, numbers: &[(&str, f64)]) -> Result<EffectValues> {
-    let mut all = effects::catalogue().into_iter().chain(sensors::catalogue());
-    let kind = all.find(|kind| kind.id == id).ok_or_else(|| Error::argument("effect", "a known one", id))?;
-    let value =
-        |name: &str| numbers.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, value)| *value);
-    let values = kind.numbers.iter().map(|number| value(number.name)).collect();
-    Ok(EffectValues { kind, values })
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::rest::RestReader;
 use super::words::{Text, number, plain, words};
 use crate::frames::Vec3;
+use crate::inertia::measure::PHONE_TILT_U_DEG;
 use crate::live::{Advice, Estimate, Line, LineKind, SwingState, TimeLeft};
 use crate::plan::{PlannedIncline, PlannedSwing};
 use crate::recording::{Excitation, Sensor};
@@ -18,9 +19,6 @@ pub(super) const TOO_LARGE: f64 = 1.6;
 const LONG_GAP_S: f64 = 1.0;
 /// A sensor that was silent at the end for longer than this did not record the swing, s.
 const SILENT_S: f64 = 1.0;
-/// Uncertainty of a phone's tilt between two readings, degrees: an accelerometer's bias of some 0.03 m/s² that does not
-/// turn with gravity.
-pub(super) const TILT_U_DEG: f64 = 0.15;
 /// An incline is another one than planned where it differs by more than this part of it and this angle, degrees.
 const FAR_PART: f64 = 0.3;
 const FAR_DEG: f64 = 1.0;
@@ -124,7 +122,7 @@ impl Judgement {
         }
         let note = |angle_deg| Text::new("note_tilt", [("angle_deg", number(angle_deg, 2))]);
         let notes = angle_deg.map(note).into_iter().collect();
-        let incline = angle_deg.map(|angle_deg| InclineReading { angle_deg, u_deg: TILT_U_DEG });
+        let incline = angle_deg.map(|angle_deg| InclineReading { angle_deg, u_deg: PHONE_TILT_U_DEG });
         Self { incline, ..Self::from(reasons, notes, recorded_s, None, None) }
     }
 
@@ -181,7 +179,7 @@ fn of_advice(advice: &Advice, swing: Option<&SwingState>, reasons: &mut Vec<Text
 /// Whether a motion beside the main one was not asked for.
 pub(super) fn is_unwanted(line: &Line, planned: &PlannedSwing) -> bool {
     let asked = |wanted: &[Excitation]| planned.excited.iter().any(|one| wanted.contains(one));
-    let turns = planned.excited.iter().filter(|one| !matches!(one, Excitation::Sway | Excitation::Surge));
+    let turns = planned.excited.iter().filter(|one| one.turns());
     let fine = match line.kind {
         LineKind::Sway => asked(&[Excitation::Sway, Excitation::Surge]),
         // A hull that pitches or surges on two lines has two modes that turn about the same axis.

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::event::Channel;
 use crate::constants::STANDARD_GRAVITY_M_S2;
 use crate::frames::Vec3;
+use crate::recording::MISSING_INTERVALS;
 
 /// Length of a block, ns.
 const BLOCK_NS: i64 = 500_000_000;
@@ -21,8 +22,6 @@ const LEAST_RATE_RAD_S: f64 = 0.003;
 const LEAST_TILT_RAD: f64 = 0.0017;
 /// Means of noise stay within so many standard deviations.
 const SIGMAS: f64 = 6.0;
-/// Gaps are intervals longer than so many usual ones.
-const GAP_INTERVALS: f64 = 1.5;
 
 /// The sensors at rest.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -237,7 +236,7 @@ impl Sensed {
             stamps.windows(2).map(|pair| pair[1].saturating_sub(pair[0]) as f64 / 1e9).collect();
         intervals.sort_by(f64::total_cmp);
         let usual = *intervals.get(intervals.len() / 2)?;
-        let regular = intervals.partition_point(|interval| *interval <= GAP_INTERVALS * usual);
+        let regular = intervals.partition_point(|interval| *interval <= MISSING_INTERVALS * usual);
         let time_s: f64 = intervals[..regular].iter().sum();
         let mean = values.iter().sum::<Vec3>() / values.len() as f64;
         let squares = values.windows(2).map(|pair| (pair[1] - pair[0]).map(|d| d * d)).sum::<Vec3>();

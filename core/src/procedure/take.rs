@@ -11,7 +11,7 @@ use crate::frames::Vec3;
 use crate::live::{Live, LiveOptions};
 use crate::plan::{PlannedSwing, Step};
 use crate::recorder::{END, Event as Mark, Piece, Reader, Stream, Writer};
-use crate::recording::{Excitation, Sensor};
+use crate::recording::Sensor;
 
 /// Folder of the recordings inside the procedure's.
 pub(super) const TAKES: &str = "takes";
@@ -173,8 +173,11 @@ impl Follow {
 }
 
 fn follows(swing: &PlannedSwing) -> Follows {
-    let turns = |one: &Excitation| !matches!(one, Excitation::Sway | Excitation::Surge);
-    if swing.excited.is_empty() || swing.excited.iter().any(turns) { Follows::Turn } else { Follows::Lines }
+    if swing.excited.is_empty() || swing.excited.iter().any(|one| one.turns()) {
+        Follows::Turn
+    } else {
+        Follows::Lines
+    }
 }
 
 /// A recording being made.

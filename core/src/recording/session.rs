@@ -124,6 +124,13 @@ pub enum Excitation {
     Roll,
 }
 
+impl Excitation {
+    /// Whether the hull turns; else it shifts alone.
+    pub fn turns(self) -> bool {
+        !matches!(self, Self::Sway | Self::Surge)
+    }
+}
+
 /// The names of the modes of motion, by shape.
 ///
 /// # Conventions
