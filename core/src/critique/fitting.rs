@@ -26,6 +26,14 @@ const NEARLY: f64 = 3e-3;
 pub const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
 /// Steps over each of them.
 const EARLY_STEPS: usize = 6;
+/// A step that gains less than this share of what was promised is of no use.
+const OF_NO_USE: f64 = 0.1;
+/// Derivatives are good to about one of χ²: less than that, promised by new ones and not kept, is not there.
+const UNKEPT: f64 = 1.0;
+/// Residual over noise beyond which a model is far from the data …
+pub const FAR: f64 = 2.0;
+/// … and is not worth more than so many steps of no use one after another.
+const PATIENCE: usize = 3;
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
 const PLACE_U_M: f64 = 5.0;
 const TURN_U_RAD: f64 = 1.0;
@@ -92,6 +100,14 @@ impl Misfit {
     fn chi2(&self) -> f64 {
         self.rows.iter().map(DVector::norm_squared).sum()
     }
+
+    fn count(&self) -> usize {
+        self.rows.iter().map(|rows| rows.len()).sum()
+    }
+
+    fn rms(&self) -> f64 {
+        (self.chi2() / self.count().max(1) as f64).sqrt()
+    }
 }
 
 impl Model<'_> {
@@ -123,6 +139,12 @@ impl Model<'_> {
         Ok(point)
     }
 
+    /// Fits from where that leads; where it leads astray, from the start itself.
+    pub fn fit_from_afar(&self, start: &Point) -> Result<Fitted> {
+        let grown = self.grown(start).and_then(|point| self.fit(&point, &|_| false));
+        grown.or_else(|_| self.fit(start, &|_| false))
+    }
+
     /// The same beginning with derivatives that are known already, good near the start, until a step promises less than a
     /// share of χ².
     pub fn fit_with(
@@ -137,8 +159,8 @@ impl Model<'_> {
         let mut fresh = known.is_none();
         let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
         let mut damping = 1e-4;
-        let most = self.most_steps();
-        for n in 0..most {
+        let mut of_no_use = 0;
+        for n in 0..self.most_steps() {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
             let equations = (&matrix, &gradient, &jacobians[..]);
@@ -150,8 +172,12 @@ impl Model<'_> {
             };
             let gained = misfit.cost - step.misfit.cost;
             (point, misfit) = (step.point, step.misfit);
+            of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
+            let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
+            let unkept = of_no_use > 0 && step.promised < UNKEPT;
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
-            if (fresh && (enough || gained < 2.0 * CONVERGED)) || (n > 3 && stop(misfit.cost)) {
+            let arrived = enough || unkept || gained < 2.0 * CONVERGED;
+            if (fresh && arrived) || creeps || (n > 3 && stop(misfit.cost)) {
                 break;
             }
             let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));
@@ -164,7 +190,7 @@ impl Model<'_> {
         }
         let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
         self.pin(&point, &mut matrix, &mut gradient);
-        let rows = misfit.rows.iter().map(|rows| rows.len()).sum();
+        let rows = misfit.count();
         Ok(Fitted { point, cost: misfit.cost, chi2: misfit.chi2(), rows, matrix, gradient, jacobians })
     }
 

@@ -3,12 +3,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::causes::{Scales, TERMS, UNKNOWN, learned_force, reach};
-use super::fitting::Fitted;
-use super::look::{Look, Standing};
-use super::point::{Form, Model};
+use super::causes::{Scales, TERMS, UNKNOWN, reach};
+use super::closed_form::Whole;
+use super::point::Form;
 use super::result::LearnedForce;
-use super::search::{Found, LEAST_GAIN, gain};
+use super::search::Found;
 
 /// Positions and rates at which the force is told, shares of the scale.
 const GRID: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
@@ -77,16 +76,13 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
 }
 
 fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedForce> {
-    let scales = Scales::of(found.model.base, &found.fitted.point).ok()?;
-    let mut before = found.model.clone();
-    before.causes.pop();
-    let without = found.before.as_ref()?;
-    let closed = closed_form(&before, without, &scales, coordinate)?;
+    // Of where the force was looked for: its terms are over these.
+    let scales = Scales::of(found.model.base, &found.looked_from).ok()?;
+    let closed = Whole::of(found, &scales, coordinate)?.closed_form()?;
     let full = found.model.causes.last()?;
     let unit = full.parameters.first()?.unit;
     let (position, rate) = reach(&scales, coordinate);
-    let closed_model = before.with(&learned_force(&scales, coordinate, &closed.terms));
-    let (chi2, rows) = Found::held_out(&closed_model, &closed.fitted).ok()?;
+    let (chi2, rows) = Found::held_out(&closed.model, &closed.fitted).ok()?;
     let symbol = if coordinate < 2 { ("x", "v") } else { ("θ", "ω") };
     let values = closed.fitted.point.causes.last()?;
     let factor = full.parameters.first()?.factor;
@@ -95,7 +91,7 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
         .iter()
         .zip(values)
         .map(|(term, q)| {
-            let (powers, scale) = written(term, symbol, position, rate);
+            let (powers, scale) = written(TERMS[*term], symbol, position, rate);
             format!("{:+.4e} {powers}", -q * factor / scale)
         })
         .collect();
@@ -109,38 +105,11 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
         equation: format!("{letter}_{name} = {} {unit}", sum.join(" ")),
         text: format!(
             "What is missing acts on the {name} and looks most like {}",
-            closed.terms.iter().map(|t| in_words(t)).collect::<Vec<_>>().join(" and ")
+            closed.terms.iter().map(|t| in_words(TERMS[*t])).collect::<Vec<_>>().join(" and ")
         ),
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some((chi2 / rows.max(1) as f64).sqrt()),
     })
-}
-
-struct Closed {
-    terms: Vec<&'static str>,
-    fitted: Fitted,
-}
-
-/// The best single term, and a second where it pays.
-fn closed_form(before: &Model, without: &Fitted, scales: &Scales, coordinate: usize) -> Option<Closed> {
-    let mut terms: Vec<&'static str> = Vec::new();
-    let mut best: Option<(f64, Fitted)> = None;
-    let standing = Standing::of(before, without).ok()?;
-    for _ in 0..2 {
-        let looks = TERMS.iter().filter(|term| !terms.contains(term)).filter_map(|term| {
-            let with = [&terms[..], &[*term]].concat();
-            Look::at(&standing, &learned_force(scales, coordinate, &with)).ok().flatten().map(|l| (l, with))
-        });
-        let (look, with) = looks.max_by(|a, b| a.0.gain.total_cmp(&b.0.gain))?;
-        let model = before.with(&look.cause);
-        let fitted = model.fit(&look.start(before, without, 1.0), &|_| false).ok()?;
-        let gained = gain(without, &fitted, &look.cause, before.base.swings.len())?;
-        if best.as_ref().is_some_and(|(known, _)| gained < known + LEAST_GAIN) {
-            break;
-        }
-        (terms, best) = (with, Some((gained, fitted)));
-    }
-    Some(Closed { terms, fitted: best?.1 })
 }
 
 /// A term's letters and what they are over.

@@ -13,9 +13,9 @@ use super::fitting::{Fitted, Places};
 use super::linear::Reader;
 use super::point::{Cause, Model, Point};
 
-/// A fitted model as first looks see it.
+/// A fitted model as first looks see it. They are made side by side: within one of them the swings come one after another.
 pub struct Standing<'a> {
-    pub model: &'a Model<'a>,
+    pub model: Model<'a>,
     pub fitted: &'a Fitted,
     /// What it leaves of each swing, row by row.
     pub residuals: Vec<DVector<f64>>,
@@ -23,12 +23,12 @@ pub struct Standing<'a> {
 }
 
 impl<'a> Standing<'a> {
-    pub fn of(model: &'a Model<'a>, fitted: &'a Fitted) -> Result<Self> {
+    pub fn of(model: &Model<'a>, fitted: &'a Fitted) -> Result<Self> {
         let seen = in_parallel(model.base.swings.len(), |s| {
             Ok((DVector::from_vec(model.rows(&fitted.point, s)?), model.path(&fitted.point, s)?))
         });
         let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
-        Ok(Self { model, fitted, residuals, paths })
+        Ok(Self { model: Model { alone: true, ..model.clone() }, fitted, residuals, paths })
     }
 }
 
@@ -49,7 +49,7 @@ impl Look {
     pub fn at(standing: &Standing, cause: &Cause) -> Result<Option<Self>> {
         let Some(alike) = &cause.look else { return Self::straight(standing, cause).map(Some) };
         let seen = Self::straight(standing, &alike.cause)?;
-        let model = standing.model;
+        let model = &standing.model;
         let swings = model.base.swings.len();
         let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
         let strengths: Vec<f64> = seen.delta.rows(split, size).iter().copied().collect();
@@ -65,7 +65,7 @@ impl Look {
     }
 
     fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
-        let (model, fitted) = (standing.model, standing.fitted);
+        let (model, fitted) = (&standing.model, standing.fitted);
         let swings = model.base.swings.len();
         let extended = model.with(cause);
         let mut at = fitted.point.clone();
@@ -125,7 +125,7 @@ pub struct Solved {
 
 impl<'a> Equations<'a> {
     pub fn new(standing: &'a Standing<'a>, u: DVector<f64>) -> Self {
-        let outer = DMatrix::zeros(Places::of(standing.model).all(), u.len());
+        let outer = DMatrix::zeros(Places::of(&standing.model).all(), u.len());
         let inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
         let score = DVector::zeros(u.len());
         Self { standing, u, outer, inner, score }
@@ -135,7 +135,7 @@ impl<'a> Equations<'a> {
     pub fn add(&mut self, s: usize, part: Part) {
         self.inner += part.inner;
         self.score += part.score;
-        let model = self.standing.model;
+        let model = &self.standing.model;
         for (row, place) in Places::of(model).of_swing(model, s).into_iter().enumerate() {
             let mut sum = self.outer.row_mut(place);
             sum += part.outer.row(row);

@@ -5,6 +5,8 @@
 mod base;
 mod by_periods;
 mod causes;
+mod closed_form;
+mod evidence;
 mod findings;
 mod fitting;
 mod learned;
@@ -68,8 +70,7 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     };
     told.at(0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
-    let grown = model.fit(&model.grown(&start)?, &|_| false);
-    let Ok(fitted) = grown.or_else(|_| model.fit(&start, &|_| false)) else {
+    let Ok(fitted) = model.fit_from_afar(&start) else {
         let mut judged = by_periods_alone()?;
         let text =
             "no simulation of all swings together could be fitted to the samples: their periods were judged";

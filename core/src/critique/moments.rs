@@ -23,7 +23,7 @@ enum Event {
 
 /// First looks at what may have happened, each at its best moment.
 pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
-    let model = standing.model;
+    let model = &standing.model;
     let times: Vec<Vec<f64>> =
         (0..standing.residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
     let scales = Scales::of(model.base, &standing.fitted.point)?;
@@ -118,7 +118,7 @@ impl Scan<'_> {
             // Place first there, turn first here.
             (0..6).for_each(|k| values[k] = seen.strength[(k + 3) % 6]);
         }
-        let delta = laid_out(self.standing.model, &seen.rest, &values);
+        let delta = laid_out(&self.standing.model, &seen.rest, &values);
         Look { cause, gain: seen.gain, chi2: seen.chi2, delta }
     }
 }

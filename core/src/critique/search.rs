@@ -6,21 +6,14 @@ use crate::inertia::by_samples::in_parallel;
 use super::causes::{
     GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, seconds,
 };
-use super::fitting::{CONVERGED_SHARE, Fitted};
+use super::evidence::{FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
+use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
 use super::result::Progress;
 use super::white::Left;
 
-/// Evidence of e⁷ = 1100 to 1 for a cause: a complete session, looked at for thirty, is then wronged less than once in fifty.
-pub const LEAST_GAIN: f64 = 7.0;
-/// Where nothing is left to see, a further cause must gain more than this, and more than this share of the first's gain:
-/// laws that differ a little from nature's leave something for others to pick up.
-const FURTHER_GAIN: f64 = 14.0;
-const FURTHER_SHARE: f64 = 3e-3;
-/// A further cause must take so much of what is left beyond noise.
-const FURTHER_TAKES: f64 = 0.7;
 pub const MOST_CAUSES: usize = 3;
 /// A cause so far below what is asked may still be there, at odds of 1 to 150, and move what is sought: it is fitted and allowed for.
 const DOUBTFUL: f64 = 5.0;
@@ -39,8 +32,6 @@ const FASTEST_GUST_HZ: f64 = 0.35;
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
 
-/// Residual over noise beyond which a model is so far from the data that fits begin with short parts of the recordings.
-const FAR: f64 = 2.0;
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
@@ -63,6 +54,8 @@ pub struct Tried {
     pub gain: f64,
     /// What is left, χ² beyond noise.
     pub left: Left,
+    /// Where it was looked for.
+    from: Point,
 }
 
 /// One round: what was tried, the best first.
@@ -80,8 +73,8 @@ pub struct Found<'a> {
     pub fitted: Fitted,
     pub left: Left,
     pub rounds: Vec<Round>,
-    /// Without the last cause.
-    pub before: Option<Fitted>,
+    /// Where the last cause was looked for.
+    pub looked_from: Point,
     /// Where the fits of single swings lead.
     begin: Point,
 }
@@ -134,13 +127,13 @@ impl<'a> Found<'a> {
     pub fn begun(base: Model<'a>, begin: Point, fitted: Fitted) -> Result<Self> {
         let base_left = Left::of(&base, &fitted.point)?;
         Ok(Self {
+            looked_from: fitted.point.clone(),
             base: fitted.clone(),
             left: base_left.clone(),
             base_left,
             model: base,
             fitted,
             rounds: vec![],
-            before: None,
             begin,
         })
     }
@@ -157,17 +150,15 @@ impl Found<'_> {
             names.dedup();
             return Err(Error::argument("cause", format!("one of {}", names.join(", ")), id));
         }
-        let model = Model { alone: true, ..self.model.clone() };
-        let looks = looks_at(&Standing::of(&model, &self.fitted)?, &forms);
+        let looks = looks_at(&Standing::of(&self.model, &self.fitted)?, &forms);
         let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
         let reason = || Error::no_result(id, "it cannot be fitted to this session");
         self.fit(&best.ok_or_else(reason)?, f64::INFINITY, false).ok_or_else(reason)
     }
 
     fn take(&mut self, best: Tried) {
-        self.before = Some(std::mem::replace(&mut self.fitted, best.fitted));
-        self.model.causes.push(best.cause);
-        self.left = best.left;
+        self.model.causes = best.causes;
+        (self.fitted, self.left, self.looked_from) = (best.fitted, best.left, best.from);
     }
 
     /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks.
@@ -180,7 +171,7 @@ impl Found<'_> {
     /// Takes a wind and its gusts where they are the best; else all stays as it was.
     fn blows_better(&mut self, tried: &mut [Tried], wind: usize) -> bool {
         let pays = wind == 0 && self.pays(&tried[0]);
-        let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.before.clone());
+        let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(tried[wind].clone());
         let with_gusts = tried[wind].gain + self.blow();
         if pays || with_gusts > tried[0].gain {
@@ -188,7 +179,7 @@ impl Found<'_> {
             tried[..=wind].rotate_right(1);
             return true;
         }
-        (self.model, self.fitted, self.left, self.before) = kept;
+        (self.model, self.fitted, self.left, self.looked_from) = kept;
         false
     }
 
@@ -202,8 +193,7 @@ impl Found<'_> {
             if self.left.is_white() {
                 break;
             }
-            let model = Model { alone: true, ..self.model.clone() };
-            let Ok(standing) = Standing::of(&model, &self.fitted) else { break };
+            let Ok(standing) = Standing::of(&self.model, &self.fitted) else { break };
             let tones: Vec<Cause> =
                 (1..=count).map(|k| gust(tone, k as f64 / duration_s, duration_s)).collect();
             let looks = looks_at(&standing, &tones);
@@ -242,19 +232,28 @@ impl Found<'_> {
         }
     }
 
-    /// Where structure remains, the model is extended even without a name for it.
+    /// Where structure remains, the model is extended even without a name for it: by what leaves least of all that was tried without one,
+    /// beside the causes that had been taken before.
     fn learn(&mut self) {
         if !self.is_unexplained() || self.model.causes.iter().any(|c| c.id == UNKNOWN) {
             return;
         }
-        let Some(last) = self.rounds.last_mut().filter(|round| !round.taken) else { return };
-        let best = last.tried.iter().position(|t| t.cause.id == UNKNOWN && t.gain > LEAST_GAIN);
-        if let Some(best) = best {
-            let best = last.tried.remove(best);
-            last.tried.insert(0, best.clone());
-            last.taken = true;
-            self.take(best);
+        let tried =
+            self.rounds.iter().enumerate().flat_map(|(n, round)| round.tried.iter().map(move |t| (n, t)));
+        let unnamed = tried.filter(|(_, t)| t.cause.id == UNKNOWN);
+        let Some((n, best)) = unnamed.min_by(|a, b| a.1.fitted.cost.total_cmp(&b.1.fitted.cost)) else {
+            return;
+        };
+        if best.fitted.cost + 2.0 * LEAST_GAIN > self.fitted.cost {
+            return;
         }
+        let best = best.clone();
+        self.rounds.truncate(n + 1);
+        let round = &mut self.rounds[n];
+        round.tried.retain(|t| t.cause.id != UNKNOWN);
+        round.tried.insert(0, best.clone());
+        round.taken = true;
+        self.take(best);
     }
 
     /// Derivatives taken without a cause lead near the best fit, and say too much or too little of how near: the last fit has all.
@@ -272,8 +271,7 @@ impl Found<'_> {
     fn looks(&self) -> Result<Vec<Look>> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
         let is_new = |cause: &Cause| !self.model.causes.iter().any(|known| known.id == cause.id);
-        let model = Model { alone: true, ..self.model.clone() };
-        let standing = Standing::of(&model, &self.fitted)?;
+        let standing = Standing::of(&self.model, &self.fitted)?;
         let mut causes = catalogue(&scales);
         let mut looks: Vec<Look> = Vec::new();
         if !self.left.is_white() {
@@ -373,7 +371,8 @@ impl Found<'_> {
         };
         let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
-        Some(Tried { cause: look.cause.clone(), causes: model.causes, fitted, gain, left })
+        let from = self.fitted.point.clone();
+        Some(Tried { cause: look.cause.clone(), causes: model.causes, fitted, gain, left, from })
     }
 
     fn pays(&self, best: &Tried) -> bool {
@@ -395,34 +394,6 @@ impl Found<'_> {
 fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
     let seen = in_parallel(causes.len(), |k| Look::at(standing, &causes[k]).ok().flatten());
     seen.into_iter().flatten().collect()
-}
-
-/// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.
-fn asked(first_gain: Option<f64>) -> f64 {
-    first_gain.map_or(LEAST_GAIN, |first| FURTHER_GAIN.max(FURTHER_SHARE * first))
-}
-
-/// Whether a cause is taken beside those before it (the first of which gained so much), by its own gain and by what it leaves of what
-/// was left.
-pub fn pays(first_gain: Option<f64>, gain: f64, leaves: &Left, left: &Left) -> bool {
-    if first_gain.is_none() || left.is_white() {
-        gain > asked(first_gain)
-    } else {
-        gain > LEAST_GAIN && leaves.excess() < (1.0 - FURTHER_TAKES) * left.excess()
-    }
-}
-
-/// Whether a cause taken before others is missed once it is left out.
-pub fn is_missed(lost: f64, without: &Left, with: &Left) -> bool {
-    lost >= if without.excess() > with.excess() { LEAST_GAIN } else { FURTHER_GAIN }
-}
-
-/// Logarithm of the evidence of a model with a cause over that without, by Laplace's approximation of both integrals: the
-/// widths of the cause's priors count.
-pub fn gain(without: &Fitted, with: &Fitted, cause: &Cause, swings: usize) -> Option<f64> {
-    let widths: f64 = cause.expanded(swings).iter().map(|(p, _)| p.prior.1.ln()).sum();
-    let volumes = without.half_log_determinant()? - with.half_log_determinant()?;
-    Some(0.5 * (without.cost - with.cost) + volumes - widths)
 }
 
 impl<'a> Found<'a> {

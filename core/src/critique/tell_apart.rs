@@ -38,7 +38,7 @@ pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress
     };
     told.at(0.3, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
-    let fitted = model.fit(&model.grown(&start)?, &|_| false).or_else(|_| model.fit(&start, &|_| false))?;
+    let fitted = model.fit_from_afar(&start)?;
     let found = Found::begun(model, start, fitted)?;
     told.at(0.5, "fitting the two causes")?;
     let [one, other] = [found.by_name(causes[0])?, found.by_name(causes[1])?];

@@ -68,8 +68,9 @@ impl Found<'_> {
 
     /// Causes as models, weighed by their evidence beside a model of a given one.
     fn weighed(&self, gain: f64, others: &[&Tried]) -> Vec<(f64, Model<'_>, Fitted)> {
-        let odds = |t: &Tried| (t.gain - gain).exp();
-        let all: f64 = 1.0 + others.iter().map(|t| odds(t)).sum::<f64>();
+        let most = others.iter().map(|t| t.gain).fold(gain, f64::max);
+        let odds = |t: &Tried| (t.gain - most).exp();
+        let all: f64 = (gain - most).exp() + others.iter().map(|t| odds(t)).sum::<f64>();
         let model = |t: &Tried| Model { causes: t.causes.clone(), ..self.model.clone() };
         others.iter().map(|t| (odds(t) / all, model(t), t.fitted.clone())).collect()
     }
@@ -123,7 +124,8 @@ pub fn ranked(
 ) -> Vec<CauseResult> {
     let mut list: Vec<CauseResult> = Vec::new();
     for (first_taken, tried) in rounds {
-        let most = tried.first().map_or(0.0, |t| t.log_evidence_gain.max(0.0));
+        // The first need not be the one that gains most: where much is left, what was learned without a name comes first.
+        let most = tried.iter().map(|t| t.log_evidence_gain).fold(0.0, f64::max);
         let odds = |gain: f64| (gain - most).exp();
         let all: f64 = odds(0.0) + tried.iter().map(|t| odds(t.log_evidence_gain)).sum::<f64>();
         for (n, tried) in tried.into_iter().enumerate() {

@@ -1,10 +1,10 @@
 //! The missing torque where no known cause accounts for it, and the simplest closed form that does as well.
 
 use super::super::causes::{TERMS, UNKNOWN};
+use super::super::evidence::LEAST_GAIN;
 use super::super::learned::{grid, in_words, written};
 use super::super::point::Part;
 use super::super::result::LearnedForce;
-use super::super::search::LEAST_GAIN;
 use super::causes::{Cause, Kind, learned};
 use super::fitting::{Fitted, fit};
 use super::search::Found;

@@ -2,8 +2,9 @@
 //! is each swing's own.
 
 use super::super::causes::UNKNOWN;
+use super::super::evidence::{LEAST_GAIN, is_missed, pays};
 use super::super::point::{Part, SETTLING_S};
-use super::super::search::{LEAST_GAIN, MOST_CAUSES, Told, UNNAMED_FROM, UNNAMED_LEAVES, is_missed, pays};
+use super::super::search::{MOST_CAUSES, Told, UNNAMED_FROM, UNNAMED_LEAVES};
 use super::super::white::{Left, in_record};
 use super::causes::{Cause, Kind, catalogue};
 use super::fitting::{Fitted, fit, fit_from_afar};
