@@ -14,6 +14,7 @@ pub mod dynamics;
 pub mod error;
 pub mod frames;
 pub mod inertia;
+pub mod intake;
 pub mod live;
 pub mod modes;
 pub mod plan;

@@ -7,13 +7,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 15] = [
+const MAY_KNOW: [(&str, &[&str]); 16] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
     ("recording", &[]),
     ("recorder", &["recording"]),
     ("signal", &["recording"]),
+    ("intake", &["recording", "recorder", "signal"]),
     ("live", &["recording", "signal"]),
     ("modes", &["recording", "signal"]),
     ("dynamics", &[]),
