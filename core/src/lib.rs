@@ -20,6 +20,7 @@ pub mod modes;
 pub mod plan;
 pub mod practice;
 pub mod procedure;
+pub mod progress;
 pub mod recorder;
 pub mod recording;
 pub mod report;
