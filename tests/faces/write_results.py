@@ -13,9 +13,8 @@ import struct
 import sys
 from pathlib import Path
 
-import numpy as np
-
 import gyradius
+import numpy as np
 from gyradius import _core
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use gyradius_core::critique::criticise;
-use gyradius_core::inertia::{MeasureOptions, analyse, measure_recording};
+use gyradius_core::inertia::{MeasureOptions, analyse_watched, measure_recording};
 use gyradius_core::intake::{Loaded, load_any};
 use gyradius_core::plan::{Request, plan_on, plan_to_tell_apart};
 use gyradius_core::recording::write_session;
@@ -49,15 +49,19 @@ impl Session {
 
     /// Modes, inertia, uncertainty and consistency: seconds.
     ///
-    /// `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. The listener is asked before and
-    /// after, not in between.
+    /// `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare recording's listener is asked
+    /// before and after, not in between.
     pub fn measure_blocking(&self, limits: Vec<String>, listener: Listener) -> Result<Arc<Analysis>> {
         let limits = limits.iter().map(|limit| limit.parse()).collect::<gyradius_core::Result<_>>()?;
         let options = MeasureOptions { limits };
-        let inner = announced(&listener, "measuring", || match &*self.loaded {
-            Loaded::Session(loaded) => analyse(loaded, &options),
-            Loaded::Bare(recording) => measure_recording(recording, &options),
-        })?;
+        let inner = match &*self.loaded {
+            Loaded::Session(loaded) => {
+                watched(&listener, |progress| analyse_watched(loaded, &options, progress))
+            }
+            Loaded::Bare(recording) => {
+                announced(&listener, "measuring", || measure_recording(recording, &options))
+            }
+        }?;
         Ok(Analysis::new(inner, Arc::clone(&self.loaded)))
     }
 

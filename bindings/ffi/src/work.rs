@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::thread;
 
-use gyradius_core::critique::Progress;
+use gyradius_core::progress::{Progress, tell};
 
 use crate::error::{GyradiusError, Result};
 
@@ -40,7 +40,7 @@ pub fn watched<T: Send>(
     listener: &Listener,
     work: impl FnOnce(&Progress) -> gyradius_core::Result<T> + Send,
 ) -> Result<T> {
-    aside(|| work(&|share, doing| tell(listener, share, doing)))
+    aside(|| work(&|share, doing| goes_on(listener, share, doing)))
 }
 
 /// Runs work that cannot be stopped half-way: told of before it, and given up where its listener wants an end by then.
@@ -50,17 +50,13 @@ pub fn announced<T: Send>(
     work: impl FnOnce() -> gyradius_core::Result<T> + Send,
 ) -> Result<T> {
     watched(listener, |progress| {
-        stopped_unless(progress(0.0, doing))?;
+        tell(progress, 0.0, doing)?;
         let done = work()?;
-        stopped_unless(progress(1.0, doing))?;
+        tell(progress, 1.0, doing)?;
         Ok(done)
     })
 }
 
-fn stopped_unless(goes_on: bool) -> gyradius_core::Result<()> {
-    if goes_on { Ok(()) } else { Err(gyradius_core::Error::Cancelled) }
-}
-
-fn tell(listener: &Listener, share: f64, doing: &str) -> bool {
+fn goes_on(listener: &Listener, share: f64, doing: &str) -> bool {
     listener.as_ref().is_none_or(|listener| listener.on_progress(share, doing.to_owned()))
 }

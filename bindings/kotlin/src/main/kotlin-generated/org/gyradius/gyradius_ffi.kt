@@ -1414,7 +1414,7 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_method_session_critique_blocking() and 0xFFFF) != 10333) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_gyradius_ffi_checksum_method_session_measure_blocking() and 0xFFFF) != 7271) {
+    if ((lib.uniffi_gyradius_ffi_checksum_method_session_measure_blocking() and 0xFFFF) != 56005) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_session_plan_blocking() and 0xFFFF) != 40710) {
@@ -6054,8 +6054,8 @@ public interface SessionInterface {
     /**
      * Modes, inertia, uncertainty and consistency: seconds.
      *
-     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. The listener is asked before and
-     * after, not in between.
+     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare recording's listener is asked
+     * before and after, not in between.
      */
     fun `measureBlocking`(`limits`: List<kotlin.String>, `listener`: ProgressListener?): Analysis
     
@@ -6213,8 +6213,8 @@ open class Session: Disposable, AutoCloseable, SessionInterface
     /**
      * Modes, inertia, uncertainty and consistency: seconds.
      *
-     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. The listener is asked before and
-     * after, not in between.
+     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare recording's listener is asked
+     * before and after, not in between.
      */
     @Throws(GyradiusException::class)override fun `measureBlocking`(`limits`: List<kotlin.String>, `listener`: ProgressListener?): Analysis {
             return FfiConverterTypeAnalysis.lift(

@@ -78,7 +78,7 @@ class ProcedureTest {
         val state = second.state()
         assertEquals(ProcedurePhase.JUDGE, state.phase)
         assertEquals(Recommend.REPEAT, state.judgement!!.recommend)
-        assertTrue(state.judgement!!.reasons.any { it.key == "reason_no_swing" })
+        assertTrue(state.judgement.reasons.any { it.key == "reason_no_swing" })
         val recorded = RecorderFile.read(file.path).samples().first { it.channel == Channel.GYROSCOPE }.stampsNs
         // Never more than half a second behind: what was told before the kill is there but for its last half second.
         val (before, after) = recorded.partition { it < 66 * SECOND }

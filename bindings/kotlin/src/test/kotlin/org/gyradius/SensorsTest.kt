@@ -5,7 +5,6 @@ import kotlinx.coroutines.flow.last
 import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -62,11 +61,22 @@ class SensorsTest {
     @Test
     fun `estimates flow, and find the period`() = runBlocking {
         val estimate = swing(Channel.GYROSCOPE, 60, 20).asFlow().estimates(LiveEstimator(1e-3, null, null)).last()
-        val swing = assertNotNull(estimate.swing).let { estimate.swing!! }
+        val swing = estimate.swing!!
         assertTrue(abs(swing.periodS - 4.0) < 5.0 * swing.periodUS, "$swing")
         assertEquals(5.0, swing.amplitudeDeg!!, 0.1)
         val texts = estimate.advice.map { liveSentence(it) }
         assertTrue(texts.any { it.key == "live.sensor_absent" && "accelerometer" in it.english }, "$texts")
+    }
+
+    @Test
+    fun `half a megabyte of stack is enough for what comes with every batch`() {
+        // As much as iOS gives the threads of an app.
+        val (stack, live) = 512L * 1024 to LiveEstimator(1e-3, null, null)
+        val batches = swing(Channel.GYROSCOPE, 60, 20) + swing(Channel.ACCELEROMETER, 60, 20)
+        val small = Thread(null, { batches.sortedBy { it.stampsNs[0] }.forEach(live::push) }, "small", stack)
+        small.start()
+        small.join()
+        assertEquals(4.0, live.estimate().swing!!.periodS, 0.01)
     }
 
     private val header = RecorderHeader(
