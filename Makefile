@@ -44,7 +44,7 @@ test:
 lint: package
 	@$(STEP) fmt cargo fmt --all --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
-	@$(STEP) ruff-check $(BIN)/ruff check python tests
+	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
 
@@ -132,5 +132,5 @@ $(BIN)/maturin:
 	$(BIN)/python -m pip --quiet install "maturin>=1.9.4,<2"
 
 clean:
-	rm -rf build $(VENV)
+	rm -rf build $(VENV) bindings/kotlin/target
 	cargo clean

@@ -9,8 +9,8 @@ from __future__ import annotations
 import json
 import re
 import sys
-import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from xml.etree import ElementTree
 
 HERE = Path(__file__).resolve().parent
 VECTORS = HERE.parents[1] / "tests" / "vectors"

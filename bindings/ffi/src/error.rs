@@ -84,3 +84,38 @@ impl std::error::Error for GyradiusError {}
 pub fn bad_argument(name: &str, expected: &str, found: impl ToString) -> GyradiusError {
     Error::argument(name, expected, found).into()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn malformed(line: usize) -> Error {
+        let (file, expected, found) = ("a.toml".into(), "a number".into(), "`x`".into());
+        Error::Malformed { file, line: Some(line), expected, found }
+    }
+
+    #[test]
+    fn every_error_keeps_its_sentence_and_its_place() {
+        let (file, reason) = (String::from("a.zip"), String::from("it climbs"));
+        let unsafe_archive = Error::UnsafeArchive { file: file.clone(), reason: reason.clone() };
+        let unwritable = Error::Unwritable { file, reason };
+        let place = |error: Error| {
+            let text = error.to_string();
+            let public = GyradiusError::from(error);
+            assert_eq!(public.to_string(), text);
+            match public {
+                GyradiusError::BadFile { file, line, .. } => format!("{file} {line:?}"),
+                GyradiusError::Unwritable { file, .. } => format!("to {file}"),
+                GyradiusError::NoResult { what, .. } => format!("of {what}"),
+                GyradiusError::BadArgument { name, .. } => format!("`{name}`"),
+                GyradiusError::Cancelled { .. } => "stopped".into(),
+            }
+        };
+        assert_eq!(place(malformed(7)), "a.toml Some(7)");
+        assert_eq!(place(unsafe_archive), "a.zip None");
+        assert_eq!(place(unwritable), "to a.zip");
+        assert_eq!(place(Error::no_result("yaw", "too short")), "of yaw");
+        assert_eq!(place(Error::argument("wanted", "above 0", 0)), "`wanted`");
+        assert_eq!(place(Error::Cancelled), "stopped");
+    }
+}

@@ -47,7 +47,7 @@ fn as_json(value: &impl Serialize) -> error::Result<String> {
     Ok(text.map_err(|error| Error::no_result("JSON", error.to_string()))?)
 }
 
-/// What a lock guards; a thread that died while holding it has left whole data or none.
+/// What a lock guards. A panic under it would be a mistake of the core, told as an internal error; later calls go on.
 fn locked<T>(lock: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     lock.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
