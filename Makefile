@@ -1,7 +1,7 @@
 # The one task runner: people and CI call these recipes only.
 #
-# Needs Rust, Python >= 3.10 and, for the bindings to come, a JDK; everything else comes from crates.io and PyPI into
-# `target/` and `.venv/`.
+# Needs Rust, Python >= 3.10 and, for Kotlin, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
+# and `.venv/`, and from Maven Central into Maven's own store.
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -12,11 +12,12 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
+	@echo "make generate  the generated Kotlin anew, after a change of bindings/ffi"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
 	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
@@ -35,6 +36,7 @@ test:
 	@$(MAKE) --no-print-directory test-rust
 	@$(MAKE) --no-print-directory test-vectors
 	@$(MAKE) --no-print-directory test-python
+	@$(MAKE) --no-print-directory test-kotlin
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
@@ -42,7 +44,7 @@ test:
 lint: package
 	@$(STEP) fmt cargo fmt --all --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
-	@$(STEP) ruff-check $(BIN)/ruff check python tests
+	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
 
@@ -56,6 +58,19 @@ test-vectors: blind-tools
 # Python's half: vectors, API and command (pytest), and the stubs against the module (a test among them).
 test-python: package
 	@$(STEP) python $(BIN)/python -m pytest -c python/pyproject.toml python/tests
+
+# The same selection as of test-rust, so that nothing is compiled twice.
+bindings:
+	@cargo build --quiet $(CRATES) --all-targets
+
+# The Kotlin that is committed is what the facade gives; its tests on the JVM, the shared vectors bit by bit as Python's.
+test-kotlin: package bindings
+	@$(STEP) generated bindings/check-generated
+	@$(STEP) kotlin bindings/kotlin/run-tests $(BIN)/python
+
+generate: bindings
+	rm -rf bindings/kotlin/src/main/kotlin-generated
+	bindings/generate bindings/kotlin/src/main/kotlin-generated
 
 # Sessions drawn afresh by a generator that shares nothing with the analysis, its witness MuJoCo, and the sessions that ship.
 test-blind: package blind-tools
@@ -117,5 +132,5 @@ $(BIN)/maturin:
 	$(BIN)/python -m pip --quiet install "maturin>=1.9.4,<2"
 
 clean:
-	rm -rf build $(VENV)
+	rm -rf build $(VENV) bindings/kotlin/target
 	cargo clean

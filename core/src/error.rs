@@ -12,7 +12,6 @@ pub type Result<T> = std::result::Result<T, Error>;
 ///
 /// `line` counts from 1 and is absent where a file as a whole is meant.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
 pub enum Error {
     /// A file or folder cannot be opened or read.
     #[error("{file}: cannot be read: {reason}")]

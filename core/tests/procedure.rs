@@ -599,3 +599,12 @@ proptest! {
         prop_assert_eq!(Procedure::open(folder.path()).unwrap().state().phase, phase);
     }
 }
+
+/// Events and journals are kept as JSON: a figure must come back as it went in, not next to it.
+#[test]
+fn figures_read_back_from_json_to_the_same_bits() {
+    let event = r#"{"event": "measured", "spacing_m": {"value": 1.8011788166229135, "u": 0.001}}"#;
+    let Event::Measured(measured) = serde_json::from_str(event).unwrap() else { panic!() };
+    // Rust rounds the literal correctly (IEEE 754).
+    assert_eq!(measured.spacing_m.unwrap().value.to_bits(), 1.8011788166229135_f64.to_bits());
+}

@@ -6,14 +6,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// `room: what it may know`. `error`, `constants` and `frames` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 15] = [
+/// `room: what it may know`. `error`, `constants`, `frames` and `progress` are known to all.
+const MAY_KNOW: [(&str, &[&str]); 17] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
+    ("progress", &[]),
     ("recording", &[]),
     ("recorder", &["recording"]),
     ("signal", &["recording"]),
+    ("intake", &["recording", "recorder", "signal"]),
     ("live", &["recording", "signal"]),
     ("modes", &["recording", "signal"]),
     ("dynamics", &[]),
@@ -24,7 +26,7 @@ const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("procedure", &["recording", "recorder", "live", "plan", "practice", "inertia", "critique"]),
     ("report", &["recording", "signal", "modes", "dynamics", "inertia", "critique"]),
 ];
-const KNOWN_TO_ALL: [&str; 3] = ["error", "constants", "frames"];
+const KNOWN_TO_ALL: [&str; 4] = ["error", "constants", "frames", "progress"];
 
 fn sources(dir: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(dir).unwrap() {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use gyradius_core::Error;
 use gyradius_core::inertia::{Analysis, Evidence};
-use gyradius_core::recording::LoadedSession;
+use gyradius_core::intake::Loaded;
 use gyradius_core::report::{self, ReportSource};
 use gyradius_core::signal::{ChannelGroup, model, spectrum};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
@@ -25,14 +25,14 @@ type Spectrum<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
 #[pyclass(frozen, module = "gyradius._core")]
 pub struct Measurement {
     inner: Analysis,
-    /// What was measured, for the report; a bare recording has no session.
-    session: Option<Arc<LoadedSession>>,
+    /// What was measured, for the report.
+    loaded: Arc<Loaded>,
 }
 
 impl Measurement {
     /// A measurement of the core.
-    pub fn new(inner: Analysis, session: Option<Arc<LoadedSession>>) -> Self {
-        Self { inner, session }
+    pub fn new(inner: Analysis, loaded: Arc<Loaded>) -> Self {
+        Self { inner, loaded }
     }
 
     fn evidence(&self, py: Python<'_>, swing_id: &str) -> PyResult<&Evidence> {
@@ -59,7 +59,7 @@ impl Measurement {
     ) -> PyResult<String> {
         let criticism = critique.map(|critique| critique.get().inner.clone());
         detached(py, || {
-            let mut source = ReportSource::from_analysis(&self.inner, self.session.as_deref());
+            let mut source = ReportSource::from_analysis(&self.inner, self.loaded.session());
             source.criticism = criticism.map(Ok).or(no_critique.map(Err));
             Ok(report::html(&source))
         })

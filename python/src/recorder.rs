@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::Result;
-use gyradius_core::recorder::{Event, Header, Piece, Reader, Stream};
+use gyradius_core::recorder::{Samples, Whole, read_whole};
 use numpy::{PyArray1, PyArray2, ToPyArray};
 use pyo3::prelude::*;
 
@@ -17,42 +16,13 @@ type Sensor = (&'static str, String, Option<f64>);
 /// All of a recorder's file.
 #[pyclass(frozen, module = "gyradius._core")]
 pub struct RecorderFile {
-    header: Header,
-    events: Vec<Event>,
-    damage: Vec<String>,
-    streams: Vec<(Stream, Vec<i64>, Vec<[f64; 3]>)>,
+    inner: Whole,
 }
 
 /// Reads a recorder's file past whatever is damaged.
 #[pyfunction]
 pub fn read_recorder(py: Python<'_>, path: PathBuf) -> PyResult<RecorderFile> {
-    detached(py, || read(path))
-}
-
-fn read(path: PathBuf) -> Result<RecorderFile> {
-    let mut file = RecorderFile {
-        header: Header::default(),
-        events: Vec::new(),
-        damage: Vec::new(),
-        streams: Stream::ALL.map(|stream| (stream, Vec::new(), Vec::new())).into(),
-    };
-    let mut reader = Reader::open(path)?;
-    while let Some(piece) = reader.next_piece()? {
-        match piece {
-            Piece::Header(header) => file.header = header,
-            Piece::Event(event) => file.events.push(event),
-            Piece::Samples(samples) => {
-                let mut mine = file.streams.iter_mut().filter(|track| track.0 == samples.stream);
-                if let Some((_, stamps_ns, values)) = mine.next() {
-                    stamps_ns.extend(samples.stamps_ns);
-                    values.extend(samples.values);
-                }
-            }
-            Piece::Resumed { .. } => {}
-        }
-    }
-    file.damage = reader.damage().iter().map(|damage| damage.text()).collect();
-    Ok(file)
+    detached(py, || read_whole(path)).map(|inner| RecorderFile { inner })
 }
 
 #[pymethods]
@@ -60,38 +30,38 @@ impl RecorderFile {
     /// Model of the phone.
     #[getter]
     fn phone(&self) -> &str {
-        &self.header.phone
+        &self.inner.header.phone
     }
 
     /// Anything else that the recorder noted, by key.
     #[getter]
     fn notes(&self) -> Vec<(String, String)> {
-        self.header.notes.clone().into_iter().collect()
+        self.inner.header.notes.clone().into_iter().collect()
     }
 
     /// Stream, name and full scale of every sensor.
     #[getter]
     fn sensors(&self) -> Vec<Sensor> {
-        let sensors = self.header.sensors.iter();
+        let sensors = self.inner.header.sensors.iter();
         sensors.map(|sensor| (sensor.stream.name(), sensor.name.clone(), sensor.full_scale)).collect()
     }
 
     /// Stamp (ns) and key of every mark, in the order of the file.
     #[getter]
     fn events(&self) -> Vec<(i64, String)> {
-        self.events.iter().map(|event| (event.stamp_ns, event.key.clone())).collect()
+        self.inner.events.iter().map(|event| (event.stamp_ns, event.key.clone())).collect()
     }
 
     /// What is missing in the file, a sentence each.
     #[getter]
     fn damage(&self) -> Vec<String> {
-        self.damage.clone()
+        self.inner.damage.iter().map(|damage| damage.text()).collect()
     }
 
     /// Samples of every stream that has any.
     fn tracks<'py>(&self, py: Python<'py>) -> PyResult<Vec<Track<'py>>> {
-        let filled = self.streams.iter().filter(|track| !track.1.is_empty());
-        let track = |(stream, stamps_ns, values): &(Stream, Vec<i64>, Vec<[f64; 3]>)| {
+        let filled = self.inner.tracks.iter().filter(|track| !track.stamps_ns.is_empty());
+        let track = |Samples { stream, stamps_ns, values }: &Samples| {
             let rows = numpy::ndarray::ArrayView2::from(values.as_slice()).to_pyarray(py);
             Ok((stream.name(), stamps_ns.to_pyarray(py), rows))
         };

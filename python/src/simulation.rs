@@ -2,15 +2,13 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::dynamics::{Moment, Slack};
-use gyradius_core::practice::{self, RigFile, RiggedSwing};
+use gyradius_core::dynamics::Moment;
+use gyradius_core::practice::{self, RigFile, Simulated, Variation};
 use gyradius_core::recording::Overwrite;
-use gyradius_core::{Error, Result};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, ToPyArray};
 use pyo3::prelude::*;
 
 use crate::errors::detached;
-use crate::import::read_input;
 
 /// What a rig file says.
 #[pyclass(frozen, module = "gyradius._core")]
@@ -22,12 +20,9 @@ pub struct Rig {
 #[pyfunction]
 #[pyo3(signature = (path, text=None))]
 pub fn read_rig(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Rig> {
-    let read = || {
-        let name = path.display().to_string();
-        match text {
-            Some(text) => practice::read_rig(&text, &name),
-            None => practice::read_rig_bytes(&read_input(&path)?.1, &name),
-        }
+    let read = || match text {
+        Some(text) => practice::read_rig(&text, &path.display().to_string()),
+        None => practice::read_rig_file(&path),
     };
     detached(py, read).map(|inner| Rig { inner })
 }
@@ -49,7 +44,7 @@ impl Rig {
 
     /// Name, value and unit of every number of a swing.
     fn numbers(&self, swing: &str, py: Python<'_>) -> PyResult<Vec<(String, f64, &'static str)>> {
-        let found = detached(py, || self.swing(swing))?;
+        let found = detached(py, || self.inner.swing(swing))?;
         let named = found.experiment.names().into_iter().zip(found.experiment.values());
         Ok(named.map(|((name, unit), value)| (name, value, unit)).collect())
     }
@@ -80,56 +75,24 @@ impl Rig {
         t_s: Option<PyReadonlyArray1<'_, f64>>,
         seed: Option<u64>,
     ) -> PyResult<Simulation> {
-        let times = t_s.map(|t| t.as_slice().map(<[f64]>::to_vec)).transpose()?;
-        detached(py, || Simulation::of(self.swing(swing)?, &values, &derivatives, times, seed))
-    }
-}
-
-impl Rig {
-    fn swing(&self, id: &str) -> Result<&RiggedSwing> {
-        let ids = || self.swing_ids().join(", ");
-        let found = self.inner.swings.iter().find(|swing| swing.id == id);
-        found.ok_or_else(|| Error::argument("swing", ids(), id))
+        let t_s = t_s.map(|t| t.as_slice().map(<[f64]>::to_vec)).transpose()?;
+        let parameters = derivatives.len();
+        let varied = Variation { values, derivatives, t_s, seed };
+        let inner = detached(py, || self.inner.swing(swing)?.simulated(&varied))?;
+        Ok(Simulation { inner, parameters })
     }
 }
 
 /// A simulated swing.
 #[pyclass(frozen, module = "gyradius._core")]
 pub struct Simulation {
-    t_s: Vec<f64>,
-    readings: Vec<[f64; 6]>,
-    moments: Vec<Moment<f64>>,
-    slack: Option<Slack>,
-    derivatives: Vec<f64>,
+    inner: Simulated,
     parameters: usize,
 }
 
 impl Simulation {
-    fn of(
-        swing: &RiggedSwing,
-        values: &[(String, f64)],
-        by: &[String],
-        times: Option<Vec<f64>>,
-        seed: Option<u64>,
-    ) -> Result<Self> {
-        let mut numbers = swing.experiment.values();
-        for (name, value) in values {
-            numbers[swing.experiment.index(name)?] = *value;
-        }
-        let experiment = swing.experiment.with_values(&numbers)?;
-        let wanted = by.iter().map(|name| experiment.index(name)).collect::<Result<Vec<_>>>()?;
-        let t_s = times.unwrap_or_else(|| swing.sampling.times_s());
-        let draws = swing.draws(seed, t_s.len())?;
-        let record = experiment.record(&t_s, &draws)?;
-        let derivatives = experiment.derivatives(&wanted, &t_s, &draws)?;
-        Ok(Self {
-            readings: record.readings.iter().map(|reading| reading.six()).collect(),
-            moments: record.moments,
-            slack: record.path.slack,
-            derivatives,
-            parameters: wanted.len(),
-            t_s: record.t_s,
-        })
+    fn flat_readings(&self) -> Vec<f64> {
+        self.inner.record.readings.iter().flat_map(|reading| reading.six()).collect()
     }
 
     fn rows<'py, const N: usize>(
@@ -137,8 +100,8 @@ impl Simulation {
         py: Python<'py>,
         row: impl Fn(&Moment<f64>) -> [f64; N],
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let flat: Vec<f64> = self.moments.iter().flat_map(row).collect();
-        flat.to_pyarray(py).reshape([self.moments.len(), N])
+        let flat: Vec<f64> = self.inner.record.moments.iter().flat_map(row).collect();
+        flat.to_pyarray(py).reshape([self.inner.record.moments.len(), N])
     }
 }
 
@@ -147,19 +110,19 @@ impl Simulation {
     /// Time stamps, s.
     #[getter]
     fn t_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.t_s.to_pyarray(py)
+        self.inner.record.t_s.to_pyarray(py)
     }
 
     /// Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: one row per stamp.
     #[getter]
     fn readings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.readings.as_flattened().to_pyarray(py).reshape([self.t_s.len(), 6])
+        self.flat_readings().to_pyarray(py).reshape([self.inner.record.t_s.len(), 6])
     }
 
     /// Derivatives of the readings: stamp, reading, number.
     #[getter]
     fn derivatives<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        self.derivatives.to_pyarray(py).reshape([self.t_s.len(), 6, self.parameters])
+        self.inner.derivatives.to_pyarray(py).reshape([self.inner.record.t_s.len(), 6, self.parameters])
     }
 
     /// Centre of mass, world axes, m.
@@ -201,6 +164,6 @@ impl Simulation {
     /// When a line first went slack, s, and which.
     #[getter]
     fn slack(&self) -> Option<(f64, usize)> {
-        self.slack.map(|slack| (slack.t_s, slack.line))
+        self.inner.record.path.slack.map(|slack| (slack.t_s, slack.line))
     }
 }

@@ -194,5 +194,4 @@ pub struct SwingTrace {
     pub extended: Vec<f64>,
 }
 
-/// How far a criticism is: a share of the work and what is being done. False asks it to stop.
-pub type Progress<'a> = dyn Fn(f64, &str) -> bool + Sync + 'a;
+pub use crate::progress::Progress;

@@ -7,9 +7,10 @@ use num_complex::Complex64;
 use crate::error::{Error, Result};
 use crate::frames::Vec3;
 use crate::modes::{Hanging, tilt_between_rad};
+use crate::progress::{Progress, UNWATCHED, tell};
 use crate::recording::{
-    Incline, InclineAngle, LoadedData, LoadedSession, ModeName, PeriodList, Quantity, Recording, Session,
-    Swing, SwingData,
+    Incline, InclineAngle, LoadedData, LoadedSession, LoadedSwing, ModeName, PeriodList, Quantity, Recording,
+    Session, Swing, SwingData,
 };
 use crate::signal::{
     FittedMode, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude, period_from_list,
@@ -51,6 +52,11 @@ const DOUBTFUL_MISFIT: f64 = 1.5;
 /// A roll gyradius of which weak priors decide less than this share is measured.
 const ROLL_WEAK_SHARE: f64 = 0.05;
 
+/// Roughly the shares of the work that are done once the swings are read, the periods solved, the samples fitted.
+const OBSERVED_SHARE: f64 = 0.4;
+const SOLVED_SHARE: f64 = 0.5;
+const FITTED_SHARE: f64 = 0.9;
+
 /// What a caller may ask beyond the measurement.
 #[derive(Debug, Clone, Default)]
 pub struct MeasureOptions {
@@ -90,14 +96,19 @@ pub(crate) struct Prepared<'a> {
 
 /// Observes every swing and lays out the session's parameters.
 pub(crate) fn prepare(loaded: &LoadedSession) -> Result<Prepared<'_>> {
+    prepare_watched(loaded, UNWATCHED)
+}
+
+fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result<Prepared<'a>> {
     let session = &loaded.session;
     let (gravity, gravity_warning) = effective_gravity(session)?;
-    let works: Vec<SwingWork> = session
-        .swings
-        .iter()
-        .zip(&loaded.data)
-        .map(|(swing, data)| work_swing(swing, &data.data, gravity.value))
-        .collect();
+    let work = |(place, (swing, data)): (usize, (&Swing, &LoadedSwing))| {
+        let share = OBSERVED_SHARE * place as f64 / session.swings.len() as f64;
+        tell(progress, share, &format!("reading {}", swing.id))?;
+        Ok(work_swing(swing, &data.data, gravity.value))
+    };
+    let works: Vec<SwingWork> =
+        session.swings.iter().zip(&loaded.data).enumerate().map(work).collect::<Result<_>>()?;
     if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
         return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
     }
@@ -112,13 +123,25 @@ pub(crate) fn prepare(loaded: &LoadedSession) -> Result<Prepared<'_>> {
 
 /// Measures a session and keeps the evidence.
 pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
+    analyse_watched(loaded, options, UNWATCHED)
+}
+
+/// The same, told of and stopped by a callback, swing by swing and step by step.
+pub fn analyse_watched(
+    loaded: &LoadedSession,
+    options: &MeasureOptions,
+    progress: &Progress,
+) -> Result<Analysis> {
     let session = &loaded.session;
-    let Prepared { mut works, inclines, mut system, warnings } = prepare(loaded)?;
+    let Prepared { mut works, inclines, mut system, warnings } = prepare_watched(loaded, progress)?;
     let mut result =
         Measurement { format: FORMAT.into(), title: title(session), warnings, ..Default::default() };
+    tell(progress, OBSERVED_SHARE, "solving the periods")?;
     let estimated = estimate(&mut system, session, &mut works, &inclines);
+    tell(progress, SOLVED_SHARE, "fitting the simulation to the samples")?;
     match by_samples(&mut system, &mut works, &inclines, estimated) {
         Ok(solution) => {
+            tell(progress, FITTED_SHARE, "weighing uncertainties")?;
             let counted = |w: &SwingWork| w.evidence.as_ref().and_then(|e| beats::counted(e, &w.result));
             let beats: Vec<_> = works.iter().map(counted).collect();
             let routes = routes(&system, &solution, &beats);

@@ -21,7 +21,7 @@ mod twin;
 pub(crate) mod words;
 
 pub(crate) use measure::solved_periods;
-pub use measure::{Analysis, MeasureOptions, analyse, measure, measure_recording};
+pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, measure_recording};
 pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };

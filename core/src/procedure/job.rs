@@ -10,10 +10,11 @@ use super::memory::{Memory, StepMemory};
 use super::state::{CritiqueView, ResultView, Work};
 use super::suggestion;
 use super::take::file_of;
-use crate::critique::{Criticism, Progress, criticise};
+use crate::critique::{Criticism, criticise};
 use crate::error::{Error, ErrorKind, Result};
-use crate::inertia::{MeasureOptions, Measurement, measure};
+use crate::inertia::{MeasureOptions, Measurement, analyse_watched};
 use crate::plan::{PlannedIncline, PlannedSwing, Step};
+use crate::progress::{Progress, tell};
 use crate::recorder::convert;
 use crate::recording::{
     Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session, save_session,
@@ -105,8 +106,9 @@ impl Job {
             session.recorded.push(convert(file, &folder, name)?);
         }
         save_session(&folder, &session, &[], Overwrite::Replace)?;
-        tell(progress, 0.5, "measuring")?;
-        let measurement = measure(&load_session(&folder)?, &MeasureOptions::default())?;
+        let measuring = |share: f64, text: &str| progress(0.5 + 0.5 * share, text);
+        let options = MeasureOptions::default();
+        let measurement = analyse_watched(&load_session(&folder)?, &options, &measuring)?.measurement;
         write_json(&self.folder.join(MEASUREMENT), &measurement)?;
         Ok(Outcome::Measured(Box::new(measurement)))
     }
@@ -162,10 +164,6 @@ fn doubtful(verdict: &crate::critique::CauseVerdict) -> usize {
         0 => 0,
         others => others + 1,
     }
-}
-
-fn tell(progress: &Progress, share: f64, text: &str) -> Result<()> {
-    if progress(share, text) { Ok(()) } else { Err(Error::Cancelled) }
 }
 
 /// Name of a recording in the session: the id where it can be one of a file.

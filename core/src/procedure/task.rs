@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::plan::Step;
-use crate::recording::{Attachment, Body, Session, Site};
+use crate::plan::{Plan, Step};
+use crate::recording::{Attachment, Body, Quantity, Session, Site};
 
 /// What is known of the hull, and what is to be done with it, in order.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -30,5 +30,20 @@ impl Task {
             attachments: self.attachments.clone(),
             ..Session::default()
         }
+    }
+}
+
+impl From<&Plan> for Task {
+    /// What follows a plan: its steps, with the mass and the gravity that it assumes.
+    fn from(plan: &Plan) -> Self {
+        let body = Body {
+            name: plan.title.clone(),
+            mass_kg: Some(Quantity::exact(plan.hull.mass_kg)),
+            length_overall_m: Some(plan.hull.length_m),
+            density_kg_m3: None,
+        };
+        let site = Site { gravity_m_s2: Some(plan.means.gravity_m_s2), ..Site::default() };
+        let (title, steps) = (plan.title.clone(), plan.steps.clone());
+        Self { title, body, site, attachments: Vec::new(), steps }
     }
 }

@@ -15,10 +15,12 @@ mod merge;
 mod payload;
 mod reader;
 mod types;
+mod whole;
 mod writer;
 
 pub use convert::convert;
 pub use damage::{Damage, DamageKind};
 pub use reader::{Piece, Reader};
 pub use types::{END, Event, Header, Samples, SensorInfo, Stream};
+pub use whole::{Whole, read_whole};
 pub use writer::{Writer, Written};

@@ -1,0 +1,68 @@
+//! A measurement with the evidence that pictures are drawn from.
+
+use std::sync::Arc;
+
+use gyradius_core::inertia::{self, Measurement};
+use gyradius_core::intake::Loaded;
+use gyradius_core::report::{self, Figure, RecordingFigureData, ReportSource};
+
+use crate::as_json;
+use crate::criticism::Criticism;
+use crate::error::Result;
+use crate::work::{Listener, announced};
+
+/// The result of a session or a bare recording.
+#[derive(Debug, uniffi::Object)]
+pub struct Analysis {
+    inner: inertia::Analysis,
+    loaded: Arc<Loaded>,
+}
+
+impl Analysis {
+    /// An analysis of the core, and what was analysed.
+    pub fn new(inner: inertia::Analysis, loaded: Arc<Loaded>) -> Arc<Self> {
+        Arc::new(Self { inner, loaded })
+    }
+
+    fn source(&self, criticism: Option<Arc<Criticism>>) -> ReportSource {
+        let criticism = criticism.map(|criticism| Ok(criticism.inner().clone()));
+        let source = ReportSource::from_analysis(&self.inner, self.loaded.session());
+        ReportSource { criticism, ..source }
+    }
+}
+
+#[uniffi::export]
+impl Analysis {
+    /// The result.
+    pub fn result(&self) -> Measurement {
+        self.inner.measurement.clone()
+    }
+
+    /// The `gyradius-measurement/1` text.
+    pub fn json(&self) -> Result<String> {
+        as_json(&self.inner.measurement)
+    }
+
+    /// What was recorded, with fit, residual and spectrum, thinned for plots.
+    pub fn recordings(&self) -> Vec<RecordingFigureData> {
+        self.source(None).recordings
+    }
+
+    /// The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
+    /// as the operator writes it; the report leaves a blank where it is absent.
+    pub fn report_html_blocking(
+        &self,
+        criticism: Option<Arc<Criticism>>,
+        measured_on: Option<String>,
+        listener: Listener,
+    ) -> Result<String> {
+        announced(&listener, "writing the report", || {
+            Ok(report::html(&ReportSource { measured_on, ..self.source(criticism) }))
+        })
+    }
+
+    /// The report's pictures by themselves.
+    pub fn figures(&self, criticism: Option<Arc<Criticism>>) -> Vec<Figure> {
+        report::figures(&self.source(criticism))
+    }
+}

@@ -1,0 +1,82 @@
+//! What the simulation gets wrong, with the samples that pictures are drawn from.
+
+use std::sync::Arc;
+
+use gyradius_core::Error;
+use gyradius_core::critique::{self, Critique, SwingTrace};
+use gyradius_core::report::{Curve, thinned};
+
+use crate::as_json;
+use crate::error::Result;
+
+/// A swing's most telling channel against both simulations, thinned for plots.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct ComparedSwing {
+    /// The swing.
+    pub swing: String,
+    /// The channel, in words.
+    pub channel: String,
+    /// Unit of the readings.
+    pub unit: String,
+    /// Standard deviation of the noise.
+    pub noise: f64,
+    /// Measured, against s from the start of the analysed part.
+    pub measured: Curve,
+    /// By the base simulation.
+    pub base: Curve,
+    /// By the extended one.
+    pub extended: Curve,
+}
+
+impl From<&SwingTrace> for ComparedSwing {
+    fn from(trace: &SwingTrace) -> Self {
+        let SwingTrace { swing, channel, unit, noise, t_s, measured, base, extended } = trace;
+        let [measured, base, extended] = [measured, base, extended].map(|y| thinned(t_s, y));
+        let (swing, channel, unit) = (swing.clone(), channel.clone(), unit.clone());
+        Self { swing, channel, unit, noise: *noise, measured, base, extended }
+    }
+}
+
+/// A criticism.
+#[derive(Debug, uniffi::Object)]
+pub struct Criticism {
+    inner: critique::Criticism,
+}
+
+impl Criticism {
+    /// A criticism of the core.
+    pub fn new(inner: critique::Criticism) -> Arc<Self> {
+        Arc::new(Self { inner })
+    }
+
+    /// The core's own.
+    pub fn inner(&self) -> &critique::Criticism {
+        &self.inner
+    }
+}
+
+#[uniffi::export]
+impl Criticism {
+    /// A criticism from its `gyradius-critique/1` text, for a report; it has no traces.
+    #[uniffi::constructor]
+    pub fn from_json(text: &str) -> Result<Arc<Self>> {
+        let critique =
+            serde_json::from_str(text).map_err(|error| Error::argument("critique", "its JSON", error))?;
+        Ok(Self::new(critique::Criticism { critique, traces: Vec::new() }))
+    }
+
+    /// The result.
+    pub fn result(&self) -> Critique {
+        self.inner.critique.clone()
+    }
+
+    /// The `gyradius-critique/1` text.
+    pub fn json(&self) -> Result<String> {
+        as_json(&self.inner.critique)
+    }
+
+    /// Each swing that was fitted against both simulations.
+    pub fn compared(&self) -> Vec<ComparedSwing> {
+        self.inner.traces.iter().map(ComparedSwing::from).collect()
+    }
+}

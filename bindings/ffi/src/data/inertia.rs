@@ -1,0 +1,258 @@
+//! Plain data of the room `inertia`: the result of a measurement.
+
+use gyradius_core::inertia::{
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
+};
+use gyradius_core::recording::{ModeName, Repair};
+
+use super::{BudgetsByName, Count, Ends, QuantitiesByName, RoutesByName};
+
+/// What a quantity's value or uncertainty is.
+#[derive(Debug, Clone, PartialEq, uniffi::Enum)]
+pub enum QuantityValue {
+    /// A number.
+    Scalar {
+        /// The number.
+        value: f64,
+    },
+    /// Three numbers, e.g. principal gyradii.
+    Vector {
+        /// The numbers.
+        values: Vec<f64>,
+    },
+    /// Three by three numbers, by rows: the inertia tensor, hull axes.
+    Matrix {
+        /// The rows.
+        rows: Vec<Vec<f64>>,
+    },
+    /// Not known.
+    Absent,
+}
+
+/// A value as the core's JSON has it.
+pub type QuantityJson = serde_json::Value;
+uniffi::custom_type!(QuantityJson, QuantityValue, {
+    remote,
+    lower: |json| QuantityValue::of(&json),
+    try_lift: |value| Ok(value.json()),
+});
+
+impl QuantityValue {
+    fn of(json: &QuantityJson) -> Self {
+        let row = |json: &QuantityJson| serde_json::from_value::<Vec<f64>>(json.clone()).ok();
+        let rows = |json: &QuantityJson| json.as_array()?.iter().map(row).collect::<Option<_>>();
+        let vector = || row(json).map(|values| Self::Vector { values });
+        let matrix = || rows(json).map(|rows| Self::Matrix { rows });
+        json.as_f64()
+            .map(|value| Self::Scalar { value })
+            .or_else(vector)
+            .or_else(matrix)
+            .unwrap_or(Self::Absent)
+    }
+
+    fn json(self) -> QuantityJson {
+        match self {
+            Self::Scalar { value } => value.into(),
+            Self::Vector { values } => values.into(),
+            Self::Matrix { rows } => rows.into(),
+            Self::Absent => QuantityJson::Null,
+        }
+    }
+}
+
+/// A correlation between two quantities.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct Correlation {
+    /// One quantity.
+    pub one: String,
+    /// The other.
+    pub other: String,
+    /// Their coefficient of correlation, −1 to 1.
+    pub r: f64,
+}
+
+/// A correlation of the core.
+pub type CorrelationTuple = (String, String, f64);
+uniffi::custom_type!(CorrelationTuple, Correlation, {
+    remote,
+    lower: |tuple| Correlation { one: tuple.0, other: tuple.1, r: tuple.2 },
+    try_lift: |of| Ok((of.one, of.other, of.r)),
+});
+
+/// The result of a session. Foundation has a `Measurement` of its own.
+pub type InertiaResult = Measurement;
+
+/// A session's or a bare recording's result.
+#[uniffi::remote(Record)]
+pub struct InertiaResult {
+    /// `gyradius-measurement/1`.
+    pub format: String,
+    /// The session's title, or the recording's name.
+    pub title: String,
+    /// Every swing, in session order.
+    pub swings: Vec<SwingResult>,
+    /// The joint estimate, by quantity.
+    pub quantities: QuantitiesByName,
+    /// Single routes to each quantity, beside the joint estimate.
+    pub alternatives: RoutesByName,
+    /// Contributions of each input to each quantity, largest first.
+    pub budget: BudgetsByName,
+    /// Correlations between the scalar quantities.
+    pub correlations: Vec<CorrelationTuple>,
+    /// Every stated dimension against what the swings imply, every route against every other.
+    pub consistency: Vec<Claim>,
+    /// Verdicts against class limits, where asked for.
+    pub verdicts: Vec<Verdict>,
+    /// What a reader must know.
+    pub warnings: Vec<String>,
+}
+
+/// One swing's modes.
+#[uniffi::remote(Record)]
+pub struct SwingResult {
+    /// The swing's id.
+    pub id: String,
+    /// Start and end of the part analysed, s.
+    pub span_s: Option<Ends>,
+    /// Modes, strongest first.
+    pub modes: Vec<ModeResult>,
+    /// Repairs of the recording.
+    pub repairs: Vec<Repair>,
+    /// What a reader must know of this swing.
+    pub warnings: Vec<String>,
+    /// Residual over noise: 1 where the fit explains everything.
+    pub rms_over_noise: Option<f64>,
+    /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
+    pub simulated: bool,
+}
+
+/// One mode of one swing.
+#[uniffi::remote(Record)]
+pub struct ModeResult {
+    /// Name by shape.
+    pub mode: ModeName,
+    /// Small-amplitude period, s.
+    pub period_s: f64,
+    /// Its standard error, s.
+    pub period_se_s: f64,
+    /// Period as observed at the record's mean amplitude, s.
+    pub period_observed_s: f64,
+    /// Decay time of the amplitude, s; absent where none was measured.
+    pub decay_time_s: Option<f64>,
+    /// Its standard error, s.
+    pub decay_time_se_s: Option<f64>,
+    /// Amplitude at the start of the span.
+    pub amplitude: Option<f64>,
+    /// `rad`, `m`, or `rad/s` where only the rate is known.
+    pub amplitude_unit: String,
+    /// Phase at the start of the span, rad: the motion is amplitude · cos(ωt + phase).
+    pub phase_rad: Option<f64>,
+    /// Energy relative to the strongest mode of the swing, dB.
+    pub relative_db: f64,
+    /// True where the operator did not mean to excite it.
+    pub parasitic: bool,
+    /// True for a weak mode of a record that the fit does not describe.
+    pub doubtful: bool,
+    /// Period and decay against amplitude, by window.
+    pub against_amplitude: Vec<AmplitudePoint>,
+}
+
+/// Period and decay at one amplitude.
+#[uniffi::remote(Record)]
+pub struct AmplitudePoint {
+    /// Middle of the window, s.
+    pub t_s: f64,
+    /// Amplitude there, unit of the mode.
+    pub amplitude: f64,
+    /// Period there, s.
+    pub period_s: f64,
+    /// Its standard error, s.
+    pub period_se_s: f64,
+    /// Relative loss of amplitude per cycle (logarithmic decrement).
+    pub decrement: f64,
+    /// Its standard error.
+    pub decrement_se: f64,
+}
+
+/// A quantity with its uncertainty.
+#[uniffi::remote(Record)]
+pub struct QuantityResult {
+    /// Value: a number, a vector or a matrix.
+    pub value: QuantityJson,
+    /// One standard uncertainty, same shape.
+    pub u: QuantityJson,
+    /// 95 % interval of a number.
+    pub interval_95: Option<Ends>,
+    /// How it was got.
+    pub method: String,
+}
+
+/// A single route to a quantity.
+#[uniffi::remote(Record)]
+pub struct Route {
+    /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum` …
+    pub method: String,
+    /// Value.
+    pub value: f64,
+    /// One standard uncertainty.
+    pub u: f64,
+    /// 95 % interval.
+    pub interval_95: Ends,
+    /// The paper's equations.
+    pub equation: String,
+    /// The swings or inclines it used.
+    pub from: Vec<String>,
+}
+
+/// One line of an uncertainty budget.
+#[uniffi::remote(Record)]
+pub struct BudgetLine {
+    /// The input.
+    pub input: String,
+    /// |sensitivity| × u(input), unit of the quantity.
+    pub u_contribution: f64,
+}
+
+/// One sitting of the consistency court.
+#[uniffi::remote(Record)]
+pub struct Claim {
+    /// What is claimed: a stated dimension, or a route such as `k_yaw_m`.
+    pub claim: String,
+    /// As stated, or by the first route.
+    pub stated: f64,
+    /// Its standard uncertainty.
+    pub stated_u: f64,
+    /// As the rest of the session implies.
+    pub implied: f64,
+    /// Its standard uncertainty.
+    pub implied_u: f64,
+    /// |difference| over its standard uncertainty.
+    pub sigma: f64,
+    /// What implies it.
+    pub from: String,
+    /// True above the threshold at which the report speaks up.
+    pub flagged: bool,
+    /// A sentence for the report.
+    pub text: String,
+    /// Routes: how many pairs of swings stand behind this one, which differs most.
+    pub pairs: Count,
+    /// Routes: the smallest and the largest difference among those pairs, standard uncertainties.
+    pub sigma_range: Option<Ends>,
+}
+
+/// A guard-banded verdict against a class limit (JCGM 106).
+#[uniffi::remote(Record)]
+pub struct Verdict {
+    /// The quantity.
+    pub quantity: String,
+    /// `>=` or `<=`.
+    pub relation: String,
+    /// The limit.
+    pub limit: f64,
+    /// Guard band, in the unit of the quantity.
+    pub guard_band: f64,
+    /// Probability that the true value conforms.
+    pub conformance_probability: f64,
+    /// `pass`, `fail` or `undecided`.
+    pub verdict: String,
+}

@@ -1,0 +1,146 @@
+//! The plain data of the core as UniFFI sees them, one file for each room.
+//!
+//! `#[uniffi::remote]` stands before a copy of a type's fields: no type is made, the core's own crosses. Where a name would
+//! clash with one of Foundation, SwiftUI or Kotlin, an alias gives it another. Tuples, arrays and sorted maps, which UniFFI
+//! does not have, cross as the records and lists of this file.
+
+pub mod critique;
+pub mod inertia;
+pub mod live;
+pub mod plan;
+pub mod procedure;
+pub mod recorder;
+pub mod recording;
+pub mod report;
+
+use std::collections::{BTreeMap, HashMap};
+
+use gyradius_core::inertia::{BudgetLine, QuantityResult, Route};
+use gyradius_core::plan::PredictedQuantity;
+use gyradius_core::recording::ModeName;
+
+/// A number of things.
+pub type Count = usize;
+uniffi::custom_type!(Count, u64, {
+    remote,
+    lower: |count| count as u64,
+    try_lift: |count| Ok(count.try_into()?),
+});
+
+/// Three components along x, y and z.
+#[derive(Debug, Clone, Copy, PartialEq, uniffi::Record)]
+pub struct Axes {
+    /// Along x.
+    pub x: f64,
+    /// Along y.
+    pub y: f64,
+    /// Along z.
+    pub z: f64,
+}
+
+/// A vector of the core.
+pub type Vector3 = [f64; 3];
+uniffi::custom_type!(Vector3, Axes, {
+    remote,
+    lower: |v| Axes { x: v[0], y: v[1], z: v[2] },
+    try_lift: |v| Ok([v.x, v.y, v.z]),
+});
+
+/// From one number to another.
+#[derive(Debug, Clone, Copy, PartialEq, uniffi::Record)]
+pub struct Interval {
+    /// Its lower end.
+    pub low: f64,
+    /// Its upper end.
+    pub high: f64,
+}
+
+/// An interval of the core.
+pub type Ends = [f64; 2];
+uniffi::custom_type!(Ends, Interval, {
+    remote,
+    lower: |ends| Interval { low: ends[0], high: ends[1] },
+    try_lift: |interval| Ok([interval.low, interval.high]),
+});
+
+/// A figure by the name of what it is of; lists of them are in the order of the names.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct NamedNumber {
+    /// Of what.
+    pub name: String,
+    /// The figure.
+    pub value: f64,
+}
+
+/// A word or sentence by name.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct NamedText {
+    /// Of what.
+    pub name: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// A quantity by name: `k_yaw_m`, `cm_depth_m`, `psi_deg` …
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct NamedQuantity {
+    /// The quantity, unit included.
+    pub name: String,
+    /// What it was found to be.
+    pub quantity: QuantityResult,
+}
+
+/// What a plan is expected to give for one quantity.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct NamedPrediction {
+    /// The quantity, unit included.
+    pub name: String,
+    /// How well it will be known.
+    pub quantity: PredictedQuantity,
+}
+
+/// The budget of one quantity.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct NamedBudget {
+    /// The quantity.
+    pub name: String,
+    /// Contributions of each input, largest first.
+    pub lines: Vec<BudgetLine>,
+}
+
+/// The single routes to one quantity.
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+pub struct NamedRoutes {
+    /// The quantity.
+    pub name: String,
+    /// The routes.
+    pub routes: Vec<Route>,
+}
+
+/// Declares that a map of the core, sorted by name, crosses as a list of records in that order.
+macro_rules! by_name {
+    ($alias:ident, $value:ty, $record:ident, $field:ident) => {
+        #[doc = concat!("`", stringify!($record), "`s as the core holds them.")]
+        pub type $alias = BTreeMap<String, $value>;
+        uniffi::custom_type!($alias, Vec<$record>, {
+            remote,
+            lower: |map| map.into_iter().map(|(name, $field)| $record { name, $field }).collect(),
+            try_lift: |list| Ok(list.into_iter().map(|one| (one.name, one.$field)).collect()),
+        });
+    };
+}
+
+by_name!(NumbersByName, f64, NamedNumber, value);
+by_name!(TextsByName, String, NamedText, text);
+by_name!(QuantitiesByName, QuantityResult, NamedQuantity, quantity);
+by_name!(PredictionsByName, PredictedQuantity, NamedPrediction, quantity);
+by_name!(BudgetsByName, Vec<BudgetLine>, NamedBudget, lines);
+by_name!(RoutesByName, Vec<Route>, NamedRoutes, routes);
+
+/// A number for each mode.
+pub type NumbersByMode = BTreeMap<ModeName, f64>;
+uniffi::custom_type!(NumbersByMode, HashMap<ModeName, f64>, {
+    remote,
+    lower: |map| map.into_iter().collect(),
+    try_lift: |map| Ok(map.into_iter().collect()),
+});

@@ -1,0 +1,5 @@
+//! UniFFI's generator for Swift, which writes headers and a module map beside the source.
+
+fn main() {
+    uniffi::uniffi_bindgen_swift();
+}
