@@ -10,7 +10,7 @@ use super::words::{Argument, Text, number, plain, words};
 use crate::frames::Vec3;
 use crate::live::Advice;
 use crate::plan::{PlannedIncline, PlannedSwing, Step};
-use crate::recording::{End, Excitation, Orientation, Quantity, SuspensionKind};
+use crate::recording::{End, Orientation, Quantity, SuspensionKind};
 
 /// No sample for so long is worth a word, s.
 const SILENT_S: f64 = 1.5;
@@ -367,15 +367,8 @@ fn ready_text(step: &StepMemory) -> Text {
     let Step::Swing(swing) = &step.planned else {
         return Text::new("ready_incline", [("wanted_s", number(INCLINE_STILL_S, 0))]);
     };
-    let name = |excited: &Excitation| match excited {
-        Excitation::Yaw => "yaw",
-        Excitation::Sway => "sway",
-        Excitation::Surge => "surge",
-        Excitation::Pitch => "pitch",
-        Excitation::Roll => "roll",
-    };
     let arguments = [
-        ("excited", words(swing.excited.iter().map(name))),
+        ("excited", words(swing.excited.iter().map(|one| one.name()))),
         ("amplitude_deg", number(swing.amplitude_deg, 0)),
         ("duration_s", number(swing.duration_s, 0)),
     ];
