@@ -68,7 +68,7 @@ class CauseResult:
 
 @dataclass(frozen=True, slots=True)
 class NextSwing:
-    """The swing that would tell the causes in doubt apart, by ``sigma`` standard deviations: hung like the swing ``like`` else."""
+    """The swing that would tell the causes in doubt apart, by ``sigma`` standard deviations, else hung as ``like``."""
 
     line_length_m: float
     spacing_m: float
