@@ -316,6 +316,24 @@ fn a_phone_that_slips_is_told_with_its_tilt() {
     assert!(!advice.iter().any(|advice| matches!(advice, Advice::Touched { .. })), "{advice:?}");
 }
 
+/// A mean over three periods of the turn holds one and a half of a sway that is twice as slow: gravity seems to come and go.
+#[test]
+fn a_sway_twice_as_slow_as_the_turn_is_no_phone_that_slips() {
+    let mut rng = fresh("slow sway");
+    let scene = plain(&mut rng);
+    let turn = Oscillation { omega_rad_s: std::f64::consts::TAU / 2.0, ..scene.turn };
+    let sway = Oscillation {
+        omega_rad_s: std::f64::consts::TAU / 4.1,
+        angle_rad: 9_f64.to_radians(),
+        phase: rng.random_range(0.0..std::f64::consts::TAU),
+        ..scene.turn
+    };
+    let scene = Scene { turn, sway: Some(sway), ..scene };
+    let live = fed(&scene, 120.0, &mut rng);
+    let advice = live.estimate().advice;
+    assert!(!advice.iter().any(|advice| matches!(advice, Advice::PhoneMoved { .. })), "{advice:?}");
+}
+
 #[test]
 fn rates_gaps_and_silence_are_told() {
     let mut live = live(1e-4);

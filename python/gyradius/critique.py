@@ -68,7 +68,7 @@ class CauseResult:
 
 @dataclass(frozen=True, slots=True)
 class NextSwing:
-    """The swing that would tell the causes in doubt apart, by ``sigma`` standard deviations."""
+    """The swing that would tell the causes in doubt apart, by ``sigma`` standard deviations, else hung as ``like``."""
 
     line_length_m: float
     spacing_m: float
@@ -78,6 +78,7 @@ class NextSwing:
     hull_pitch_deg: float
     sigma: float
     text: str
+    like: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,8 +19,16 @@ from .numbers import with_u
 from .practice import Practice
 from .progress import counted
 
-# What a key does; Enter does what the book says.
-KEYS = {"a": "accept", "r": "repeat", "s": "skip", "l": "set_reference", "x": "stop_recording", "k": "keep"}
+# What a key does; Enter does what the book says, and a digit opens the step of that number again.
+KEYS = {
+    "a": "accept",
+    "r": "repeat",
+    "s": "skip",
+    "l": "set_reference",
+    "x": "stop_recording",
+    "k": "keep",
+    "t": "retry",
+}
 NAMES = {
     "accept": "accept",
     "repeat": "repeat",
@@ -28,7 +36,10 @@ NAMES = {
     "set_reference": "level is here",
     "stop_recording": "stop recording",
     "keep": "keep what was recorded",
+    "retry": "try once more",
 }
+# Nothing goes on by itself here.
+ENDS = ("done", "failed")
 FRAME_S = 0.1
 # A careful operator looks at the simulated hull this often, s of its time.
 LOOK_S = 5.0
@@ -90,30 +101,47 @@ def _worked(console: Console, practice: Practice, state: dict[str, Any], critiqu
 
 
 def _by_hand(console: Console, practice: Practice, speed: float, critique: bool) -> None:
-    while (state := practice.state)["phase"] != "done":
-        if state["phase"] == "failed":
-            _say(console, state, state["instruction"]["english"])
-            return
-        if _worked(console, practice, state, critique):
+    ended = False
+    while not ended:
+        if _worked(console, practice, practice.state, critique):
             continue
         with _keys() as pressed, Screen(console=console, auto_refresh=False, transient=True) as screen:
-            _frames(practice, screen, pressed, speed)
+            ended = _frames(practice, screen, pressed, speed)
+    _say(console, practice.state, practice.state["instruction"]["english"])
 
 
-def _frames(practice: Practice, screen: Screen, pressed: Callable[[float], str], speed: float) -> None:
-    while (state := practice.state)["work"] is None and state["phase"] not in ("done", "failed"):
+def _frames(practice: Practice, screen: Screen, pressed: Callable[[float], str], speed: float) -> bool:
+    """Show the procedure until work is wanted; true where the operator ends it."""
+    while (state := practice.state)["work"] is None:
         screen.update(_panel(practice, state, speed), refresh=True)
         before = time.monotonic()
         key = pressed(FRAME_S)
         if key == "q":
             raise Left
-        if key in ("\r", "\n"):
-            event = practice.by_the_book()
-            if event is not None:
-                practice.handle(event.pop("event"), **event)
-        elif KEYS.get(key) in state["actions"]:
-            practice.handle(KEYS[key])
+        if key in ("\r", "\n") and state["phase"] in ENDS:
+            return True
+        _pressed(practice, state, key)
         practice.advance(speed * (time.monotonic() - before))
+    return False
+
+
+def _pressed(practice: Practice, state: dict[str, Any], key: str) -> None:
+    if key in ("\r", "\n"):
+        event = practice.by_the_book()
+        if event is not None:
+            practice.handle(event.pop("event"), **event)
+    elif KEYS.get(key) in state["actions"]:
+        practice.handle(KEYS[key])
+    elif key.isdecimal() and 1 <= int(key) <= _done(state):
+        practice.handle("reopen", step=int(key) - 1)
+
+
+def _done(state: dict[str, Any]) -> int:
+    """So many steps from the first may be opened again."""
+    if "reopen" not in state["actions"]:
+        return 0
+    step = state["step"]
+    return int(state["progress"]["steps"] if step is None else step["index"])
 
 
 def _panel(practice: Practice, state: dict[str, Any], speed: float) -> RenderableType:
@@ -121,6 +149,8 @@ def _panel(practice: Practice, state: dict[str, Any], speed: float) -> Renderabl
     title = state["phase"] if step is None else f"{state['phase']} · {step['id']} · {step['index'] + 1}/{step['count']}"
     parts: list[RenderableType] = [Text(state["instruction"]["english"], style="bold"), Text()]
     parts.extend(_figures(state))
+    if state["phase"] in ENDS:
+        parts.extend(Text(sentence) for sentence in _compared(practice))
     for text in state["warnings"]:
         parts.append(Text(text["english"], style="red"))
     # A bar ends no line of its own: in a table it does.
@@ -162,7 +192,11 @@ def _period(swing: dict[str, Any]) -> str:
 def _offers(practice: Practice, state: dict[str, Any]) -> Text:
     event = practice.by_the_book()
     offers = [f"Enter: {_named(event)}"] if event is not None else []
+    if state["phase"] in ENDS:
+        offers = ["Enter: end"]
     offers += [f"{key}: {NAMES[action]}" for key, action in KEYS.items() if action in state["actions"]]
+    if done := min(_done(state), 9):
+        offers.append(f"{'1' if done == 1 else f'1 to {done}'}: make that step again")
     return Text("   ".join([*offers, "q: leave"]), style="dim")
 
 
@@ -206,8 +240,12 @@ def _keys() -> Iterator[Callable[[float], str]]:
 
 def show_compared(console: Console, practice: Practice) -> None:
     """What was measured beside what is true."""
+    for sentence in _compared(practice):
+        console.print(Text(sentence), soft_wrap=True)
+
+
+def _compared(practice: Practice) -> Iterator[str]:
     for row in practice.compared():
         figure = with_u(row["value"], row["u"])
         off = "" if row["sigma"] is None else f" ({abs(row['sigma']):.1f} u off)"
-        sentence = f"{row['title']}: you measured {figure} {row['unit']}; the simulated hull has {row['true']:.4f}{off}"
-        console.print(Text(sentence), soft_wrap=True)
+        yield f"{row['title']}: you measured {figure} {row['unit']}; the simulated hull has {row['true']:.4f}{off}"

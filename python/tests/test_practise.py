@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import shutil
+import time
+from contextlib import nullcontext
 from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import assert_refused, run
+from rich.console import Console
 
 import gyradius
+from gyradius import practise_screen
 
 
 @pytest.fixture(scope="module")
@@ -73,6 +78,39 @@ def test_the_state_offers_what_may_be_done_and_refuses_the_rest(tmp_path: Path) 
     assert practice.state["tilt"]["against"] == "nothing"
     practice.handle("set_reference")
     assert practice.state["tilt"]["angle_deg"] < 0.1
+
+
+def test_by_hand_finished_steps_are_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first step again before the second, and the second again after the result."""
+    rig = gyradius.read_rig(gyradius.shipped_rigs()["keelboat"])
+    practice = gyradius.Practice(rig, tmp_path / "hull", seed=1)
+    console = Console(file=io.StringIO(), force_terminal=True, width=120)
+    keys = {"ready": ["1"], "done": ["2"]}
+    stood: list[tuple[str, int | None, int | None]] = []
+
+    def pressed(_seconds: float) -> str:
+        time.sleep(0.001)
+        state = practice.state
+        step = state["step"]
+        place = None if step is None else step["index"]
+        stood.append((state["phase"], place, None if step is None else step["take"]))
+        # The key is for the second step; at the first there is nothing to go back to.
+        wanted = keys.get(state["phase"], [])
+        return wanted.pop() if wanted and place in (1, None) else "\r"
+
+    monkeypatch.setattr(practise_screen, "_keys", lambda: nullcontext(pressed))
+    practise_screen.play(console, practice, speed=5000.0, auto=False, critique=False)
+    judged = [at[1:] for i, at in enumerate(stood) if at[0] == "judge" and stood[i - 1] != at]
+    assert judged == [(0, 1), (0, 2), (1, 1), (1, 2)]
+    assert stood[-1][0] == "done"
+    screen = console.file.getvalue()
+    for shown in (
+        "1: make that step again",
+        "1 to 2: make that step again",
+        "yaw gyradius: you measured",
+        "Enter: end",
+    ):
+        assert shown in screen
 
 
 def test_a_recorders_file_is_read_and_imported(practised: tuple[Path, dict[str, object], str], tmp_path: Path) -> None:

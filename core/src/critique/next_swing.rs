@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::error::Result;
 use crate::inertia::by_samples::in_parallel;
+use crate::recording::{Excitation, Orientation, Swing};
 
 use super::fitting::Places;
 use super::linear::Reader;
@@ -19,10 +20,31 @@ const SPACINGS: [f64; 3] = [0.7, 1.0, 1.4];
 const ANGLES_DEG: [f64; 2] = [5.0, 15.0];
 /// Tilts that are thought of beside the hanging of the session, degrees.
 const TILTS_DEG: [f64; 2] = [-20.0, 20.0];
-const EXCITED: [&[&str]; 4] = [&["yaw"], &["sway"], &["pitch"], &["yaw", "sway", "pitch"]];
+const EXCITED: [&[Motion]; 4] =
+    [&[Motion::Yaw], &[Motion::Along], &[Motion::Turn], &[Motion::Yaw, Motion::Along, Motion::Turn]];
 /// Durations, s; what differs in phase grows as the time to the power 3/2.
 const DURATIONS_S: [f64; 3] = [120.0, 300.0, 600.0];
 const DECISIVE: f64 = 5.0;
+
+/// A motion that a swing may be let go in.
+#[derive(Clone, Copy)]
+enum Motion {
+    Yaw,
+    /// Along the line that joins the suspension points.
+    Along,
+    /// About that line.
+    Turn,
+}
+
+impl Motion {
+    fn excitation(self, orientation: Orientation) -> Excitation {
+        match self {
+            Self::Yaw => Excitation::Yaw,
+            Self::Along => Excitation::along(orientation),
+            Self::Turn => Excitation::about(orientation),
+        }
+    }
+}
 
 /// One of two ways to explain a session: the simulation with a cause in it, fitted.
 pub struct Explained<'a> {
@@ -40,8 +62,13 @@ pub fn next_swing(one: &Explained, other: &Explained) -> Option<NextSwing> {
         swings.into_iter().flatten().max_by(|a, b| a.0.sigma.total_cmp(&b.0.sigma))
     };
     let (level, release) = best_of(level())?;
-    // A tilt is worth the trouble only where it tells more than the best level swing does.
-    let tilts = TILTS_DEG.iter().flat_map(|tilt| EXCITED.iter().map(move |excited| (*tilt, *excited)));
+    // A tilt is worth the trouble only where it tells more than the best level swing does. No points that are
+    // moved tilt a hull that hangs by one behind the other.
+    let is_athwartships = design.like().suspension.orientation == Orientation::Athwartships;
+    let tilts = TILTS_DEG
+        .iter()
+        .filter(|_| is_athwartships)
+        .flat_map(|tilt| EXCITED.iter().map(move |excited| (*tilt, *excited)));
     let tilted = best_of(tilts.map(|(tilt_deg, excited)| Release { excited, tilt_deg, ..release }).collect());
     let best = tilted.map(|(swing, _)| swing).filter(|swing| swing.sigma > level.sigma).unwrap_or(level);
     Some(in_words(longer(best), one.id, other.id))
@@ -72,7 +99,7 @@ struct Release {
     length: f64,
     spacing: f64,
     angle_deg: f64,
-    excited: &'static [&'static str],
+    excited: &'static [Motion],
     /// Added to the pitch of the session's first swing, degrees.
     tilt_deg: f64,
 }
@@ -95,7 +122,7 @@ fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {
     };
     swing.text = format!(
         "swing {}{hull} at {:.0}° on lines of {:.2} m, {:.2} m apart, for {:.0} s: {one} and {other} then differ by {:.0} standard deviations",
-        swing.excited.join(" and "),
+        swing.excited.iter().map(|one| one.name()).collect::<Vec<_>>().join(" and "),
         swing.amplitude_deg,
         swing.line_length_m,
         swing.spacing_m,
@@ -113,11 +140,16 @@ struct Design<'a> {
 }
 
 impl Design<'_> {
+    /// The swing that all those thought of hang like: the first of the session.
+    fn like(&self) -> &Swing {
+        self.one.swing(0).setup.swing
+    }
+
     /// How well a swing would tell the two apart: a swing like the first of the session with other lines and another start.
     fn swing(&self, release: &Release) -> Result<NextSwing> {
         let Release { length, spacing, angle_deg, excited, tilt_deg } = *release;
         const S: usize = 0;
-        let index = self.one.swing(S).setup.index;
+        let (like, index) = (self.like(), self.one.swing(S).setup.index);
         let changed = |point: &Point| {
             let mut there = point.clone();
             let mut scale = |i: Option<usize>, by: f64| i.into_iter().for_each(|i| there.x[i] *= by);
@@ -136,11 +168,11 @@ impl Design<'_> {
             let line_m = index.line_length.map_or(1.0, |i| there.x[i]);
             let own = &mut there.owns[S];
             own[..8].fill(0.0);
-            for name in excited {
-                match *name {
-                    "yaw" => own[3] = angle,
-                    "sway" => own[0] = angle * line_m,
-                    _ => own[2] = angle,
+            for motion in excited {
+                match motion {
+                    Motion::Yaw => own[3] = angle,
+                    Motion::Along => own[0] = angle * line_m,
+                    Motion::Turn => own[2] = angle,
                 }
             }
             there
@@ -153,9 +185,10 @@ impl Design<'_> {
         let jacobian = self.one.jacobian(&mine, S)?;
         let sigma = self.left(&jacobian, &difference, &mine);
         Ok(NextSwing {
+            like: like.id.clone(),
             line_length_m: index.line_length.map_or(f64::NAN, |i| mine.x[i]),
             spacing_m: index.spacing.map_or(f64::NAN, |i| mine.x[i]),
-            excited: excited.iter().map(|e| (*e).into()).collect(),
+            excited: excited.iter().map(|motion| motion.excitation(like.suspension.orientation)).collect(),
             amplitude_deg: angle_deg,
             duration_s: self.one.swing(S).samples.duration_s,
             hull_pitch_deg: mine.x[index.pitch_deg],
@@ -175,5 +208,19 @@ impl Design<'_> {
         let pull = jacobian.tr_mul(difference);
         let taken = matrix.cholesky().map_or(0.0, |factor| pull.dot(&factor.solve(&pull)));
         (difference.norm_squared() - taken).max(0.0).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    // Lines one behind the other: along them the hull surges, about them it rolls.
+    #[test]
+    fn an_operator_is_told_the_motion_of_the_hull() {
+        let all = [Motion::Yaw, Motion::Along, Motion::Turn];
+        let told = |orientation| all.map(|motion| motion.excitation(orientation));
+        assert_eq!(told(Orientation::Athwartships), [Excitation::Yaw, Excitation::Sway, Excitation::Pitch]);
+        assert_eq!(told(Orientation::ForeAndAft), [Excitation::Yaw, Excitation::Surge, Excitation::Roll]);
     }
 }

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::inertia::QuantityResult;
+use crate::recording::Excitation;
 
 /// The criticism of a session.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -113,12 +114,15 @@ pub struct CauseVerdict {
 /// A swing worth making.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NextSwing {
+    /// The swing of the session that it hangs like but for what is told here.
+    #[serde(default)]
+    pub like: String,
     /// Length of the lines, m.
     pub line_length_m: f64,
     /// Spacing of the lines, m.
     pub spacing_m: f64,
-    /// What to set going: `yaw`, `sway`, `pitch`.
-    pub excited: Vec<String>,
+    /// What to set going.
+    pub excited: Vec<Excitation>,
     /// Angle of the release, degrees.
     pub amplitude_deg: f64,
     /// Length of the recording, s.

@@ -34,8 +34,9 @@ use super::words::period_label;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-measurement/1";
-/// Uncertainty of a phone's tilt between two swings, degrees: an accelerometer's bias of some 0.03 m/s² that does
-/// not turn with gravity.
+/// Uncertainty of the angle between two tilts of one phone, degrees. Noise over seconds is nothing beside it, and a bias that
+/// stays cancels but for its part along gravity times the angle; what is left is a bias that has moved meanwhile, by
+/// 0.02 m/s² or so as the phone warms, and axes whose scales differ by a percent or two.
 pub(crate) const PHONE_TILT_U_DEG: f64 = 0.15;
 /// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last digit).
 const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;

@@ -14,6 +14,9 @@ const EVERY_PERIODS: f64 = 3.0;
 const TOLD_AFTER_PERIODS: f64 = 2.0;
 /// The period taken before there is one, s.
 const UNSEEN_PERIOD_S: f64 = 3.0;
+/// Of the window's periods gravity is the mean over three of the slowest motion before and as many after: slower ones than
+/// this, in main periods, do not fit.
+const SLOWEST_PERIODS: f64 = 2.5;
 /// A phone that moves disturbs the swing too: within so many periods the two are one.
 const SAME_PERIODS: f64 = 4.0;
 
@@ -27,6 +30,14 @@ pub(super) struct Limits {
     /// When the phone moved, s, and by how much, degrees.
     pub moved: Option<(f64, f64)>,
     next_look_s: f64,
+}
+
+/// Periods of a free swing, s.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Periods {
+    pub main_s: f64,
+    /// That of the slowest motion.
+    pub slowest_s: f64,
 }
 
 /// What a look has found.
@@ -56,17 +67,19 @@ impl Limits {
         window: &[ChannelGroup],
         accelerometer: Option<&ChannelGroup>,
         now_s: f64,
-        period_s: Option<f64>,
+        periods: Option<Periods>,
     ) -> Change {
-        let window_from_s = self.window_from_s(now_s, period_s);
-        let is_known = period_s.is_some();
-        let period_s = period_s.unwrap_or(UNSEEN_PERIOD_S);
+        let main_s = periods.map(|periods| periods.main_s);
+        let window_from_s = self.window_from_s(now_s, main_s);
+        let period_s = main_s.unwrap_or(UNSEEN_PERIOD_S);
         self.next_look_s = now_s + EVERY_PERIODS * period_s;
         let change = self.judge(&free_swing_span(window), window_from_s, now_s, period_s);
         // A hull that is held aside may be held at another tilt: before the free swing nothing is said of the phone.
-        let swings = is_known && change != Change::Later;
-        let gravity = accelerometer.filter(|_| swings);
-        if let Some(moved) = gravity.and_then(|group| phone::moved(group, period_s)) {
+        let swinging = accelerometer.zip(periods).filter(|_| change != Change::Later);
+        let moved = swinging.and_then(|(gravity, Periods { main_s, slowest_s })| {
+            phone::moved(gravity, slowest_s.min(SLOWEST_PERIODS * main_s))
+        });
+        if let Some(moved) = moved {
             self.moved =
                 Some(self.moved.map_or(moved, |known| if known.1 > moved.1 { known } else { moved }));
         }

@@ -111,6 +111,11 @@ impl SwingState {
         Self { time_left, ..self.clone() }
     }
 
+    /// The longest period of its motions, s.
+    pub(super) fn slowest_s(&self) -> f64 {
+        self.lines.iter().map(|line| line.period_s).fold(self.period_s, f64::max)
+    }
+
     /// What it says of the period, for comparison.
     pub(super) fn worth(&self) -> f64 {
         self.period_s / self.period_u_s

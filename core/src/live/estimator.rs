@@ -2,7 +2,7 @@
 
 use super::advice::{Advice, advise};
 use super::cells::Cells;
-use super::disturbance::{Change, Limits};
+use super::disturbance::{Change, Limits, Periods};
 use super::estimate::{Estimate, SwingState, TimeLeft};
 use super::sensor::Watch;
 use super::swing;
@@ -135,12 +135,13 @@ impl Live {
         if !self.limits.is_due(now_s) {
             return;
         }
-        let period_s = self.best_swing().map(|swing| swing.period_s);
-        let from_s = self.limits.window_from_s(now_s, period_s);
+        let periods =
+            self.best_swing().map(|swing| Periods { main_s: swing.period_s, slowest_s: swing.slowest_s() });
+        let from_s = self.limits.window_from_s(now_s, periods.map(|periods| periods.main_s));
         let accelerometer = self.accelerometer.cells.group(from_s);
         let window: Vec<ChannelGroup> =
             self.gyroscope.cells.group(from_s).into_iter().chain(accelerometer.clone()).collect();
-        match self.limits.look(&window, accelerometer.as_ref(), now_s, period_s) {
+        match self.limits.look(&window, accelerometer.as_ref(), now_s, periods) {
             Change::None => {}
             Change::Later => self.swing = None,
             Change::Disturbed => {

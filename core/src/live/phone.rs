@@ -4,12 +4,14 @@ use nalgebra::Vector3;
 
 use crate::signal::ChannelGroup;
 
-/// Periods that a direction of gravity is the mean over: a swing averages out over whole periods.
+/// Periods that a direction of gravity is the mean over: a swing averages out over whole periods, and quicker motions beside
+/// it nearly.
 const PERIODS: f64 = 3.0;
 /// A change of that direction from which on the phone has moved, degrees.
 const MOVED_DEG: f64 = 2.0;
 
 /// The largest lasting change of gravity's direction in the phone, if there is one: when, s, and by how much, degrees.
+/// `period_s` is that of the slowest motion.
 pub(super) fn moved(accelerometer: &ChannelGroup, period_s: f64) -> Option<(f64, f64)> {
     let window_s = PERIODS * period_s;
     let sums = Sums::of(accelerometer);

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::hull::Hull;
 use super::means::Means;
 use super::step::{PlannedIncline, PlannedSwing, Step};
+use crate::inertia::measure::PHONE_TILT_U_DEG;
 use crate::recording::{
     Body, End, Excitation, Incline, InclineAngle, Orientation, Quantity, Session, Site, Suspension,
     SuspensionKind, Swing, SwingData,
@@ -20,8 +21,6 @@ const TILT_S: f64 = 60.0;
 /// The weight of an incline test tilts the hull by so much, degrees, and is known to this part, as its arm.
 const INCLINE_DEG: f64 = 5.0;
 const INCLINE_WEIGHT_U: f64 = 1e-3;
-/// An angle by a phone or a good inclinometer, degrees.
-const INCLINE_U_DEG: f64 = 0.05;
 /// Dimensions are proposed in steps of this, m.
 const STEP_M: f64 = 0.01;
 
@@ -183,7 +182,7 @@ pub fn session_of(title: &str, hull: &Hull, means: &Means, steps: &[Step]) -> Se
                 mass_kg: Quantity::new(incline.mass_kg, INCLINE_WEIGHT_U * incline.mass_kg),
                 arm_m: Quantity::new(incline.arm_m, means.u_spacing_m),
                 depth_m: Quantity::new(incline.depth_m, means.u_spacing_m),
-                angle: InclineAngle::Stated(Quantity::new(incline.pitch_deg, INCLINE_U_DEG)),
+                angle: InclineAngle::Stated(Quantity::new(incline.pitch_deg, PHONE_TILT_U_DEG)),
             }),
         }
     }

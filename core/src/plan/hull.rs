@@ -183,7 +183,6 @@ impl RoughHull {
             sources.insert(name.to_owned(), source);
             Ok(value)
         };
-        let times = |q: Quantity, by: f64| Quantity::new(q.value * by, q.u * by);
         let k_yaw_m = figure("k_yaw_m", self.k_yaw_m, &|r| times(r.k_yaw_over_length, length_m))?;
         let k_pitch_m = figure("k_pitch_m", self.k_pitch_m, &|r| times(r.k_pitch_over_length, length_m))?;
         let k_roll_m = figure("k_roll_m", self.k_roll_m, &|r| times(r.k_roll_over_beam, beam_m))?;
@@ -199,6 +198,10 @@ impl RoughHull {
         Hull { mass_kg, length_m, beam_m, k_yaw_m, k_pitch_m, k_roll_m, cm_depth_m, psi_deg, sources }
             .checked()
     }
+}
+
+fn times(q: Quantity, by: f64) -> Quantity {
+    Quantity::new(q.value * by, q.u * by)
 }
 
 fn required(name: &str, value: Option<f64>) -> Result<f64> {
@@ -226,7 +229,6 @@ impl Hull {
             let reason = "neither a yaw nor a pitch gyradius was measured so far: tell the hull's dimensions";
             Error::no_result("plan", reason)
         })?;
-        let times = |q: Quantity, by: f64| Quantity::new(q.value * by, q.u * by);
         let spacing = session.swings.iter().filter_map(|s| s.suspension.spacing_m).map(|q| q.value);
         let widest_m = spacing.fold(0.0, f64::max);
         let mut sources = BTreeMap::new();

@@ -9,7 +9,7 @@
 //! | `search` | the way that reaches what is wanted with the least effort |
 //! | `optimum` | dimensions at which a gyradius depends least on what is measured |
 //! | `warnings`, `limits`, `words` | what to know before the first swing |
-//! | `tell_apart` | the swing that tells two causes apart |
+//! | `tell_apart`, `suggested` | the swing that tells two causes apart; a swing that the criticism suggests as a step |
 //! | `files` | the plan as a session to fill in, and as a rig to rehearse it with |
 
 mod design;
@@ -23,6 +23,7 @@ mod request;
 mod result;
 mod search;
 mod step;
+mod suggested;
 mod tell_apart;
 mod wanted;
 mod warnings;
@@ -36,6 +37,7 @@ pub use predict::omega_u;
 pub use request::{Request, plan, plan_on};
 pub use result::{Beat, FORMAT, HangingAdvice, Plan, PredictedQuantity, PredictedSwing};
 pub use step::{PlannedIncline, PlannedSwing, Step};
+pub use suggested::suggested;
 pub use tell_apart::plan_to_tell_apart;
 pub use wanted::Wanted;
 pub use warnings::{NEAR_IN_PHASE, Warning, WarningKind};

@@ -1,23 +1,21 @@
 //! Work that takes longer than a screen may wait: the session written and measured, its result criticised.
 
-use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::entry::Entry;
 use super::event::Measured;
 use super::memory::{Memory, StepMemory};
 use super::state::{CritiqueView, ResultView, Work};
-use super::suggestion;
 use super::take::file_of;
-use crate::critique::{Criticism, criticise};
+use crate::critique::{Criticism, Critique, criticise};
 use crate::error::{Error, ErrorKind, Result};
 use crate::inertia::{MeasureOptions, Measurement, analyse_watched};
-use crate::plan::{PlannedIncline, PlannedSwing, Step};
+use crate::plan::{PlannedIncline, PlannedSwing, Step, suggested};
 use crate::progress::{Progress, tell};
 use crate::recorder::convert;
 use crate::recording::{
-    Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session, save_session,
+    Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session, replace_file,
+    save_session,
 };
 
 /// Folder of the session inside the procedure's.
@@ -117,10 +115,15 @@ impl Job {
         let loaded = load_session(self.folder.join(SESSION))?;
         let criticism = criticise(&loaded, progress)?;
         write_json(&self.folder.join(CRITIQUE), &criticism.critique)?;
-        let next = criticism.critique.verdict.next_swing.as_ref();
-        let step = next.and_then(|next| suggestion::step(next, &self.session)).map(Box::new);
+        let step = next_step(&criticism.critique, &self.session).map(Box::new);
         Ok(Outcome::Criticised(Box::new(criticism), step))
     }
+}
+
+/// The swing that the criticism suggests, hung by the depth that it found.
+fn next_step(critique: &Critique, session: &Session) -> Option<Step> {
+    let depth = critique.extended.quantities.get("cm_depth_m").and_then(|depth| depth.value.as_f64());
+    suggested(critique.verdict.next_swing.as_ref()?, session, depth).map(Step::Swing)
 }
 
 impl Outcome {
@@ -189,14 +192,8 @@ fn incline(step: &StepMemory, planned: &PlannedIncline, angle_deg: Quantity) -> 
     Some(Incline { end: planned.end, mass_kg: mass_kg?, arm_m: arm_m?, depth_m: depth_m?, angle })
 }
 
-/// Replaced by renaming: a reader sees the old file or the new one.
 fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<()> {
     let fail = |reason: String| Error::Unwritable { file: path.display().to_string(), reason };
     let text = serde_json::to_string_pretty(value).map_err(|error| fail(error.to_string()))?;
-    let partial = path.with_extension("partial");
-    let written = fs::File::create(&partial).and_then(|mut file| {
-        file.write_all(text.as_bytes())?;
-        file.sync_data()
-    });
-    written.and_then(|()| fs::rename(&partial, path)).map_err(|error| fail(error.to_string()))
+    replace_file(path, text.as_bytes()).map_err(|error| fail(error.to_string()))
 }

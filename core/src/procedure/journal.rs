@@ -6,10 +6,11 @@
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::entry::Entry;
 use crate::error::{Error, Result};
+use crate::recording::replace_file;
 
 /// Its file in the procedure's folder.
 pub(super) const JOURNAL: &str = "procedure.journal";
@@ -41,16 +42,7 @@ impl Journal {
             let reason = "a procedure has begun there already".to_owned();
             return Err(Error::Unwritable { file: name, reason });
         }
-        let partial = PathBuf::from(format!("{name}.partial"));
-        let bytes = line(0, first, &name)?;
-        let made = File::create(&partial).and_then(|mut file| {
-            file.write_all(&bytes)?;
-            file.sync_data()
-        });
-        made.map_err(|error| fail("making it", &error))?;
-        fs::rename(&partial, &path).map_err(|error| fail("making it", &error))?;
-        // The name itself is on the disk once the folder is; systems that cannot sync a folder do it by themselves.
-        let _ = File::open(folder).and_then(|folder| folder.sync_all());
+        replace_file(&path, &line(0, first, &name)?).map_err(|error| fail("making it", &error))?;
         let opened = OpenOptions::new().append(true).open(&path);
         let file = opened.map_err(|error| fail("opening it", &error))?;
         Ok(Self { file, name, lines: 1 })

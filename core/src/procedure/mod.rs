@@ -25,7 +25,6 @@ mod release;
 mod rest;
 mod show;
 mod state;
-mod suggestion;
 mod take;
 mod task;
 mod tilt;

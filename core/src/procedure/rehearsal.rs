@@ -236,7 +236,16 @@ impl Rehearsal {
         for (name, planned, stated) in lengths {
             *stated = planned.map(|p| Quantity::new(p.value + p.u * self.chance(name, p.value), p.u));
         }
+        measured.points_moved_m = planned.points_moved_m.map(|points| self.moved(planned, points.u));
         measured
+    }
+
+    /// Points are moved until the hull hangs at the planned tilt, (26): how far that is, only the tape tells.
+    fn moved(&self, planned: &Suspension, u_m: f64) -> Quantity {
+        let pitch_deg = planned.hull_pitch_deg.map_or(0.0, |pitch| pitch.value);
+        let depth_m = self.truth().get("cm_depth_m").copied().unwrap_or_default();
+        let moved_m = depth_m * pitch_deg.to_radians().tan();
+        Quantity::new(moved_m + u_m * self.chance("points_moved", moved_m), u_m)
     }
 
     /// A standard normal number for a dimension: the same wherever that dimension is hung again.

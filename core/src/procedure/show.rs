@@ -10,7 +10,7 @@ use super::words::{Argument, Text, number, plain, words};
 use crate::frames::Vec3;
 use crate::live::Advice;
 use crate::plan::{PlannedIncline, PlannedSwing, Step};
-use crate::recording::{End, Excitation, Orientation, Quantity, SuspensionKind};
+use crate::recording::{End, Orientation, Quantity, SuspensionKind};
 
 /// No sample for so long is worth a word, s.
 const SILENT_S: f64 = 1.5;
@@ -205,14 +205,22 @@ impl Procedure {
         let Some(Step::Swing(swing)) = &self.memory.suggestion else { return Text::new("suggest", []) };
         let causes =
             self.memory.critique.iter().flatten().next().map_or(2, |critique| critique.causes.max(2));
-        let arguments = [
+        let hung = &swing.suspension;
+        let (key, lengths) = match hung.kind {
+            SuspensionKind::Bifilar => {
+                ("suggest", vec![("line_length_m", hung.line_length_m), ("spacing_m", hung.spacing_m)])
+            }
+            SuspensionKind::Compound => ("suggest_compound", vec![("axis_height_m", hung.axis_height_m)]),
+        };
+        let mut arguments = vec![
             ("count", number(causes as f64, 0)),
-            ("line_length_m", length(swing.suspension.line_length_m)),
-            ("spacing_m", length(swing.suspension.spacing_m)),
+            ("extras", extras(swing)),
+            ("excited", words(swing.excited.iter().map(|one| one.name()))),
             ("amplitude_deg", number(swing.amplitude_deg, 0)),
             ("duration_s", number(swing.duration_s, 0)),
         ];
-        Text::new("suggest", arguments)
+        arguments.extend(lengths.into_iter().map(|(name, value)| (name, length(value))));
+        Text::new(key, arguments)
     }
 }
 
@@ -349,10 +357,12 @@ fn hang_incline_text(step: &StepMemory, incline: &PlannedIncline) -> Text {
 fn extras(swing: &PlannedSwing) -> Argument {
     let mut extras = Vec::new();
     if let Some(pitch) = swing.suspension.hull_pitch_deg.filter(|pitch| pitch.value != 0.0) {
-        extras.push(Text::new("extra_pitch", [("pitch_deg", number(pitch.value, 1))]));
+        let key = if pitch.value > 0.0 { "extra_bow_up" } else { "extra_bow_down" };
+        extras.push(Text::new(key, [("pitch_deg", number(pitch.value.abs(), 1))]));
     }
     if let Some(points) = swing.suspension.points_moved_m.filter(|points| points.value != 0.0) {
-        extras.push(Text::new("extra_points", [("points_m", number(points.value, 3))]));
+        let key = if points.value > 0.0 { "extra_points_forward" } else { "extra_points_aft" };
+        extras.push(Text::new(key, [("points_m", number(points.value.abs(), 3))]));
     }
     if !swing.added_masses.is_empty() {
         extras.push(Text::new("extra_masses", [("count", number(swing.added_masses.len() as f64, 0))]));
@@ -367,15 +377,8 @@ fn ready_text(step: &StepMemory) -> Text {
     let Step::Swing(swing) = &step.planned else {
         return Text::new("ready_incline", [("wanted_s", number(INCLINE_STILL_S, 0))]);
     };
-    let name = |excited: &Excitation| match excited {
-        Excitation::Yaw => "yaw",
-        Excitation::Sway => "sway",
-        Excitation::Surge => "surge",
-        Excitation::Pitch => "pitch",
-        Excitation::Roll => "roll",
-    };
     let arguments = [
-        ("excited", words(swing.excited.iter().map(name))),
+        ("excited", words(swing.excited.iter().map(|one| one.name()))),
         ("amplitude_deg", number(swing.amplitude_deg, 0)),
         ("duration_s", number(swing.duration_s, 0)),
     ];

@@ -35,13 +35,30 @@ pub(super) struct Before {
     pub rest: Option<Rest>,
 }
 
+/// First and newest stamp of a recording, ns.
+#[derive(Debug, Clone, Copy, Default)]
+struct Span(Option<(i64, i64)>);
+
+impl Span {
+    fn take(&mut self, stamps_ns: &[i64]) {
+        for &stamp in stamps_ns {
+            let (first, newest) = self.0.unwrap_or((stamp, stamp));
+            self.0 = Some((first, newest.max(stamp)));
+        }
+    }
+
+    fn length_s(self) -> f64 {
+        self.0.map_or(0.0, |(first, newest)| newest.saturating_sub(first) as f64 / 1e9)
+    }
+}
+
 /// What a recording shows, whether it is being made or read again.
 pub(super) struct Follow {
     pub live: Live,
     pub release: Release,
     pub still: RestReader,
     planned: Step,
-    span_ns: Option<(i64, i64)>,
+    span: Span,
     slip_seen: bool,
     stopped: Vec<Sensor>,
     resumed: bool,
@@ -63,7 +80,7 @@ impl Follow {
             release: Release::new(follows, before.rest.as_ref()),
             still: RestReader::new(INCLINE_STILL_S),
             planned: planned.clone(),
-            span_ns: None,
+            span: Span::default(),
             slip_seen: false,
             stopped: Vec::new(),
             resumed: false,
@@ -98,10 +115,7 @@ impl Follow {
             Channel::Accelerometer => Sensor::Accelerometer,
             Channel::GyroscopeBias => return Ok(()),
         };
-        for &stamp in stamps_ns {
-            let (first, last) = self.span_ns.unwrap_or((stamp, stamp));
-            self.span_ns = Some((first, last.max(stamp)));
-        }
+        self.span.take(stamps_ns);
         match self.planned {
             Step::Swing(_) => {
                 self.live.push(sensor, stamps_ns, values)?;
@@ -125,16 +139,16 @@ impl Follow {
     }
 
     pub fn recorded_s(&self) -> f64 {
-        self.span_ns.map_or(0.0, |(first, last)| last.saturating_sub(first) as f64 / 1e9)
+        self.span.length_s()
     }
 
     pub fn last_ns(&self) -> i64 {
-        self.span_ns.map_or(0, |span| span.1)
+        self.span.0.map_or(0, |(_, newest)| newest)
     }
 
     /// Start of the free swing, ns: as the live estimator has it, or where motion began.
     pub fn free_from_ns(&self) -> Option<i64> {
-        let first = self.span_ns?.0;
+        let first = self.span.0?.0;
         let estimated =
             self.live.estimate().swing.map(|swing| first.saturating_add((swing.from_s * 1e9) as i64));
         estimated.or(self.release.moving_ns())
@@ -252,21 +266,17 @@ pub(super) struct Extent {
 
 /// How far a file goes; nothing where it is not there or no recorder's file.
 pub(super) fn extent(file: &Path) -> Extent {
-    let mut span_ns: Option<(i64, i64)> = None;
+    let mut span = Span::default();
     let mut ended = false;
     let Ok(mut reader) = Reader::open(file) else { return Extent::default() };
     while let Ok(Some(piece)) = reader.next_piece() {
         match piece {
             Piece::Samples(samples) if samples.stream != Stream::GyroscopeBias => {
-                for stamp in samples.stamps_ns {
-                    let (first, last) = span_ns.unwrap_or((stamp, stamp));
-                    span_ns = Some((first, last.max(stamp)));
-                }
+                span.take(&samples.stamps_ns);
             }
             Piece::Event(mark) => ended = mark.key == END,
             Piece::Header(_) | Piece::Samples(_) | Piece::Resumed { .. } => {}
         }
     }
-    let recorded_s = span_ns.map_or(0.0, |(first, last)| last.saturating_sub(first) as f64 / 1e9);
-    Extent { recorded_s, ended, newest_ns: span_ns.map(|span| span.1) }
+    Extent { recorded_s: span.length_s(), ended, newest_ns: span.0.map(|(_, newest)| newest) }
 }

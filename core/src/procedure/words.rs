@@ -34,7 +34,7 @@ pub enum Argument {
 }
 
 /// Sentences by key; `{name}` stands for an argument.
-pub const ENGLISH: [(&str, &str); 73] = [
+pub const ENGLISH: [(&str, &str); 76] = [
     (
         "start",
         "Measure {title}: {steps} steps, about {minutes} minutes of recording. Tape the phone to the hull where it cannot slip, and do not move it until the end. Then begin.",
@@ -74,8 +74,13 @@ pub const ENGLISH: [(&str, &str); 73] = [
         "Step {id}: hang {mass_kg} kg from the {end}, {arm_m} m from the suspension points and {depth_m} m below them. Measure all three and type them in.",
     ),
     ("no_extras", "level, nothing added"),
-    ("extra_pitch", "the bow {pitch_deg}° up"),
-    ("extra_points", "the points moved {points_m} m forward"),
+    ("extra_bow_up", "the bow {pitch_deg}° up"),
+    ("extra_bow_down", "the bow {pitch_deg}° down"),
+    (
+        "extra_points_forward",
+        "the points moved forward until it hangs so, by some {points_m} m: measure how far",
+    ),
+    ("extra_points_aft", "the points moved aft until it hangs so, by some {points_m} m: measure how far"),
     ("extra_masses", "{count} added masses fixed on"),
     (
         "ready",
@@ -112,7 +117,11 @@ pub const ENGLISH: [(&str, &str); 73] = [
     ),
     (
         "suggest",
-        "One more swing would tell {count} causes apart that these swings cannot: lines of {line_length_m} m, {spacing_m} m apart, {amplitude_deg}°, {duration_s} s. Make it, or leave it.",
+        "One more swing would tell {count} causes apart that these swings cannot: lines of {line_length_m} m, {spacing_m} m apart, {extras}; {excited} by {amplitude_deg}° for {duration_s} s. Make it, or leave it.",
+    ),
+    (
+        "suggest_compound",
+        "One more swing would tell {count} causes apart that these swings cannot: the axis {axis_height_m} m above the points, {extras}; {excited} by {amplitude_deg}° for {duration_s} s. Make it, or leave it.",
     ),
     ("done", "Done. The session is in {session}."),
     ("reason_no_swing", "no free swing of four periods was found in it"),
@@ -182,7 +191,7 @@ pub const ENGLISH: [(&str, &str); 73] = [
 
 impl Text {
     /// The sentence of a key with what it names.
-    pub(super) fn new<const N: usize>(key: &str, arguments: [(&str, Argument); N]) -> Self {
+    pub(super) fn new<'a>(key: &str, arguments: impl IntoIterator<Item = (&'a str, Argument)>) -> Self {
         Self::of(key, arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
     }
 

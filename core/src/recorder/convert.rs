@@ -2,14 +2,14 @@
 
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::damage::Damage;
 use super::merge::{Merge, seconds};
 use super::reader::{Piece, Reader};
 use super::types::{Event, Header, Stream};
 use crate::error::{Error, Result};
-use crate::recording::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
+use crate::recording::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor, partial_of};
 
 /// Writes a recorder's file as `<name>.csv` into the folder of a session, and beside it `<name>-bias.csv` where the
 /// phone gave its estimate of the gyroscope's bias. Gives what the session says of it, repairs included.
@@ -103,7 +103,7 @@ impl Contents {
 
 /// One CSV table of some of the streams; replaced by renaming, so that nobody sees half of it.
 fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &str)]) -> Result<()> {
-    let partial = PathBuf::from(format!("{}.partial", path.display()));
+    let partial = partial_of(path);
     let fail = |error: std::io::Error| Error::Unwritable {
         file: path.display().to_string(),
         reason: format!("converting `{}`: {error}", file.display()),

@@ -10,6 +10,7 @@ use zip::write::SimpleFileOptions;
 
 use super::load::SESSION_FILE;
 use super::member_path::plain_member_path;
+use super::replace::replace_file;
 use super::session::Session;
 use super::toml_read::parse_session;
 use super::toml_write::write_session;
@@ -105,22 +106,17 @@ fn refuse_existing(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Replaces by renaming, so that a reader sees the old file or the new one, never half of one.
 fn write_file(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<()> {
     let shown = path.display().to_string();
     let fail = |e: std::io::Error| unwritable(&shown, e);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(fail)?;
     }
-    let mut options = OpenOptions::new();
     if overwrite == Overwrite::Refuse {
-        let mut file = options.write(true).create_new(true).open(path).map_err(fail)?;
+        let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(fail)?;
         return file.write_all(bytes).map_err(fail);
     }
-    let mut partial = path.as_os_str().to_owned();
-    partial.push(".partial");
-    fs::write(&partial, bytes).map_err(fail)?;
-    fs::rename(&partial, path).map_err(fail)
+    replace_file(path, bytes).map_err(fail)
 }
 
 fn unwritable(file: &str, reason: impl ToString) -> Error {

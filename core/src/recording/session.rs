@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::Quantity;
 use super::recorded::Recorded;
+use super::toml_swing::EXCITATIONS;
+use super::toml_write::name_of;
 
 /// One hull, measured in one sitting (`gyradius-session/1`).
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -128,6 +130,27 @@ impl Excitation {
     /// Whether the hull turns; else it shifts alone.
     pub fn turns(self) -> bool {
         !matches!(self, Self::Sway | Self::Surge)
+    }
+
+    /// The shift along the line that joins the suspension points.
+    pub fn along(orientation: Orientation) -> Self {
+        match orientation {
+            Orientation::Athwartships => Self::Sway,
+            Orientation::ForeAndAft => Self::Surge,
+        }
+    }
+
+    /// The turn about that line.
+    pub fn about(orientation: Orientation) -> Self {
+        match orientation {
+            Orientation::Athwartships => Self::Pitch,
+            Orientation::ForeAndAft => Self::Roll,
+        }
+    }
+
+    /// As files and texts call it.
+    pub fn name(self) -> &'static str {
+        name_of(self, EXCITATIONS)
     }
 }
 

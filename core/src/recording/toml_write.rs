@@ -230,6 +230,6 @@ fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(T) -> String)
 }
 
 /// Every variant stands in its list of names, which the round-trip test holds.
-fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
+pub(super) fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
     names.iter().find(|(_, named)| *named == value).map_or("", |(name, _)| name)
 }

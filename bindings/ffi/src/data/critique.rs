@@ -6,6 +6,7 @@ use gyradius_core::critique::{
     CauseResult, CauseVerdict, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterResult,
 };
+use gyradius_core::recording::Excitation;
 
 use super::{NumbersByName, QuantitiesByName};
 
@@ -148,12 +149,14 @@ pub struct CauseVerdict {
 /// A swing worth making.
 #[uniffi::remote(Record)]
 pub struct NextSwing {
+    /// The swing of the session that it hangs like but for what is told here.
+    pub like: String,
     /// Length of the lines, m.
     pub line_length_m: f64,
     /// Spacing of the lines, m.
     pub spacing_m: f64,
-    /// What to set going: `yaw`, `sway`, `pitch`.
-    pub excited: Vec<String>,
+    /// What to set going.
+    pub excited: Vec<Excitation>,
     /// Angle of the release, degrees.
     pub amplitude_deg: f64,
     /// Length of the recording, s.

@@ -10,7 +10,9 @@ use super::model::{Fitted, Setting};
 use super::words::{listed, modes};
 use crate::critique::result::NextSwing;
 use crate::inertia::parameters::{LEVEL_DEG, Layout, Parameter, Role, SwingIndex};
-use crate::recording::{ModeName, Orientation, Quantity, Suspension, SuspensionKind, Swing, SwingData};
+use crate::recording::{
+    Excitation, ModeName, Orientation, Quantity, Suspension, SuspensionKind, Swing, SwingData,
+};
 
 /// Lengths and spacings that are tried, in those of the session.
 const LENGTHS: [f64; 5] = [0.5, 0.7, 1.0, 1.4, 2.0];
@@ -59,7 +61,7 @@ pub fn next_swing(setting: &Setting, best: &Fitted, rivals: &[Fitted]) -> Option
         }
     }
     let (worth, plan) = found.filter(|(worth, _)| worth.told > 0)?;
-    Some(plan.described(&worth, rivals, best))
+    Some(plan.described(&setting.system.session.swings[level_swing(setting)?], &worth, rivals, best))
 }
 
 fn in_doubt(best: &Fitted, rivals: &[Fitted], id: &str) -> bool {
@@ -225,16 +227,17 @@ impl Plan {
         (layout, index)
     }
 
-    fn described(&self, worth: &Worth, rivals: &[Fitted], best: &Fitted) -> NextSwing {
-        let mut excited: Vec<String> = Vec::new();
+    fn described(&self, like: &Swing, worth: &Worth, rivals: &[Fitted], best: &Fitted) -> NextSwing {
+        let orientation = like.suspension.orientation;
+        let mut excited: Vec<Excitation> = Vec::new();
         for mode in self.modes {
-            let name = match mode {
-                ModeName::Yaw => "yaw",
-                ModeName::Sway => "sway",
-                _ => "pitch",
+            let one = match mode {
+                ModeName::Yaw => Excitation::Yaw,
+                ModeName::Sway => Excitation::along(orientation),
+                _ => Excitation::about(orientation),
             };
-            if excited.iter().all(|e| e != name) {
-                excited.push(name.into());
+            if !excited.contains(&one) {
+                excited.push(one);
             }
         }
         let own = |fitted: &Fitted| {
@@ -257,13 +260,14 @@ impl Plan {
             "A swing on lines of {:.2} m, {:.2} m apart, {} set going, would tell {} from {} ({} periods, at least {:.1} standard deviations).{left}",
             self.line_length_m.value,
             self.spacing_m.value,
-            listed(&excited, "and"),
+            listed(&excited.iter().map(|one| one.name().into()).collect::<Vec<_>>(), "and"),
             listed(&best.causes.iter().map(|c| c.id.replace('_', " ")).collect::<Vec<_>>(), "and"),
             listed(&split(true), "and"),
             modes(self.modes),
             worth.least,
         );
         NextSwing {
+            like: like.id.clone(),
             line_length_m: self.line_length_m.value,
             spacing_m: self.spacing_m.value,
             excited,

@@ -5,7 +5,7 @@ use super::super::point::Part;
 use super::super::result::NextSwing;
 use super::search::{Found, Tried};
 use super::swing::Swing;
-use crate::inertia::words::mode_text;
+use crate::recording::{Excitation, ModeName, Orientation, Quantity};
 
 /// Amplitudes that are thought of, over that of the swing that was made.
 const WIDER: [f64; 4] = [0.25, 0.5, 1.5, 2.0];
@@ -16,12 +16,13 @@ const WIDEST_RAD: f64 = 1.0;
 pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     let swing = &found.swings[0];
     let suspension = &swing.suspension;
-    let stated = |q: Option<crate::recording::Quantity>| q.map_or(0.0, |q| q.value);
+    let stated = |q: Option<Quantity>| q.map_or(0.0, |q| q.value);
     let options = WIDER.iter().filter(|w| **w * swing.scales.reach_rad < WIDEST_RAD).filter_map(|wider| {
         Some(NextSwing {
+            like: swing.id.into(),
             line_length_m: stated(suspension.line_length_m),
             spacing_m: stated(suspension.spacing_m),
-            excited: vec![mode_text(swing.mode).into()],
+            excited: vec![excitation(swing.mode, suspension.orientation)],
             amplitude_deg: (wider * swing.scales.reach_rad).to_degrees(),
             duration_s: swing.duration_s,
             hull_pitch_deg: stated(suspension.hull_pitch_deg),
@@ -32,6 +33,14 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     let best = options.max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
     let last = *found.best.causes.last()?;
     Some(in_words(longer(best), found.id(last), rival.id))
+}
+
+fn excitation(mode: ModeName, orientation: Orientation) -> Excitation {
+    match mode {
+        ModeName::Yaw => Excitation::Yaw,
+        ModeName::Sway => Excitation::along(orientation),
+        _ => Excitation::about(orientation),
+    }
 }
 
 fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {

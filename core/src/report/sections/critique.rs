@@ -244,10 +244,11 @@ fn next_swing(next: Option<&NextSwing>, out: &mut Markup) {
     }
     let row = |name: &str, value: f64, unit: &str| vec![name.into(), joined(&significant(value, 4), unit)];
     let rows = [
+        vec!["Hung like the swing".into(), next.like.clone()],
         row("Length of the lines", next.line_length_m, "m"),
         row("Spacing of the lines", next.spacing_m, "m"),
         row("Bow-up angle", next.hull_pitch_deg, "°"),
-        vec!["Set going".into(), next.excited.join(", ")],
+        vec!["Set going".into(), next.excited.iter().map(|one| one.name()).collect::<Vec<_>>().join(", ")],
         row("Angle of the release", next.amplitude_deg, "°"),
         row("Length of the recording", next.duration_s, "s"),
         vec!["The causes in doubt then differ by".into(), format!("{} σ", sigmas(next.sigma))],
