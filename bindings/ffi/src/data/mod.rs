@@ -1,4 +1,4 @@
-//! The plain data of the core as UniFFI sees them, one file for each room.
+//! The plain data of the core as UniFFI sees them, one file for each room; the procedure's are three.
 //!
 //! `#[uniffi::remote]` stands before a copy of a type's fields: no type is made, the core's own crosses. Where a name would
 //! clash with one of Foundation, SwiftUI or Kotlin, an alias gives it another. Tuples, arrays and sorted maps, which UniFFI
@@ -9,9 +9,11 @@ pub mod inertia;
 pub mod live;
 pub mod plan;
 pub mod procedure;
+pub mod readings;
 pub mod recorder;
 pub mod recording;
 pub mod report;
+pub mod sentence;
 
 use std::collections::{BTreeMap, HashMap};
 

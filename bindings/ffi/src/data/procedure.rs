@@ -1,19 +1,15 @@
 //! Plain data of the room `procedure`: what happens, and everything that a screen shows.
 
-use std::collections::{BTreeMap, HashMap};
-
 use gyradius_core::procedure::{
-    Action, Against, Argument, Batch, Channel, CritiqueView, Event, InclineReading, Judgement, Measured,
-    Moving, Phase, PhoneInfo, PhoneSensor, Placement, Progress, Recommend, RecordingView, Rest, RestView,
-    ResultView, SensorRest, State, StepView, Task, Text, Tilt, Work,
+    Action, Batch, Channel, CritiqueView, Event, Judgement, Measured, Phase, PhoneInfo, PhoneSensor,
+    Placement, Progress, RecordingView, RestView, ResultView, State, StepView, Task, Tilt, Work,
 };
 use gyradius_core::recording::{Attachment, Quantity, Sensor, Site, Suspension};
 
-use super::live::LiveEstimate;
 use super::plan::PlanStep;
 use super::recording::HullBody;
+use super::sentence::Sentence;
 use super::{Count, QuantitiesByName, Vector3};
-use gyradius_core::live::SwingState;
 
 /// What is known of the hull, and what is to be done with it.
 pub type ProcedureTask = Task;
@@ -305,148 +301,6 @@ pub struct ProcedureProgress {
     pub recording_left_s: f64,
 }
 
-/// A tilt, and what it is against.
-#[uniffi::remote(Record)]
-pub struct Tilt {
-    /// What the angles are against.
-    pub against: TiltAgainst,
-    /// Angle between gravity now and gravity there, degrees; absent where there is nothing to be against.
-    pub angle_deg: Option<f64>,
-    /// Bow up, degrees; known only where the phone lies flat with its top edge to the bow.
-    pub bow_up_deg: Option<f64>,
-    /// Starboard side down, degrees; known only where the phone lies so.
-    pub starboard_down_deg: Option<f64>,
-}
-
-/// What a tilt is against.
-pub type TiltAgainst = Against;
-
-/// What a tilt is against.
-#[uniffi::remote(Enum)]
-pub enum TiltAgainst {
-    /// The phone's own plane, which lies flat on the hull.
-    PhonePlane,
-    /// The reading at which the operator said that the hull was level.
-    Reference,
-    /// Nothing yet.
-    Nothing,
-}
-
-/// The rest while it is taken.
-#[uniffi::remote(Record)]
-pub struct RestView {
-    /// So long everything has been still, s.
-    pub still_s: f64,
-    /// So long it must be, s.
-    pub wanted_s: f64,
-    /// How the hull moved when it last did.
-    pub moving: Option<Moving>,
-    /// What was found, once it was still for long enough.
-    pub found: Option<RestReading>,
-}
-
-/// How a hull moved.
-#[uniffi::remote(Record)]
-pub struct Moving {
-    /// Largest rate against the mean over the last seconds, degrees per s.
-    pub rate_deg_s: f64,
-    /// Largest turn of gravity against the mean over the last seconds, degrees.
-    pub tilt_deg: f64,
-}
-
-/// The sensors at rest.
-pub type RestReading = Rest;
-
-/// The sensors at rest.
-#[uniffi::remote(Record)]
-pub struct RestReading {
-    /// Length of the still part, s.
-    pub still_s: f64,
-    /// Gyroscope, rad/s; its mean is the bias.
-    pub gyroscope: SensorRest,
-    /// Accelerometer, m/s².
-    pub accelerometer: Option<SensorRest>,
-    /// Size of the accelerometer's mean, m/s².
-    pub gravity_m_s2: Option<f64>,
-}
-
-/// One sensor at rest.
-#[uniffi::remote(Record)]
-pub struct SensorRest {
-    /// Samples.
-    pub samples: Count,
-    /// Real rate by its own stamps, gaps left out, Hz.
-    pub rate_hz: f64,
-    /// Intervals of more than one and a half usual ones.
-    pub gaps: Count,
-    /// Mean by axis, unit of the sensor, phone axes.
-    pub mean: Vector3,
-    /// Standard deviation of a sample by axis.
-    pub noise: Vector3,
-}
-
-/// The recording while it runs, or as far as it goes.
-#[uniffi::remote(Record)]
-pub struct RecordingView {
-    /// File inside the procedure's folder.
-    pub file: String,
-    /// So much was recorded, s.
-    pub recorded_s: f64,
-    /// So long the hull has been swinging freely, s; absent before the release.
-    pub swinging_s: Option<f64>,
-    /// The recording ends by itself after so much more, s; absent before the release.
-    pub left_s: Option<f64>,
-    /// Amplitude of the latest half swing, degrees.
-    pub amplitude_deg: Option<f64>,
-    /// Amplitude after the release, degrees.
-    pub released_deg: Option<f64>,
-    /// What the planned amplitude is, degrees.
-    pub wanted_deg: Option<f64>,
-    /// Stillness of an incline, s.
-    pub still_s: Option<f64>,
-    /// The live estimate; absent for inclines and interrupted recordings.
-    pub live: Option<LiveEstimate>,
-    /// What to know or do, most urgent first.
-    pub advice: Vec<Sentence>,
-}
-
-/// What is to be thought of a recording.
-#[uniffi::remote(Record)]
-pub struct Judgement {
-    /// What the operator is advised to do; it is theirs to decide.
-    pub recommend: Recommend,
-    /// Why it should be repeated, the gravest first; empty where it is good.
-    pub reasons: Vec<Sentence>,
-    /// What else to know.
-    pub notes: Vec<Sentence>,
-    /// So much was recorded, s.
-    pub recorded_s: f64,
-    /// The free swing that says most of the period.
-    pub swing: Option<SwingState>,
-    /// Amplitude after the release, degrees.
-    pub released_deg: Option<f64>,
-    /// The tilt of an incline.
-    pub incline: Option<InclineReading>,
-}
-
-/// Advice for the end of a recording.
-#[uniffi::remote(Enum)]
-pub enum Recommend {
-    /// It is good.
-    Accept,
-    /// It should be made again.
-    Repeat,
-}
-
-/// The tilt that a weight makes.
-#[uniffi::remote(Record)]
-pub struct InclineReading {
-    /// Angle between gravity at rest and with the weight, degrees.
-    pub angle_deg: f64,
-    /// Its standard uncertainty, degrees.
-    pub u_deg: f64,
-}
-
 /// Work that a procedure wants done.
 pub type ProcedureWork = Work;
 
@@ -481,75 +335,4 @@ pub struct CritiqueView {
     pub causes: Count,
     /// The figures by the simulation with the causes that were found in it.
     pub quantities: QuantitiesByName,
-}
-
-/// A sentence: its key, what it names, and the English of both. SwiftUI has a `Text` of its own.
-pub type Sentence = Text;
-
-/// A sentence: its key, what it names, and the English of both.
-#[uniffi::remote(Record)]
-pub struct Sentence {
-    /// Key for translation.
-    pub key: String,
-    /// What it names, by the name that stands in it.
-    pub arguments: ArgumentsByName,
-    /// The sentence in English.
-    pub english: String,
-}
-
-/// Something that a sentence names.
-#[derive(Debug, Clone, PartialEq, uniffi::Enum)]
-pub enum SentenceArgument {
-    /// A number with the decimals that it is shown with.
-    Number {
-        /// The number.
-        value: f64,
-        /// How many decimals.
-        decimals: u8,
-    },
-    /// Words with keys of their own, spaces between them, e.g. `yaw`.
-    Words {
-        /// The keys.
-        keys: String,
-    },
-    /// Text as it stands: an id, a file, a reason.
-    Plain {
-        /// The text.
-        text: String,
-    },
-    /// Sentences of their own, in a row.
-    Sentences {
-        /// The sentences.
-        sentences: Vec<Sentence>,
-    },
-}
-
-/// Arguments as the core holds them.
-pub type ArgumentsByName = BTreeMap<String, Argument>;
-uniffi::custom_type!(ArgumentsByName, HashMap<String, SentenceArgument>, {
-    remote,
-    lower: |map| map.into_iter().map(|(name, argument)| (name, argument.into())).collect(),
-    try_lift: |map| Ok(map.into_iter().map(|(name, argument)| (name, argument.into())).collect()),
-});
-
-impl From<Argument> for SentenceArgument {
-    fn from(argument: Argument) -> Self {
-        match argument {
-            Argument::Number(value, decimals) => Self::Number { value, decimals },
-            Argument::Word(keys) => Self::Words { keys },
-            Argument::Plain(text) => Self::Plain { text },
-            Argument::Texts(sentences) => Self::Sentences { sentences },
-        }
-    }
-}
-
-impl From<SentenceArgument> for Argument {
-    fn from(argument: SentenceArgument) -> Self {
-        match argument {
-            SentenceArgument::Number { value, decimals } => Self::Number(value, decimals),
-            SentenceArgument::Words { keys } => Self::Word(keys),
-            SentenceArgument::Plain { text } => Self::Plain(text),
-            SentenceArgument::Sentences { sentences } => Self::Texts(sentences),
-        }
-    }
 }

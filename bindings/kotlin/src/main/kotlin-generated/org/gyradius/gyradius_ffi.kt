@@ -1258,7 +1258,7 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_func_import_recordings() and 0xFFFF) != 29475) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_gyradius_ffi_checksum_func_live_sentence() and 0xFFFF) != 47028) {
+    if ((lib.uniffi_gyradius_ffi_checksum_func_live_sentence() and 0xFFFF) != 11108) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_func_boat_types() and 0xFFFF) != 64852) {
