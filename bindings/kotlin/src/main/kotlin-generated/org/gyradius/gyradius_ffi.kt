@@ -9619,6 +9619,11 @@ public object FfiConverterTypeNamedText: FfiConverterRustBuffer<NamedText> {
  */
 data class NextSwing (
     /**
+     * The swing of the session that it hangs like but for what is told here.
+     */
+    val `like`: kotlin.String
+    , 
+    /**
      * Length of the lines, m.
      */
     val `lineLengthM`: kotlin.Double
@@ -9629,9 +9634,9 @@ data class NextSwing (
     val `spacingM`: kotlin.Double
     , 
     /**
-     * What to set going: `yaw`, `sway`, `pitch`.
+     * What to set going.
      */
-    val `excited`: List<kotlin.String>
+    val `excited`: List<Excitation>
     , 
     /**
      * Angle of the release, degrees.
@@ -9673,9 +9678,10 @@ data class NextSwing (
 public object FfiConverterTypeNextSwing: FfiConverterRustBuffer<NextSwing> {
     override fun read(buf: ByteBuffer): NextSwing {
         return NextSwing(
+            FfiConverterString.read(buf),
             FfiConverterDouble.read(buf),
             FfiConverterDouble.read(buf),
-            FfiConverterSequenceString.read(buf),
+            FfiConverterSequenceTypeExcitation.read(buf),
             FfiConverterDouble.read(buf),
             FfiConverterDouble.read(buf),
             FfiConverterDouble.read(buf),
@@ -9685,9 +9691,10 @@ public object FfiConverterTypeNextSwing: FfiConverterRustBuffer<NextSwing> {
     }
 
     override fun allocationSize(value: NextSwing) = (
+            FfiConverterString.allocationSize(value.`like`) +
             FfiConverterDouble.allocationSize(value.`lineLengthM`) +
             FfiConverterDouble.allocationSize(value.`spacingM`) +
-            FfiConverterSequenceString.allocationSize(value.`excited`) +
+            FfiConverterSequenceTypeExcitation.allocationSize(value.`excited`) +
             FfiConverterDouble.allocationSize(value.`amplitudeDeg`) +
             FfiConverterDouble.allocationSize(value.`durationS`) +
             FfiConverterDouble.allocationSize(value.`hullPitchDeg`) +
@@ -9696,9 +9703,10 @@ public object FfiConverterTypeNextSwing: FfiConverterRustBuffer<NextSwing> {
     )
 
     override fun write(value: NextSwing, buf: ByteBuffer) {
+            FfiConverterString.write(value.`like`, buf)
             FfiConverterDouble.write(value.`lineLengthM`, buf)
             FfiConverterDouble.write(value.`spacingM`, buf)
-            FfiConverterSequenceString.write(value.`excited`, buf)
+            FfiConverterSequenceTypeExcitation.write(value.`excited`, buf)
             FfiConverterDouble.write(value.`amplitudeDeg`, buf)
             FfiConverterDouble.write(value.`durationS`, buf)
             FfiConverterDouble.write(value.`hullPitchDeg`, buf)
