@@ -75,7 +75,8 @@ impl StepMemory {
         }
     }
 
-    /// How a swing hangs, as far as it was measured and as planned otherwise.
+    /// How a swing hangs, as far as it was measured and as planned otherwise. Points count as moved only where that was measured: how
+    /// far they were planned to go follows from a depth that is itself sought.
     pub fn hanging(&self) -> Option<Suspension> {
         let Step::Swing(PlannedSwing { suspension: planned, .. }) = &self.planned else { return None };
         let measured = self.measured.unwrap_or_default();
@@ -87,7 +88,7 @@ impl StepMemory {
             spacing_m: or(measured.spacing_m, planned.spacing_m),
             top_spacing_m: or(measured.top_spacing_m, planned.top_spacing_m),
             hull_pitch_deg: or(measured.hull_pitch_deg, planned.hull_pitch_deg),
-            points_moved_m: or(measured.points_moved_m, planned.points_moved_m),
+            points_moved_m: measured.points_moved_m,
             axis_height_m: or(measured.axis_height_m, planned.axis_height_m),
         })
     }
