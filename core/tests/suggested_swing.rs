@@ -128,5 +128,6 @@ fn the_swing_that_the_criticism_suggests_is_made_and_tells_more() {
     rehearsal.procedure().work(&|_, _| true).unwrap();
     let after = verdict(&rehearsal);
     assert!(candidates(&after).contains(TRUTH), "{after:?}");
+    assert_ne!(after.status, "unexplained");
     assert!(candidates(&after).len() <= candidates(&before).len(), "{before:?} {after:?}");
 }

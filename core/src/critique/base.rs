@@ -205,10 +205,11 @@ fn mounts(begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
     for i in order {
         let b = &mut begun[i];
         let pitch = world_from_hull_pitched(x[b.setup.index.pitch_deg].to_radians());
+        let centre_m = b.setup.centre_m(x);
         let pose = |own: &Own| {
             let place = Vec3::new(own.values[13], own.values[14], own.values[15]);
             Mount {
-                place: pitch.inverse() * place,
+                place: pitch.inverse() * (place - centre_m),
                 hull_from_phone: renormalised(pitch.inverse() * own.nominal),
             }
         };

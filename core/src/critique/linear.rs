@@ -116,7 +116,7 @@ impl Model<'_> {
         self.fill_motion(point, s, &blocks, &mut out)?;
         let reader = Reader::new(self, point, s, &blocks)?;
         let here = reader.reread(point)?;
-        self.fill_clock_and_pitch(point, &reader, &mut out)?;
+        self.fill_clock_and_pose(point, &reader, &mut out)?;
         let mut column = free.len();
         for k in 0..6 {
             let step = if k < 3 { PLACE_STEP_M } else { TURN_STEP_RAD };
@@ -205,13 +205,14 @@ impl Model<'_> {
         Ok(())
     }
 
-    fn fill_clock_and_pitch(&self, point: &Point, reader: &Reader, out: &mut DMatrix<f64>) -> Result<()> {
+    /// What the phone reads of the same motion with another clock, or lying otherwise: by the clocks, the pitch and the depth.
+    fn fill_clock_and_pose(&self, point: &Point, reader: &Reader, out: &mut DMatrix<f64>) -> Result<()> {
         let swung = self.swing(reader.s);
         let (layout, index) = (self.base.layout(), swung.setup.index);
         for (column, i) in self.base.free.iter().enumerate() {
             let step = if *i == layout.clock || Some(*i) == index.clock {
                 CLOCK_STEP
-            } else if *i == index.pitch_deg {
+            } else if [index.pitch_deg, index.log_depth].contains(i) {
                 layout.parameters[*i].step
             } else {
                 continue;

@@ -21,7 +21,7 @@ pub const BIAS: usize = 13;
 /// Where a phone sits, hull axes.
 #[derive(Debug, Clone)]
 pub struct Mount {
-    /// From the mid-point of the suspension points, m.
+    /// From the hull's centre of mass, m: the suspension points move along the deck where a hull hangs tilted.
     pub place: Vec3,
     pub hull_from_phone: Rotation,
 }
@@ -224,7 +224,7 @@ impl Model<'_> {
         let own = self.own(point, s);
         let pitch = world_from_hull_pitched(point.x[swung.setup.index.pitch_deg].to_radians());
         let mount = &point.mounts[swung.mount];
-        let place = pitch * mount.place;
+        let place = swung.setup.centre_m(&point.x) + pitch * mount.place;
         let v = &point.owns[s];
         let phone = Phone {
             position_x_m: place.x,

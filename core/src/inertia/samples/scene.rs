@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use crate::dynamics::effects::EffectValues;
 use crate::dynamics::{Body, Dimensions, Hanging, Phone, Scene, Start};
 use crate::error::Result;
-use crate::frames::Rotation;
+use crate::frames::{Rotation, Vec3};
 use crate::inertia::parameters::{Layout, SwingIndex};
 use crate::inertia::theory::{axis, swing_body, swing_rig};
 use crate::recording::Swing;
@@ -79,6 +79,11 @@ impl SwingSetup<'_> {
         })
     }
 
+    /// The hull's centre of mass, hanging axes, m: straight below the mid-point of the suspension points.
+    pub fn centre_m(&self, x: &[f64]) -> Vec3 {
+        Vec3::new(0.0, 0.0, -x[self.index.log_depth].exp())
+    }
+
     /// Derivatives of the scene's shared numbers ([`LANES`], the first [`SHARED_LANES`]) by the parameters at `free`.
     pub fn shared_slopes(&self, x: &[f64], own: &Own, free: &[usize]) -> Result<DMatrix<f64>> {
         let mut slopes = DMatrix::zeros(SHARED_LANES, free.len());
@@ -138,7 +143,7 @@ impl Own {
     /// The same motion of a hull whose bow is where its stern was.
     pub fn turned_round(&self) -> Self {
         const ABOUT_FACE: [usize; 8] = [0, 1, 2, 4, 5, 6, PLACE, PLACE + 1];
-        let half_turn = Rotation::from_axis_angle(&crate::frames::Vec3::z_axis(), std::f64::consts::PI);
+        let half_turn = Rotation::from_axis_angle(&Vec3::z_axis(), std::f64::consts::PI);
         let mut turned = self.clone();
         ABOUT_FACE.iter().for_each(|i| turned.values[*i] = -turned.values[*i]);
         turned.nominal = Rotation::new_normalize((half_turn * self.nominal).into_inner());
@@ -147,7 +152,7 @@ impl Own {
 
     /// The turn taken into the nominal orientation.
     pub fn folded(mut self) -> Self {
-        let turn = crate::frames::Vec3::new(self.values[TURN], self.values[TURN + 1], self.values[TURN + 2]);
+        let turn = Vec3::new(self.values[TURN], self.values[TURN + 1], self.values[TURN + 2]);
         let turned = self.nominal * Rotation::from_scaled_axis(turn);
         self.nominal = Rotation::new_normalize(turned.into_inner());
         self.values[TURN..TURN + 3].fill(0.0);
