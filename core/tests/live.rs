@@ -206,7 +206,9 @@ fn the_live_period_agrees_with_the_final_one_and_the_forecast_is_right() {
     assert!(alarms <= 12, "{alarms} false alarms");
 }
 
-/// A simulated hull with yaw and sway, its own phone and noise: the live period against the whole record's.
+/// A simulated hull with yaw and sway, its own phone and noise: the live period against the whole record's. The moments of a record
+/// share most of their samples: a tenth of them is a few looks that know nothing of one another, and one beyond twice its uncertainty
+/// takes many with it. Beyond four times it is one look in 16 000.
 #[test]
 fn a_simulated_hull_is_followed() {
     let rig = include_str!("../../python/gyradius/rigs/keelboat.toml");
@@ -235,10 +237,10 @@ fn a_simulated_hull_is_followed() {
             if let Some(swing) = live.estimate().swing {
                 let off = swing.period_s - nearest(&found, swing.period_s);
                 moments += 1;
-                within += usize::from(off.abs() <= 2.0 * swing.period_u_s);
+                within += usize::from(off.abs() <= 4.0 * swing.period_u_s);
             }
         }
-        println!("{name}: {within} of {moments} moments within twice the uncertainty");
+        println!("{name}: {within} of {moments} moments within four times the uncertainty");
         assert!(moments > 300 && within as f64 >= 0.9 * f64::from(moments), "{name}");
     }
 }

@@ -249,7 +249,8 @@ fn what_is_predicted_is_achieved() {
         (&["k_yaw=0.1%", "k_pitch=0.5%", "k_roll=1%", "psi=1deg"], 0.25),
     ];
     for (wanted, share) in sets {
-        let count = ((hulls as f64 * share).round() as usize).max(1);
+        // Of fewer than three no median leaves one out that was measured badly.
+        let count = ((hulls as f64 * share).round() as usize).max(3);
         let found = medians(count, wanted);
         for (name, (n, ratio, rms)) in &found {
             println!(
