@@ -47,7 +47,7 @@ impl<'a> Whole<'a> {
     fn with_one_more(&self, kept: &[usize]) -> Option<Closed<'a>> {
         let with = |term: usize| [kept, &[term]].concat();
         let loss = |term: &usize| self.loss(&with(*term)).unwrap_or(f64::INFINITY);
-        let others = (0..self.values.len()).filter(|term| !kept.contains(term));
+        let others = self.left_out(kept).into_iter();
         self.reduced(with(others.min_by(|a, b| loss(a).total_cmp(&loss(b)))?))
     }
 

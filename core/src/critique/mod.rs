@@ -38,6 +38,7 @@ use std::collections::BTreeMap;
 use crate::error::Result;
 use crate::inertia::measure::{Prepared, prepare, title};
 use crate::inertia::{COVERAGE_95, MeasureOptions, QuantityResult, analyse};
+use crate::progress::tell;
 use crate::recording::{LoadedData, LoadedSession, Quantity};
 
 use base::{Base, by_periods};
@@ -46,7 +47,7 @@ use learned::learned;
 use next_swing::{Explained, next_swing};
 use point::{Model, Part};
 use quantities::quantities;
-use search::{Found, Told, Tried, search};
+use search::{Found, Tried, search};
 use traces::traces;
 
 /// Name and version of the result's format.
@@ -54,21 +55,20 @@ pub const FORMAT: &str = "gyradius-critique/1";
 
 /// Criticises a session.
 pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
-    let told = Told { progress };
-    told.at(0.0, "reading the swings")?;
+    tell(progress, 0.0, "reading the swings")?;
     let by_periods_alone = || criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
     if !loaded.data.iter().any(|data| matches!(data.data, LoadedData::Recording(_))) {
         return by_periods_alone();
     }
     let mut prepared = prepare(loaded)?;
     let x = by_periods(&mut prepared);
-    told.at(0.05, "fitting each swing")?;
+    tell(progress, 0.05, "fitting each swing")?;
     let Prepared { works, system, inclines, warnings } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
-        let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, &told)?;
+        let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, progress)?;
         return turning.map_or_else(by_periods_alone, Ok);
     };
-    told.at(0.15, "fitting all swings together")?;
+    tell(progress, 0.15, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
     let Ok(fitted) = model.fit_from_afar(&start) else {
         let mut judged = by_periods_alone()?;
@@ -77,8 +77,8 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
         judged.critique.warnings.push(text.into());
         return Ok(judged);
     };
-    let found = search(model.clone(), start, fitted, &told)?;
-    told.at(0.9, "judging by samples held out")?;
+    let found = search(model.clone(), start, fitted, progress)?;
+    tell(progress, 0.9, "judging by samples held out")?;
     conclude(loaded, &model, &found, &inclines, warnings)
 }
 

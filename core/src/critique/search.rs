@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::inertia::by_samples::in_parallel;
+use crate::progress::{Progress, tell};
 
 use super::causes::{
     GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, seconds,
@@ -11,7 +12,6 @@ use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
-use super::result::Progress;
 use super::white::Left;
 
 pub const MOST_CAUSES: usize = 3;
@@ -79,29 +79,18 @@ pub struct Found<'a> {
     begin: Point,
 }
 
-/// Work done and told of.
-pub struct Told<'a> {
-    pub progress: &'a Progress<'a>,
-}
-
-impl Told<'_> {
-    pub fn at(&self, share: f64, text: &str) -> Result<()> {
-        if (self.progress)(share, text) { Ok(()) } else { Err(Error::Cancelled) }
-    }
-}
-
 /// Searches from a fitted base and from where its fit began.
-pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) -> Result<Found<'a>> {
+pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Progress) -> Result<Found<'a>> {
     let mut found = Found::begun(base, begin, fitted)?;
     while found.model.named().count() < MOST_CAUSES {
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
-        told.at(done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
+        tell(progress, done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
         let looks = found.looks()?;
-        told.at(done + 0.08, FULL)?;
-        let mut tried = found.tried(looks, &|| told.at(done + 0.13, FULL))?;
+        tell(progress, done + 0.08, FULL)?;
+        let mut tried = found.tried(looks, &|| tell(progress, done + 0.13, FULL))?;
         if let Some(wind) = found.may_blow(&tried) {
-            told.at(done + 0.16, "looking for gusts")?;
+            tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
                 found.rounds.push(Round { tried, taken: true });
                 if found.is_unexplained() {
@@ -117,7 +106,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, told: &Told) ->
     }
     found.prune();
     found.learn();
-    told.at(0.87, "fitting once more with all derivatives")?;
+    tell(progress, 0.87, "fitting once more with all derivatives")?;
     found.polish();
     Ok(found)
 }

@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::inertia::measure::{Prepared, prepare};
 use crate::inertia::{MeasureOptions, analyse};
+use crate::progress::tell;
 use crate::recording::{LoadedData, LoadedSession};
 
 use super::base::{Base, by_periods};
@@ -10,7 +11,7 @@ use super::by_periods::tell_apart_by_periods;
 use super::next_swing::{Explained, next_swing};
 use super::point::{Model, Part};
 use super::result::{NextSwing, Progress};
-use super::search::{Found, Told, Tried};
+use super::search::{Found, Tried};
 
 /// The swing, among those thought of, in which the two causes, each fitted to the session beside nothing else, differ most:
 /// that of the criticism's verdict, for causes of one's own choice.
@@ -22,28 +23,27 @@ pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress
     if causes[0] == causes[1] {
         return Err(Error::argument("tell_apart", "two different causes", causes[0]));
     }
-    let told = Told { progress };
-    told.at(0.0, "reading the swings")?;
+    tell(progress, 0.0, "reading the swings")?;
     if !loaded.data.iter().any(|data| matches!(data.data, LoadedData::Recording(_))) {
         let found = tell_apart_by_periods(loaded, &analyse(loaded, &MeasureOptions::default())?, causes)?;
         return found.ok_or_else(|| not_told(causes));
     }
     let mut prepared = prepare(loaded)?;
     let x = by_periods(&mut prepared);
-    told.at(0.05, "fitting each swing")?;
+    tell(progress, 0.05, "fitting each swing")?;
     let Prepared { works, system, inclines, .. } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
         let reason = "no swing on two lines that a simulation can be fitted to";
         return Err(Error::no_result("telling causes apart", reason));
     };
-    told.at(0.3, "fitting all swings together")?;
+    tell(progress, 0.3, "fitting all swings together")?;
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
     let fitted = model.fit_from_afar(&start)?;
     let found = Found::begun(model, start, fitted)?;
-    told.at(0.5, "fitting the two causes")?;
+    tell(progress, 0.5, "fitting the two causes")?;
     let [one, other] = [found.by_name(causes[0])?, found.by_name(causes[1])?];
     let models = [&one, &other].map(|tried: &Tried| found.model.with(&tried.cause));
-    told.at(0.7, "looking for the swing")?;
+    tell(progress, 0.7, "looking for the swing")?;
     let next = next_swing(
         &Explained { model: &models[0], point: &one.fitted.point, id: one.cause.id },
         &Explained { model: &models[1], point: &other.fitted.point, id: other.cause.id },

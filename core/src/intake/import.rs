@@ -5,20 +5,15 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::read_input;
+use super::{options, read_input};
 use crate::error::{Error, Result};
-use crate::recorder::convert;
-use crate::recording::import::{
-    ColumnMapping, ImportOptions, ImportedData, ImportedRecording, Platform, import_files,
-};
+use crate::recorder::{SYNC, convert};
+use crate::recording::import::{ImportedData, ImportedRecording, Platform, import_files};
 use crate::recording::{
     Body, Overwrite, Quantity, SESSION_FILE, Session, Site, Suspension, SuspensionKind, Swing, SwingData,
     save_session, write_recording, write_session,
 };
 use crate::signal::gate_periods;
-
-/// How a recorder's file begins (`core/docs/recorder-file.md`).
-const RECORDED: [u8; 4] = [0x89, b'G', b'R', b'1'];
 
 /// What the caller knows of the session beside its recordings.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +51,7 @@ pub fn import_session(
     let mut ids = BTreeSet::new();
     let mut notes = Vec::new();
     if !exported.is_empty() || recorded.is_empty() {
-        let imported = import_files(&exported, &request.options()?)?;
+        let imported = import_files(&exported, &options(&request.mapping, request.platform)?)?;
         for recording in &imported.recordings {
             let id = free_id(&recording.name, &mut ids);
             let name = format!("{id}.csv");
@@ -91,9 +86,9 @@ fn split(files: &[PathBuf]) -> Result<Inputs> {
 }
 
 fn is_recorded(file: &Path) -> bool {
-    let mut start = [0; RECORDED.len()];
+    let mut start = [0; SYNC.len()];
     let read = fs::File::open(file).and_then(|mut file| file.read_exact(&mut start));
-    read.is_ok() && start == RECORDED
+    read.is_ok() && start == SYNC
 }
 
 /// Writes recorder's files as recordings of the session; refused before anything is written where a file is there.
@@ -184,11 +179,6 @@ fn columns(header: &str, left: &[f64], right: &[f64]) -> Vec<u8> {
 }
 
 impl ImportRequest {
-    fn options(&self) -> Result<ImportOptions> {
-        let mapping = (!self.mapping.is_empty()).then(|| ColumnMapping::from_entries(&self.mapping));
-        Ok(ImportOptions { mapping: mapping.transpose()?, platform: self.platform })
-    }
-
     /// Keys of a suspension that a session must have and the caller did not give.
     fn missing(&self) -> Vec<&'static str> {
         let hung = &self.suspension;

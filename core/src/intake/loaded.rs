@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::read_input;
+use super::{options, read_input};
 use crate::error::{Error, Result};
-use crate::recording::import::{ColumnMapping, ImportOptions, ImportedData, import_files};
+use crate::recording::import::{ImportedData, import_files};
 use crate::recording::{LoadedSession, Recording, SESSION_FILE, Store, load_session, load_store};
 
 /// What was loaded.
@@ -65,9 +65,7 @@ pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
 }
 
 fn bare(path: &Path, mapping: &[String]) -> Result<Loaded> {
-    let mapping = (!mapping.is_empty()).then(|| ColumnMapping::from_entries(mapping)).transpose()?;
-    let options = ImportOptions { mapping, platform: None };
-    let imported = import_files(&[read_input(path)?], &options)?;
+    let imported = import_files(&[read_input(path)?], &options(mapping, None)?)?;
     let mut data = imported.recordings.into_iter().map(|recording| recording.data);
     match (data.next(), data.next()) {
         (Some(ImportedData::Recording(recording)), None) => Ok(Loaded::Bare(Box::new(recording))),

@@ -12,6 +12,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::error::{Error, Result};
+use crate::recording::import::{ColumnMapping, ImportOptions, Platform};
 
 /// A file by the name that the user knows.
 fn read_input(path: &Path) -> Result<(String, Vec<u8>)> {
@@ -20,4 +21,10 @@ fn read_input(path: &Path) -> Result<(String, Vec<u8>)> {
         Ok(bytes) => Ok((file, bytes)),
         Err(error) => Err(Error::Unreadable { file, reason: error.to_string() }),
     }
+}
+
+/// How files are to be read, with a mapping where entries of one are given.
+fn options(mapping: &[String], platform: Option<Platform>) -> Result<ImportOptions> {
+    let mapping = (!mapping.is_empty()).then(|| ColumnMapping::from_entries(mapping)).transpose()?;
+    Ok(ImportOptions { mapping, platform })
 }

@@ -6,7 +6,7 @@
 //! covers everything before it. Both are CRC-32 (ISO-HDLC), which finds every single flipped bit.
 
 /// Begins every block; the last byte is the format's major version.
-pub(super) const SYNC: [u8; 4] = [0x89, b'G', b'R', b'1'];
+pub(crate) const SYNC: [u8; 4] = [0x89, b'G', b'R', b'1'];
 /// Bytes before the payload.
 const HEAD: usize = 17;
 /// Bytes after it.

@@ -18,6 +18,7 @@ mod types;
 mod whole;
 mod writer;
 
+pub(crate) use block::SYNC;
 pub use convert::convert;
 pub use damage::{Damage, DamageKind};
 pub use reader::{Piece, Reader};

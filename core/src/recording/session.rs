@@ -148,6 +148,15 @@ impl Excitation {
         }
     }
 
+    /// What sets a mode going.
+    pub fn of(mode: ModeName, orientation: Orientation) -> Self {
+        match mode {
+            ModeName::Yaw => Self::Yaw,
+            ModeName::Sway => Self::along(orientation),
+            _ => Self::about(orientation),
+        }
+    }
+
     /// As files and texts call it.
     pub fn name(self) -> &'static str {
         name_of(self, EXCITATIONS)

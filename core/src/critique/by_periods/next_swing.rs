@@ -231,11 +231,7 @@ impl Plan {
         let orientation = like.suspension.orientation;
         let mut excited: Vec<Excitation> = Vec::new();
         for mode in self.modes {
-            let one = match mode {
-                ModeName::Yaw => Excitation::Yaw,
-                ModeName::Sway => Excitation::along(orientation),
-                _ => Excitation::about(orientation),
-            };
+            let one = Excitation::of(*mode, orientation);
             if !excited.contains(&one) {
                 excited.push(one);
             }

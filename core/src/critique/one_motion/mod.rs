@@ -22,12 +22,12 @@ use super::FORMAT;
 use super::gain;
 use super::point::first_settled;
 use super::result::{CauseVerdict, Criticism, Critique, ModelResult, SwingTrace};
-use super::search::Told;
 use crate::error::Result;
 use crate::inertia::estimate::{Observed, System};
 use crate::inertia::measure::{SwingWork, title};
 use crate::inertia::outputs::write_quantities;
 use crate::inertia::{COVERAGE_95, Measurement, QuantityResult};
+use crate::progress::{Progress, tell};
 use crate::recording::{LoadedSession, Quantity};
 use findings::findings;
 use next_swing::next_swing;
@@ -41,7 +41,7 @@ pub fn criticise(
     system: &System,
     (works, x): (&[SwingWork], &[f64]),
     warnings: Vec<String>,
-    told: &Told,
+    progress: &Progress,
 ) -> Result<Option<Criticism>> {
     let swings: Vec<Swing> = (works.iter().enumerate())
         .filter_map(|(number, work)| Swing::of(system, x, work, number))
@@ -50,9 +50,9 @@ pub fn criticise(
     if swings.is_empty() {
         return Ok(None);
     }
-    told.at(0.15, "fitting each swing")?;
-    let Some(found) = search(&swings, told)? else { return Ok(None) };
-    told.at(0.9, "judging by samples held out")?;
+    tell(progress, 0.15, "fitting each swing")?;
+    let Some(found) = search(&swings, progress)? else { return Ok(None) };
+    tell(progress, 0.9, "judging by samples held out")?;
     Ok(conclude(loaded, (system, x), &found, warnings))
 }
 

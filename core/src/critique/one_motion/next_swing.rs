@@ -5,7 +5,7 @@ use super::super::point::Part;
 use super::super::result::NextSwing;
 use super::search::{Found, Tried};
 use super::swing::Swing;
-use crate::recording::{Excitation, ModeName, Orientation, Quantity};
+use crate::recording::{Excitation, Quantity};
 
 /// Amplitudes that are thought of, over that of the swing that was made.
 const WIDER: [f64; 4] = [0.25, 0.5, 1.5, 2.0];
@@ -22,7 +22,7 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
             like: swing.id.into(),
             line_length_m: stated(suspension.line_length_m),
             spacing_m: stated(suspension.spacing_m),
-            excited: vec![excitation(swing.mode, suspension.orientation)],
+            excited: vec![Excitation::of(swing.mode, suspension.orientation)],
             amplitude_deg: (wider * swing.scales.reach_rad).to_degrees(),
             duration_s: swing.duration_s,
             hull_pitch_deg: stated(suspension.hull_pitch_deg),
@@ -33,14 +33,6 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     let best = options.max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
     let last = *found.best.causes.last()?;
     Some(in_words(longer(best), found.id(last), rival.id))
-}
-
-fn excitation(mode: ModeName, orientation: Orientation) -> Excitation {
-    match mode {
-        ModeName::Yaw => Excitation::Yaw,
-        ModeName::Sway => Excitation::along(orientation),
-        _ => Excitation::about(orientation),
-    }
 }
 
 fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {

@@ -4,13 +4,14 @@
 use super::super::causes::UNKNOWN;
 use super::super::evidence::{LEAST_GAIN, is_missed, pays};
 use super::super::point::{Part, SETTLING_S};
-use super::super::search::{MOST_CAUSES, Told, UNNAMED_FROM, UNNAMED_LEAVES};
+use super::super::search::{MOST_CAUSES, UNNAMED_FROM, UNNAMED_LEAVES};
 use super::super::white::{Left, in_record};
 use super::causes::{Cause, Kind, catalogue};
 use super::fitting::{Fitted, fit, fit_from_afar};
 use super::swing::Swing;
 use crate::error::Result;
 use crate::inertia::by_samples::in_parallel;
+use crate::progress::{Progress, tell};
 
 /// Causes by their places in the catalogue, fitted to every swing.
 #[derive(Clone)]
@@ -77,13 +78,13 @@ fn over_noise(swing: &Swing, point: &[f64], causes: &[&Cause]) -> Option<Vec<f64
 }
 
 /// Searches; `None` where no simulation can be fitted to a swing.
-pub fn search<'a>(swings: &'a [Swing<'a>], told: &Told) -> Result<Option<Found<'a>>> {
+pub fn search<'a>(swings: &'a [Swing<'a>], progress: &Progress) -> Result<Option<Found<'a>>> {
     let fits = in_parallel(swings.len(), |s| fit_from_afar(&swings[s]));
     let Some(base) = extended(swings, vec![], fits) else { return Ok(None) };
     let mut found = Found { swings, best: base.clone(), base, before: None, rounds: vec![] };
     while found.best.causes.len() < MOST_CAUSES {
         let n = found.rounds.len();
-        told.at(0.3 + 0.2 * n as f64, "fitting every cause in full")?;
+        tell(progress, 0.3 + 0.2 * n as f64, "fitting every cause in full")?;
         let tried = found.tried();
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         found.rounds.push(Round { tried, taken: taken.is_some() });
