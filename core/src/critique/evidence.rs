@@ -6,6 +6,9 @@ use super::white::Left;
 
 /// Evidence of e⁷ = 1100 to 1 for a cause: a complete session, looked at for thirty, is then wronged less than once in fifty.
 pub const LEAST_GAIN: f64 = 7.0;
+/// Before the data a session is as likely as not to have something that the simulation lacks, and that may be any of some thirty causes:
+/// odds of e⁻⁴ for each. What is not certain enough to be named is allowed for with these.
+pub const ODDS_BEFORE: f64 = 4.0;
 /// Where nothing is left to see, a further cause must gain more than this, and more than this share of the first's gain:
 /// laws that differ a little from nature's leave something for others to pick up.
 pub const FURTHER_GAIN: f64 = 14.0;
@@ -14,7 +17,7 @@ const FURTHER_SHARE: f64 = 3e-3;
 const FURTHER_TAKES: f64 = 0.7;
 
 /// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.
-pub fn asked(first_gain: Option<f64>) -> f64 {
+fn asked(first_gain: Option<f64>) -> f64 {
     first_gain.map_or(LEAST_GAIN, |first| FURTHER_GAIN.max(FURTHER_SHARE * first))
 }
 

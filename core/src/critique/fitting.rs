@@ -3,7 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::error::{Error, Result};
-use crate::frames::{Rotation, Vec3};
+use crate::frames::Vec3;
 use crate::inertia::by_samples::in_parallel;
 use crate::inertia::samples::Own;
 
@@ -11,7 +11,7 @@ use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
 /// Of a stiff motion, whose simulation takes long.
-const MOST_STIFF_STEPS: usize = 8;
+const MOST_STIFF_STEPS: usize = 20;
 const MOST_DAMPING: f64 = 1e8;
 /// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones, as does
 /// one that had to be shortened.
@@ -160,6 +160,7 @@ impl Model<'_> {
         let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
         let mut damping = 1e-4;
         let mut of_no_use = 0;
+        let exact = !self.causes.iter().any(|c| c.apart);
         for n in 0..self.most_steps() {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
@@ -171,27 +172,53 @@ impl Model<'_> {
                 continue;
             };
             let gained = misfit.cost - step.misfit.cost;
-            (point, misfit) = (step.point, step.misfit);
+            let before = std::mem::replace(&mut misfit, step.misfit);
+            point = step.point;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
             let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
             let unkept = of_no_use > 0 && step.promised < UNKEPT;
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
-            let arrived = enough || unkept || gained < 2.0 * CONVERGED;
-            if (fresh && arrived) || creeps || (n > 3 && stop(misfit.cost)) {
+            let arrived = enough || (!step.strained && (unkept || gained < 2.0 * CONVERGED));
+            if ((fresh || !exact) && arrived) || creeps || (n > 3 && stop(misfit.cost)) {
                 break;
             }
             let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));
-            fresh = enough || step.strained || !as_promised;
+            // Derivatives that leave a cause out are no better when they are taken anew.
+            fresh = step.strained || (exact && (enough || !as_promised));
             if fresh {
                 // At the edge of what can be simulated there are none: the fit ends there.
                 let Ok(renewed) = self.jacobians(&point) else { break };
                 jacobians = renewed;
+            } else if !exact {
+                self.learn_from_step(&mut jacobians, (&before, &misfit), &step.delta, &matrix);
             }
         }
         let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
         self.pin(&point, &mut matrix, &mut gradient);
         let rows = misfit.count();
         Ok(Fitted { point, cost: misfit.cost, chi2: misfit.chi2(), rows, matrix, gradient, jacobians })
+    }
+
+    /// Derivatives changed by as little as makes them true of a step that was made (C. G. Broyden, *Math. Comp.* 19 (1965) 577),
+    /// everything that is fitted counted in its own standard deviation.
+    fn learn_from_step(
+        &self,
+        jacobians: &mut [DMatrix<f64>],
+        (from, to): (&Misfit, &Misfit),
+        delta: &DVector<f64>,
+        matrix: &DMatrix<f64>,
+    ) {
+        let places = Places::of(self);
+        for (s, jacobian) in jacobians.iter_mut().enumerate() {
+            let at = places.of_swing(self, s);
+            let own = DVector::from_iterator(at.len(), at.iter().map(|place| delta[*place]));
+            let weighed = DVector::from_iterator(at.len(), at.iter().map(|p| matrix[(*p, *p)] * delta[*p]));
+            let size = weighed.dot(&own);
+            if size > 0.0 {
+                let beyond = &from.rows[s] - &to.rows[s] - &*jacobian * own;
+                jacobian.ger(1.0 / size, &beyond, &weighed, 1.0);
+            }
+        }
     }
 
     fn most_steps(&self) -> usize {
@@ -287,26 +314,27 @@ impl Model<'_> {
         damping: &mut f64,
     ) -> Option<Step> {
         let begun = *damping;
-        let at = |delta: &DVector<f64>| {
-            let there = self.bounded(self.moved(point, delta));
-            self.misfit(&there).ok().map(|misfit| (there, misfit))
+        let at = |delta: DVector<f64>| {
+            let there = self.bounded(self.moved(point, &delta));
+            self.misfit(&there).ok().map(|misfit| (there, misfit, delta))
         };
-        let is_better = |(_, there): &(Point, Misfit)| there.cost <= misfit.cost;
+        let is_better = |(_, there, _): &(Point, Misfit, DVector<f64>)| there.cost <= misfit.cost;
         while *damping < MOST_DAMPING {
             let mut damped = matrix.clone();
             (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + *damping);
             let factor = damped.cholesky()?;
             let delta = factor.solve(gradient);
             let promised = 2.0 * gradient.dot(&delta) - delta.dot(&(matrix * &delta));
-            let straight = at(&delta);
-            let corrected = straight.as_ref().filter(|there| !is_better(there)).and_then(|(_, there)| {
-                let bent = self.bend(misfit, there, jacobians, &delta);
-                at(&(&delta - factor.solve(&bent)))
-            });
-            if let Some((point, better)) = straight.into_iter().chain(corrected).find(is_better) {
+            let straight = at(delta);
+            let corrected =
+                straight.as_ref().filter(|there| !is_better(there)).and_then(|(_, there, delta)| {
+                    let bent = self.bend(misfit, there, jacobians, delta);
+                    at(delta - factor.solve(&bent))
+                });
+            if let Some((point, better, delta)) = straight.into_iter().chain(corrected).find(is_better) {
                 let strained = *damping > begun;
                 *damping = (*damping * 0.1).max(1e-9);
-                return Some(Step { point, misfit: better, promised, strained });
+                return Some(Step { point, misfit: better, delta, promised, strained });
             }
             *damping *= 10.0;
             if promised < CONVERGED {
@@ -375,10 +403,8 @@ impl Model<'_> {
         let mut take = || next.next().unwrap_or(0.0);
         self.base.free.iter().for_each(|i| there.x[*i] += take());
         for mount in &mut there.mounts {
-            mount.place += Vec3::new(take(), take(), take());
-            let turned =
-                mount.hull_from_phone * Rotation::from_scaled_axis(Vec3::new(take(), take(), take()));
-            mount.hull_from_phone = Rotation::new_normalize(turned.into_inner());
+            let mut three = || Vec3::new(take(), take(), take());
+            *mount = mount.moved(three(), three());
         }
         there.causes.iter_mut().flatten().for_each(|v| *v += take());
         there.owns.iter_mut().flatten().for_each(|v| *v += take());
@@ -389,6 +415,7 @@ impl Model<'_> {
 struct Step {
     point: Point,
     misfit: Misfit,
+    delta: DVector<f64>,
     promised: f64,
     /// Whether a longer one led nowhere.
     strained: bool,

@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 
 use crate::dynamics::{Experiment, Fineness, Path, Reading};
 use crate::error::Result;
-use crate::frames::{Rotation, Vec3};
+use crate::frames::Vec3;
 use crate::inertia::samples::{LANES, SHARED_LANES, Sensor, Stream};
 
 use super::point::{BIAS, Model, OWN, Part, Point};
@@ -309,12 +309,9 @@ fn difference(up: &[f64], down: &[f64], by: f64) -> Vec<f64> {
 
 fn moved_phone(point: &Point, mount: usize, k: usize, by: f64) -> Point {
     let mut moved = point.clone();
-    let mount = &mut moved.mounts[mount];
-    if k < 3 {
-        mount.place[k] += by;
-    } else {
-        mount.hull_from_phone *= Rotation::from_scaled_axis(Vec3::ith(k - 3, by));
-    }
+    let along =
+        |first: usize| if (first..first + 3).contains(&k) { Vec3::ith(k - first, by) } else { Vec3::zeros() };
+    moved.mounts[mount] = moved.mounts[mount].moved(along(0), along(3));
     moved
 }
 

@@ -76,7 +76,7 @@ impl Look {
         let parts = parts.into_iter().collect::<Result<Vec<_>>>()?;
         let u = DVector::from_fn(strengths.len(), |k, _| cause.expanded(swings)[strengths[k]].0.prior.1);
         let mut equations = Equations::new(standing, u);
-        parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, part));
+        parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, &part));
         let Some(solved) = equations.solved(cause.one_sided) else {
             let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
             return Ok(Self { cause: cause.clone(), gain: f64::NEG_INFINITY, chi2: 0.0, delta });
@@ -132,9 +132,9 @@ impl<'a> Equations<'a> {
     }
 
     /// Adds what a swing says.
-    pub fn add(&mut self, s: usize, part: Part) {
-        self.inner += part.inner;
-        self.score += part.score;
+    pub fn add(&mut self, s: usize, part: &Part) {
+        self.inner += &part.inner;
+        self.score += &part.score;
         let model = &self.standing.model;
         for (row, place) in Places::of(model).of_swing(model, s).into_iter().enumerate() {
             let mut sum = self.outer.row_mut(place);
@@ -204,7 +204,13 @@ impl Part {
 
 /// Of a swing, by the strengths of the last cause of a model that has one more, at a point where they are zero: what is left there
 /// is what the model without it leaves.
-fn columns(standing: &Standing, extended: &Model, at: &Point, s: usize, strengths: &[usize]) -> Result<Part> {
+pub fn columns(
+    standing: &Standing,
+    extended: &Model,
+    at: &Point,
+    s: usize,
+    strengths: &[usize],
+) -> Result<Part> {
     let blocks = extended.blocks(s);
     let last = extended.causes.len() - 1;
     let cause = &extended.causes[last];

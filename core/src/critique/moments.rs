@@ -6,13 +6,23 @@ use nalgebra::{DMatrix, DVector};
 use crate::error::Result;
 use crate::inertia::by_samples::in_parallel;
 
-use super::causes::{Scales, knock_at, slip_at};
-use super::look::{Equations, Look, Part, Solved, Standing, laid_out};
+use super::causes::{SLIP_S, Scales, knock_at, slip_at};
+use super::look::{Equations, Look, Part, Solved, Standing, columns, laid_out};
 use super::point::{Cause, OWN};
 
 /// Moments tried in each swing, first coarse, then about the best.
 const COARSE: usize = 24;
 const FINE: usize = 9;
+/// What a slip itself turns and jolts shows best when it was: so far to both sides of where the lasting change puts it, and of where
+/// most is left, it is looked for in steps of [`STEP_S`], s, with lengths like these, s.
+const REACH_S: f64 = 0.4;
+const STEP_S: f64 = 0.05;
+const LENGTHS_S: [f64; 3] = [0.05, SLIP_S, 0.5];
+/// From this gain of the logarithm of the evidence on a slip is looked at so closely.
+const WORTH_IT: f64 = 5.0;
+
+/// How far a phone slips: turn, rad, and shift, m.
+const SLIP_U: [f64; 6] = [0.02, 0.02, 0.02, 0.01, 0.01, 0.01];
 
 /// What happens.
 #[derive(Clone, Copy, PartialEq)]
@@ -55,51 +65,89 @@ impl Scan<'_> {
             })
         });
         let best = tried.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))?;
-        Some(self.look(event, best))
+        let closer = if event == Event::Slip && best.gain > WORTH_IT { self.closer(&best) } else { None };
+        Some(self.look(event, closer.unwrap_or(best)))
+    }
+
+    /// A slip with what is felt of it while it lasts, at its best moment and length.
+    fn closer(&self, roughly: &Seen) -> Option<Seen> {
+        let s = roughly.s;
+        let later: Vec<(usize, Part)> = (s + 1..self.times.len())
+            .filter(|later| self.has_phone_of(s, *later))
+            .map(|later| (later, self.part(later, &self.columns(Event::Slip, later, f64::NEG_INFINITY))))
+            .collect();
+        let steps = (REACH_S / STEP_S) as i32;
+        let near = |t_s: f64| (-steps..=steps).map(move |k| t_s + STEP_S * f64::from(k));
+        let moments: Vec<f64> =
+            near(roughly.t_s).chain(self.loudest_s(s).into_iter().flat_map(near)).collect();
+        let at = |t_s: f64, over_s: f64| self.slip(&later, (s, t_s), over_s);
+        let best = in_parallel(moments.len(), |k| at(moments[k], SLIP_S)).into_iter().flatten();
+        let best = best.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
+        let lengths = LENGTHS_S.into_iter().filter_map(|over_s| at(best.t_s, over_s));
+        lengths.max_by(|a, b| a.gain.total_cmp(&b.gain))
+    }
+
+    /// The evidence for a slip of a length, with what is known of the swings after it.
+    fn slip(&self, later: &[(usize, Part)], (s, t_s): (usize, f64), over_s: f64) -> Option<Seen> {
+        let standing = self.standing;
+        let cause = slip_at(s, t_s);
+        let mut at = standing.fitted.point.clone();
+        at.causes.push(cause.start(self.times.len()));
+        *at.causes.last_mut()?.last_mut()? = over_s.ln();
+        let extended = standing.model.with(&cause);
+        let mut equations = Equations::new(standing, DVector::from_row_slice(&SLIP_U));
+        equations.add(s, &columns(standing, &extended, &at, s, &[0, 1, 2, 3, 4, 5]).ok()?);
+        later.iter().for_each(|(later, part)| equations.add(*later, part));
+        let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
+        Some(Seen { s, t_s, over_s, gain, chi2, strength, rest })
+    }
+
+    /// When most is left of a swing, s.
+    fn loudest_s(&self, s: usize) -> Option<f64> {
+        let left = &self.standing.residuals[s];
+        let loudness = |block: &usize| left.rows(3 * block, 3).norm_squared();
+        let loudest = (0..self.times[s].len()).max_by(|a, b| loudness(a).total_cmp(&loudness(b)))?;
+        Some(self.times[s][loudest])
+    }
+
+    fn has_phone_of(&self, s: usize, other: usize) -> bool {
+        let model = &self.standing.model;
+        model.swing(other).mount == model.swing(s).mount
+    }
+
+    fn part(&self, s: usize, columns: &DMatrix<f64>) -> Part {
+        Part::of(&self.standing.fitted.jacobians[s], columns, &self.standing.residuals[s])
     }
 
     /// The evidence for an event at a moment of a swing.
     fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
-        let count = match event {
-            Event::Slip => 6,
-            Event::Knock => 8,
+        let u = match event {
+            Event::Slip => DVector::from_row_slice(&SLIP_U),
+            Event::Knock => DVector::repeat(8, 0.03),
         };
-        let u = DVector::from_fn(count, |k, _| match event {
-            Event::Slip => {
-                if k < 3 {
-                    0.01
-                } else {
-                    0.02
-                }
-            }
-            Event::Knock => 0.03,
-        });
         let mut equations = Equations::new(self.standing, u);
         let last = if event == Event::Slip { self.standing.residuals.len() } else { s + 1 };
         for swing in s..last {
             let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
-            if swing != s && self.standing.model.swing(swing).mount != self.standing.model.swing(s).mount {
-                continue;
+            if self.has_phone_of(s, swing) {
+                equations.add(swing, &self.part(swing, &self.columns(event, swing, from_s)));
             }
-            let columns = self.columns(event, swing, from_s);
-            equations.add(
-                swing,
-                Part::of(&self.standing.fitted.jacobians[swing], &columns, &self.standing.residuals[swing]),
-            );
         }
         let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
-        Some(Seen { s, t_s, gain, chi2, strength, rest })
+        Some(Seen { s, t_s, over_s: SLIP_S, gain, chi2, strength, rest })
     }
 
     /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
     fn columns(&self, event: Event, swing: usize, from_s: f64) -> DMatrix<f64> {
         let jacobian = &self.standing.fitted.jacobians[swing];
         let free = self.standing.model.base.free.len();
-        let (first, count) = match event {
-            Event::Slip => (free, 6),
-            Event::Knock => (jacobian.ncols() - OWN, 8),
+        let own = jacobian.ncols() - OWN;
+        let places: Vec<usize> = match event {
+            // Turn first, then place.
+            Event::Slip => (free + 3..free + 6).chain(free..free + 3).collect(),
+            Event::Knock => (own..own + 8).collect(),
         };
-        let mut columns = jacobian.columns(first, count).into_owned();
+        let mut columns = jacobian.select_columns(&places);
         for (block, t_s) in self.times[swing].iter().enumerate() {
             if *t_s < from_s {
                 columns.rows_mut(3 * block, 3).fill(0.0);
@@ -115,8 +163,8 @@ impl Scan<'_> {
         };
         let mut values = vec![0.0; cause.size(self.standing.residuals.len())];
         if event == Event::Slip {
-            // Place first there, turn first here.
-            (0..6).for_each(|k| values[k] = seen.strength[(k + 3) % 6]);
+            values[..6].copy_from_slice(seen.strength.as_slice());
+            values[7] = (seen.over_s / SLIP_S).ln();
         }
         let delta = laid_out(&self.standing.model, &seen.rest, &values);
         Look { cause, gain: seen.gain, chi2: seen.chi2, delta }
@@ -126,6 +174,8 @@ impl Scan<'_> {
 struct Seen {
     s: usize,
     t_s: f64,
+    /// Length of a slip, s.
+    over_s: f64,
     gain: f64,
     chi2: f64,
     strength: DVector<f64>,

@@ -26,6 +26,18 @@ pub struct Mount {
     pub hull_from_phone: Rotation,
 }
 
+impl Mount {
+    /// Shifted, and turned in its own axes. Its place turns with it: swings in yaw do not tell where a phone's top points, and do tell
+    /// how far it lies from the centre of mass, and along which of its axes.
+    pub fn moved(&self, shift: Vec3, turn: Vec3) -> Self {
+        let turned = self.hull_from_phone * Rotation::from_scaled_axis(turn);
+        Self {
+            place: turned * self.hull_from_phone.inverse() * self.place + shift,
+            hull_from_phone: Rotation::new_normalize(turned.into_inner()),
+        }
+    }
+}
+
 /// Values of everything that is fitted.
 #[derive(Debug, Clone)]
 pub struct Point {

@@ -7,7 +7,7 @@ use crate::progress::{Progress, tell};
 use super::causes::{
     GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, seconds,
 };
-use super::evidence::{FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
+use super::evidence::{FURTHER_GAIN, LEAST_GAIN, ODDS_BEFORE, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
 use super::look::{Look, Standing};
 use super::moments::moments;
@@ -15,8 +15,9 @@ use super::point::{Cause, Form, Model, Part, Point};
 use super::white::Left;
 
 pub const MOST_CAUSES: usize = 3;
-/// A cause so far below what is asked may still be there, at odds of 1 to 150, and move what is sought: it is fitted and allowed for.
-const DOUBTFUL: f64 = 5.0;
+/// A cause that gains so much where nothing more is to be seen may still be there, at odds of 1 to 7, and move what is sought: it is
+/// fitted and allowed for.
+const DOUBTFUL: f64 = ODDS_BEFORE - 2.0;
 /// What is being done when the leading causes are tried.
 const FULL: &str = "fitting the leading causes in full";
 /// So many are fitted in full in a round.
@@ -305,8 +306,7 @@ impl Found<'_> {
     }
 
     fn fitted_in_full(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
-        let promises =
-            |look: &Look| look.gain > if self.left.is_white() { self.asked() - DOUBTFUL } else { 0.0 };
+        let promises = |look: &Look| look.gain > if self.left.is_white() { DOUBTFUL } else { 0.0 };
         let leading: Vec<Look> = looks
             .into_iter()
             .filter(promises)
@@ -365,17 +365,8 @@ impl Found<'_> {
     }
 
     fn pays(&self, best: &Tried) -> bool {
-        pays(self.first_gain(), best.gain, &best.left, &self.left)
-    }
-
-    /// The gain that is asked of the next cause.
-    pub fn asked(&self) -> f64 {
-        asked(self.first_gain())
-    }
-
-    /// Gain of the first cause, where one was taken.
-    fn first_gain(&self) -> Option<f64> {
-        Some(self.rounds.first().filter(|round| round.taken)?.tried.first()?.gain)
+        let first = self.rounds.first().filter(|round| round.taken).and_then(|round| round.tried.first());
+        pays(first.map(|first| first.gain), best.gain, &best.left, &self.left)
     }
 }
 

@@ -6,6 +6,7 @@ use crate::recording::{RepairKind, Sensor};
 
 use super::base::Base;
 use super::causes::UNKNOWN;
+use super::evidence::ODDS_BEFORE;
 use super::fitting::Fitted;
 use super::point::{Cause, Form, Model};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
@@ -56,14 +57,14 @@ impl Found<'_> {
         self.weighed(best.gain, &rivals)
     }
 
-    /// Causes that were not taken and yet may be there, as models: where no more is to be seen, each has the odds of its evidence over
-    /// that which would have been asked of it.
+    /// Causes that were not taken and yet may be there, as models: where no more is to be seen, each has the odds of its evidence and
+    /// of what was known before.
     pub fn doubts(&self) -> Vec<(f64, Model<'_>, Fitted)> {
         let Some(round) = self.rounds.last().filter(|round| !round.taken && self.left.is_white()) else {
             return vec![];
         };
         let known = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
-        self.weighed(self.asked(), &round.tried.iter().filter(known).collect::<Vec<_>>())
+        self.weighed(ODDS_BEFORE, &round.tried.iter().filter(known).collect::<Vec<_>>())
     }
 
     /// Causes as models, weighed by their evidence beside a model of a given one.

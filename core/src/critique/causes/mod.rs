@@ -23,7 +23,7 @@ use super::point::{Cause, CauseParameter, Form, Point, Put};
 pub use aboard::{INTERNAL_MOTION, seconds};
 pub use friction::{GUSTS, WIND, gust};
 pub use outside::{TERMS, UNKNOWN, knock_at, learned_force, reach};
-pub use phone::{mounts, slip_at};
+pub use phone::{SLIP_S, mounts, slip_at};
 
 /// What scales everyday strengths, from the fitted base.
 #[derive(Debug, Clone)]

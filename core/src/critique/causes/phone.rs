@@ -55,10 +55,13 @@ fn gyro_scale() -> Cause {
     Cause { on_phone: true, ..cause("gyro_scale", parameters, law) }
 }
 
-/// Length of a slip, s.
-const SLIP_S: f64 = 0.15;
+/// Length of a slip, s, and of its logarithm: a jolt, or tape that creeps.
+pub const SLIP_S: f64 = 0.15;
+const SLIP_LOG_U: f64 = 1.0;
+/// Lengths that are told apart from none and from a drift, s.
+const SLIPS_S: [f64; 2] = [0.02, 3.0];
 
-/// A phone that slips at a moment of a swing, and stays so in all that follow.
+/// A phone that slips at a moment of a swing, and stays so in all that follow. The moment is the middle of the slip.
 pub fn slip_at(swing: usize, at_s: f64) -> Cause {
     let mut parameters: Vec<CauseParameter> = Vec::new();
     for name in ["turn_x_rad", "turn_y_rad", "turn_z_rad"] {
@@ -68,14 +71,16 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
         parameters.push(strength(name, "m", 1.0, 0.01));
     }
     parameters.push(CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) });
+    parameters.push(CauseParameter { step: 0.05, ..logarithm("over_s", "s", SLIP_S, SLIP_LOG_U) });
     let names: Vec<&'static str> = parameters[..6].iter().map(|p| p.name).collect();
     let law = put(move |q, s, e| {
         if s < swing {
             return Ok(());
         }
-        let at_s = if s == swing { q[6] } else { -10.0 };
+        let over_s = q[7].exp().clamp(SLIPS_S[0], SLIPS_S[1]);
+        let at_s = if s == swing { q[6] - 0.5 * over_s } else { -10.0 };
         let mut numbers: Vec<(&str, f64)> = names.iter().copied().zip(q.iter().copied()).collect();
-        numbers.extend([("at_s", at_s), ("over_s", SLIP_S)]);
+        numbers.extend([("at_s", at_s), ("over_s", over_s)]);
         e.sensors.push(sensor("phone_slip", &numbers)?);
         Ok(())
     });
