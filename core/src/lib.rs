@@ -15,6 +15,7 @@ pub mod error;
 pub mod frames;
 pub mod inertia;
 pub mod intake;
+pub mod language;
 pub mod live;
 pub mod modes;
 pub mod plan;

@@ -4,10 +4,12 @@
 mod swings;
 
 use gyradius_core::Error;
+use gyradius_core::language::Language;
 use gyradius_core::live::{
-    Advice, ENGLISH, Estimate, LineKind, Live, LiveOptions, Parameter, SwingState, TimeLeft, english,
+    Advice, Estimate, LineKind, Live, LiveOptions, Parameter, SwingState, TimeLeft, sentences,
 };
 use gyradius_core::practice::{practise, read_rig};
+use gyradius_core::procedure::Text;
 use gyradius_core::recording::{Sensor, read_recording};
 use gyradius_core::signal::{ChannelGroup, DecomposeOptions, Decomposition, decompose, free_swing_span};
 use rand::{Rng, RngExt, SeedableRng};
@@ -267,7 +269,7 @@ fn sway_is_told_by_its_share_of_the_turn() {
     let [line] = estimate.swing.unwrap().lines[..] else { panic!("not one line") };
     assert_eq!(line.kind, LineKind::Sway);
     assert!((line.share / 0.06 - 1.0).abs() < 0.08 && (line.period_s - 3.4).abs() < 0.02, "{line:?}");
-    let told: Vec<String> = estimate.advice.iter().map(english).collect();
+    let told: Vec<String> = estimate.advice.iter().map(|advice| Text::from(advice).english).collect();
     let sentence = "Sway (period 3.40 s) is 6 % of the main motion: steady the hull and release it again.";
     assert!(told.iter().any(|text| text == sentence), "{told:?}");
 }
@@ -394,7 +396,7 @@ fn what_does_not_fit_is_refused() {
 
 /// Every kind of advice has its sentence, and every name in a sentence its value.
 #[test]
-fn all_advice_is_said_in_english() {
+fn all_advice_is_said() {
     let sensor = Sensor::Gyroscope;
     let line = |kind| Advice::Unwanted { kind, share: 0.06, period_s: 3.8 };
     let all = [
@@ -413,21 +415,27 @@ fn all_advice_is_said_in_english() {
     ];
     let mut keys: Vec<&str> = all.iter().map(Advice::key).collect();
     keys.sort_unstable();
-    let mut known: Vec<&str> = ENGLISH.iter().map(|(key, _)| *key).collect();
-    known.sort_unstable();
-    assert_eq!(keys, known);
-    for advice in all {
-        let text = english(&advice);
-        assert!(!text.contains(['{', '}']), "{text}");
-        let sentence = ENGLISH.iter().find(|(key, _)| *key == advice.key()).unwrap().1;
-        assert!(
-            advice.parameters().iter().all(|(name, _)| sentence.contains(&format!("{{{name}}}"))),
-            "{text}"
-        );
+    for language in Language::ALL {
+        let mut known: Vec<&str> = sentences(language).iter().map(|(key, _)| *key).collect();
+        known.sort_unstable();
+        assert_eq!(keys, known);
+        for advice in &all {
+            let text = Text::from(advice).in_language(language);
+            assert!(!text.contains(['{', '}']), "{text}");
+            let sentence = sentences(language).iter().find(|(key, _)| *key == advice.key()).unwrap().1;
+            assert!(
+                advice.parameters().iter().all(|(name, _)| sentence.contains(&format!("{{{name}}}"))),
+                "{text}"
+            );
+        }
     }
     assert_eq!(
-        english(&all[3]),
+        Text::from(&all[3]).english,
         "Something touched the hull at 41 s: let it swing freely, or release it again."
+    );
+    assert_eq!(
+        Text::from(&all[5]).in_language(Language::German),
+        "Der Drehratensensor hat 2 Lücken, die längste von 0,25 s: andere Apps schließen und den Bildschirm anlassen."
     );
     assert_eq!(all[3].parameters(), [("at_s", Parameter::Number(41.0, 0))]);
 }

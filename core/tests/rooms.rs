@@ -6,11 +6,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// `room: what it may know`. `error`, `constants`, `frames` and `progress` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 17] = [
+/// `room: what it may know`. `error`, `constants`, `frames`, `language` and `progress` are known to all.
+const MAY_KNOW: [(&str, &[&str]); 18] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
+    ("language", &[]),
     ("progress", &[]),
     ("recording", &[]),
     ("recorder", &["recording"]),
@@ -26,7 +27,7 @@ const MAY_KNOW: [(&str, &[&str]); 17] = [
     ("procedure", &["recording", "recorder", "live", "plan", "practice", "inertia", "critique"]),
     ("report", &["recording", "signal", "modes", "dynamics", "inertia", "critique"]),
 ];
-const KNOWN_TO_ALL: [&str; 4] = ["error", "constants", "frames", "progress"];
+const KNOWN_TO_ALL: [&str; 5] = ["error", "constants", "frames", "language", "progress"];
 
 fn sources(dir: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(dir).unwrap() {

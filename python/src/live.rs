@@ -1,6 +1,7 @@
 //! The live estimator as Python feeds it.
 
 use gyradius_core::live::{self, LiveOptions};
+use gyradius_core::procedure::Text;
 use gyradius_core::recording::Sensor;
 use gyradius_core::{Error, Result};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
@@ -62,7 +63,7 @@ impl Live {
 
     /// What to know or do now, in English, most urgent first.
     fn advice(&self) -> Vec<String> {
-        self.inner.estimate().advice.iter().map(live::english).collect()
+        self.inner.estimate().advice.iter().map(|advice| Text::from(advice).english).collect()
     }
 }
 

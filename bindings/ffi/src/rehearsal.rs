@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use gyradius_core::procedure::{self, Event, State};
+use gyradius_core::procedure::{self, Batch, Event, State};
 
 use crate::data::NumbersByName;
 use crate::error::Result;
@@ -56,6 +56,11 @@ impl Rehearsal {
     /// Lets so much time go by on the simulated hull, s; returns what did: less where the recording ends meanwhile.
     pub fn advance(&self, seconds: f64) -> Result<f64> {
         aside(|| locked(&self.inner).advance(seconds))
+    }
+
+    /// What the phone recorded while time last went by, as a live trace shows it.
+    pub fn heard(&self) -> Vec<Batch> {
+        locked(&self.inner).heard().to_vec()
     }
 
     /// What an operator who plays by the book does now; nothing while there is to be waited or worked. `at_utc` is the

@@ -1,18 +1,43 @@
-//! The English of every key that a screen may have to translate.
+//! Every sentence that a screen shows, in each language.
 
+use gyradius_core::language::Language;
+use gyradius_core::plan::Warning;
+use gyradius_core::procedure::Text;
 use gyradius_core::{live, plan, procedure};
 
 use crate::data::NamedText;
 
+/// A language of the sentences that an operator reads or hears.
+#[uniffi::remote(Enum)]
+pub enum Language {
+    /// As everywhere else.
+    English,
+    /// With decimal commas.
+    German,
+}
+
 /// Every sentence and word by its key; `{name}` stands for an argument. Keys of the live estimator begin with `live.`, those
 /// of the plan's warnings with `plan.`.
 #[uniffi::export]
-pub fn english_texts() -> Vec<NamedText> {
-    let of_live = live::ENGLISH.iter().map(|(key, text)| (format!("live.{key}"), *text));
-    let of_procedure = procedure::ENGLISH.iter().map(|(key, text)| ((*key).to_owned(), *text));
-    let of_plan = plan::ENGLISH.iter().map(|(kind, text)| (format!("plan.{}", key_of(kind)), *text));
+pub fn texts(language: Language) -> Vec<NamedText> {
+    let of_live = live::sentences(language).iter().map(|(key, text)| (format!("live.{key}"), *text));
+    let of_procedure = procedure::sentences(language).iter().map(|(key, text)| ((*key).to_owned(), *text));
+    let of_plan =
+        plan::sentences(language).iter().map(|(kind, text)| (format!("plan.{}", key_of(kind)), *text));
     let all = of_procedure.chain(of_live).chain(of_plan);
     all.map(|(name, text)| NamedText { name, text: text.into() }).collect()
+}
+
+/// A sentence in a language, with what it names.
+#[uniffi::export]
+pub fn sentence_in(sentence: &Text, language: Language) -> String {
+    sentence.in_language(language)
+}
+
+/// The sentence of a plan's warning in a language.
+#[uniffi::export]
+pub fn warning_in(warning: &Warning, language: Language) -> String {
+    warning.in_language(language)
 }
 
 /// The name that a kind of warning has in JSON.

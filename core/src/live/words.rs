@@ -1,9 +1,10 @@
 //! The sentences of the advice in English: the one place where they stand. Other languages have the same keys.
 
-use super::advice::{Advice, Parameter};
+use super::german::GERMAN;
+use crate::language::Language;
 
 /// Sentences by key; `{name}` stands for a parameter.
-pub const ENGLISH: [(&str, &str); 12] = [
+const ENGLISH: [(&str, &str); 12] = [
     (
         "sensor_silent",
         "The {sensor} has given no samples since {since_s} s: stop and start the recording again.",
@@ -37,18 +38,10 @@ pub const ENGLISH: [(&str, &str); 12] = [
     ("long_enough", "The recording is long enough: stop when you like."),
 ];
 
-/// The English sentence of a piece of advice.
-pub fn english(advice: &Advice) -> String {
-    let sentence = ENGLISH.iter().find(|(key, _)| *key == advice.key()).map_or("", |(_, sentence)| sentence);
-    advice
-        .parameters()
-        .into_iter()
-        .fold(sentence.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), &shown(value)))
-}
-
-fn shown(parameter: Parameter) -> String {
-    match parameter {
-        Parameter::Number(value, decimals) => format!("{value:.decimals$}"),
-        Parameter::Sensor(sensor) => sensor.name().to_owned(),
+/// Sentences by key in a language.
+pub fn sentences(language: Language) -> &'static [(&'static str, &'static str)] {
+    match language {
+        Language::English => &ENGLISH,
+        Language::German => &GERMAN,
     }
 }

@@ -14,6 +14,7 @@
 
 mod design;
 mod files;
+mod german;
 mod hull;
 mod limits;
 mod means;
@@ -41,4 +42,4 @@ pub use suggested::suggested;
 pub use tell_apart::plan_to_tell_apart;
 pub use wanted::Wanted;
 pub use warnings::{NEAR_IN_PHASE, Warning, WarningKind};
-pub use words::ENGLISH;
+pub use words::sentences;

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use super::german::GERMAN;
 use super::warnings::WarningKind;
+use crate::language::Language;
 
 /// Sentences by kind; `{name}` stands for a number, a name or the swing.
-pub const ENGLISH: [(WarningKind, &str); 8] = [
+const ENGLISH: [(WarningKind, &str); 8] = [
     (
         WarningKind::YawNearInPhase,
         "Swing {swing}: yaw ({yaw_period_s} s) and the in-phase pendulum mode ({in_phase_period_s} s) are {apart_percent} % \
@@ -45,17 +47,26 @@ pub const ENGLISH: [(WarningKind, &str); 8] = [
     ),
 ];
 
-/// The English sentence of a warning.
+/// Sentences by kind in a language.
+pub fn sentences(language: Language) -> &'static [(WarningKind, &'static str)] {
+    match language {
+        Language::English => &ENGLISH,
+        Language::German => &GERMAN,
+    }
+}
+
+/// The sentence of a warning.
 pub fn sentence(
     kind: WarningKind,
     swing: Option<&str>,
     numbers: &BTreeMap<String, f64>,
     names: &BTreeMap<String, String>,
+    language: Language,
 ) -> String {
-    let sentence = ENGLISH.iter().find(|(key, _)| *key == kind).map_or("", |(_, sentence)| sentence);
-    let mut text = sentence.replace("{swing}", swing.unwrap_or_default());
+    let found = sentences(language).iter().find(|(key, _)| *key == kind);
+    let mut text = found.map_or("", |(_, sentence)| sentence).replace("{swing}", swing.unwrap_or_default());
     for (name, value) in numbers {
-        text = text.replace(&format!("{{{name}}}"), &shown(name, *value));
+        text = text.replace(&format!("{{{name}}}"), &language.number(&shown(name, *value)));
     }
     for (name, value) in names {
         text = text.replace(&format!("{{{name}}}"), value);

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::rest::RestReader;
-use super::words::{Text, number, plain, words};
+use super::words::{self, Text, number, words};
 use crate::frames::Vec3;
 use crate::inertia::measure::PHONE_TILT_U_DEG;
 use crate::live::{Advice, Estimate, Line, LineKind, SwingState, TimeLeft};
@@ -82,7 +82,7 @@ impl Judgement {
         for advice in &heard.estimate.advice {
             of_advice(advice, swing, &mut reasons, &mut notes);
         }
-        let silent = |sensor: &Sensor| Text::new("reason_silent", [("sensor", plain(sensor.name()))]);
+        let silent = |sensor: &Sensor| Text::new("reason_silent", [("sensor", words::sensor(*sensor))]);
         reasons.extend(heard.stopped.iter().map(silent));
         match swing {
             None => reasons.push(Text::new("reason_no_swing", [])),
@@ -150,22 +150,22 @@ fn of_advice(advice: &Advice, swing: Option<&SwingState>, reasons: &mut Vec<Text
         }
         Advice::Saturated { sensor, samples } => reasons.push(Text::new(
             "reason_saturated",
-            [("sensor", plain(sensor.name())), ("samples", number(samples as f64, 0))],
+            [("sensor", words::sensor(sensor)), ("samples", number(samples as f64, 0))],
         )),
         Advice::Gaps { sensor, longest_s, .. } if longest_s > LONG_GAP_S => reasons.push(Text::new(
             "reason_gaps",
-            [("sensor", plain(sensor.name())), ("longest_s", number(longest_s, 1))],
+            [("sensor", words::sensor(sensor)), ("longest_s", number(longest_s, 1))],
         )),
         Advice::Gaps { sensor, gaps, longest_s } => notes.push(Text::new(
             "note_gaps",
             [
-                ("sensor", plain(sensor.name())),
+                ("sensor", words::sensor(sensor)),
                 ("gaps", number(gaps as f64, 0)),
                 ("longest_s", number(longest_s, 2)),
             ],
         )),
         Advice::SensorSilent { sensor, since_s } if since_s.is_none_or(|since_s| since_s > SILENT_S) => {
-            reasons.push(Text::new("reason_silent", [("sensor", plain(sensor.name()))]));
+            reasons.push(Text::new("reason_silent", [("sensor", words::sensor(sensor))]));
         }
         // Amplitude, unwanted motion and what is reached are judged against what was planned.
         Advice::SensorSilent { .. }

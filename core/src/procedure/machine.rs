@@ -16,7 +16,7 @@ use super::state::{Action, Phase, Work};
 use super::take::{Before, Extent, Follow, Running, TAKES, extent, file_of};
 use super::task::Task;
 use super::tilt::TiltReader;
-use super::words::{Text, number, plain};
+use super::words::{self, Text, number, plain};
 use crate::error::{Error, Result};
 use crate::frames::Vec3;
 
@@ -146,7 +146,7 @@ impl Procedure {
                 Ok(())
             }
             Event::SensorStopped { sensor, stamp_ns } => {
-                self.tell(Text::new("warn_sensor_stopped", [("sensor", plain(sensor.name()))]));
+                self.tell(Text::new("warn_sensor_stopped", [("sensor", words::sensor(sensor))]));
                 self.of_running(|running| running.sensor_stopped(stamp_ns, sensor))
             }
             Event::SlipSeen { stamp_ns } => self.of_running(|running| running.slip_seen(stamp_ns)),

@@ -15,6 +15,7 @@ mod actions;
 mod check;
 mod entry;
 mod event;
+mod german;
 mod job;
 mod journal;
 mod judgement;
@@ -41,4 +42,4 @@ pub use state::{
 };
 pub use task::Task;
 pub use tilt::{Against, Tilt};
-pub use words::{Argument, ENGLISH, Text};
+pub use words::{Argument, Text, sentences};

@@ -62,6 +62,8 @@ pub struct Rehearsal {
     /// Numbers the feeds, so that each has its own chance.
     feeds: usize,
     feed: Option<(Scene, Feed)>,
+    /// What the phone recorded while time last went by.
+    heard: Vec<Batch>,
     now_ns: i64,
     /// When the rest began, ns.
     rest_ns: Option<i64>,
@@ -115,7 +117,17 @@ impl Rehearsal {
     }
 
     fn of(procedure: Procedure, rig: RigFile, seed: u64, now_ns: i64) -> Self {
-        Self { procedure, rig, seed, feeds: 0, feed: None, now_ns, rest_ns: None, mishaps: BTreeMap::new() }
+        Self {
+            procedure,
+            rig,
+            seed,
+            feeds: 0,
+            feed: None,
+            heard: Vec::new(),
+            now_ns,
+            rest_ns: None,
+            mishaps: BTreeMap::new(),
+        }
     }
 
     /// Lets something go wrong with one recording of a step, counted from 1.
@@ -149,6 +161,7 @@ impl Rehearsal {
     /// Lets so much time go by on the simulated hull, s; less where the recording ends meanwhile, and none where the
     /// phone is not listened to. Returns what went by.
     pub fn advance(&mut self, seconds: f64) -> Result<f64> {
+        self.heard.clear();
         let from_ns = self.now_ns;
         let gone_s = |now_ns: i64| now_ns.saturating_sub(from_ns) as f64 / 1e9;
         while gone_s(self.now_ns) < seconds {
@@ -169,10 +182,16 @@ impl Rehearsal {
                     _ => Channel::Accelerometer,
                 };
                 let batch = Batch { channel, stamps_ns: one.stamps_ns, values: one.values };
-                self.procedure.handle(Event::Samples(batch))?;
+                self.procedure.handle(Event::Samples(batch.clone()))?;
+                self.heard.push(batch);
             }
         }
         Ok(gone_s(self.now_ns))
+    }
+
+    /// What the phone recorded while time last went by.
+    pub fn heard(&self) -> &[Batch] {
+        &self.heard
     }
 
     /// What an operator who plays by the book does now; nothing while there is to be waited or worked.

@@ -1,12 +1,15 @@
 //! Sentences by key, in English: the one place where they stand. Other languages have the same keys.
 //!
-//! What the live estimator says has its own sentences (`live::ENGLISH`); their keys begin with `live.` here.
+//! What the live estimator says has its own sentences (`live::sentences`); their keys begin with `live.` here.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::german::GERMAN;
+use crate::language::Language;
 use crate::live::{self, Advice, Parameter};
+use crate::recording::Sensor;
 
 /// A sentence: its key, what it names, and the English of both.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -33,8 +36,11 @@ pub enum Argument {
     Texts(Vec<Text>),
 }
 
+/// What the keys of the live estimator begin with.
+const OF_LIVE: &str = "live.";
+
 /// Sentences by key; `{name}` stands for an argument.
-pub const ENGLISH: [(&str, &str); 76] = [
+const ENGLISH: [(&str, &str); 81] = [
     (
         "start",
         "Measure {title}: {steps} steps, about {minutes} minutes of recording. Tape the phone to the hull where it cannot slip, and do not move it until the end. Then begin.",
@@ -186,6 +192,11 @@ pub const ENGLISH: [(&str, &str); 76] = [
     ("stern", "stern"),
     ("athwartships", "athwartships"),
     ("fore_and_aft", "fore and aft"),
+    ("gyroscope", "gyroscope"),
+    ("accelerometer", "accelerometer"),
+    ("gravity-free_accelerometer", "gravity-free accelerometer"),
+    ("rangefinder", "rangefinder"),
+    ("timer", "timer"),
     ("reason_lines_unknown", "line length and spacing are not known"),
 ];
 
@@ -196,8 +207,13 @@ impl Text {
     }
 
     fn of(key: &str, arguments: BTreeMap<String, Argument>) -> Self {
-        let english = filled(sentence(key), &arguments);
+        let english = filled(key, &arguments, Language::English);
         Self { key: key.to_owned(), arguments, english }
+    }
+
+    /// The sentence in a language, with what it names.
+    pub fn in_language(&self, language: Language) -> String {
+        filled(&self.key, &self.arguments, language)
     }
 }
 
@@ -206,16 +222,18 @@ impl From<&Advice> for Text {
         let argument = |(name, value): (&str, Parameter)| {
             let value = match value {
                 Parameter::Number(value, decimals) => Argument::Number(value, decimals as u8),
-                Parameter::Sensor(sensor) => Argument::Plain(sensor.name().to_owned()),
+                Parameter::Sensor(which) => sensor(which),
             };
             (name.to_owned(), value)
         };
-        Self {
-            key: format!("live.{}", advice.key()),
-            arguments: advice.parameters().into_iter().map(argument).collect(),
-            english: live::english(advice),
-        }
+        let arguments = advice.parameters().into_iter().map(argument).collect();
+        Self::of(&format!("{OF_LIVE}{}", advice.key()), arguments)
     }
+}
+
+/// A sensor's name, a word with a key.
+pub(super) fn sensor(sensor: Sensor) -> Argument {
+    Argument::Word(sensor.name().replace(' ', "_"))
 }
 
 /// A number with its decimals.
@@ -233,28 +251,40 @@ pub(super) fn plain(text: impl Into<String>) -> Argument {
     Argument::Plain(text.into())
 }
 
-fn sentence(key: &str) -> &'static str {
-    ENGLISH.iter().find(|(known, _)| *known == key).map_or("", |(_, sentence)| sentence)
+/// Sentences and words by key in a language, without those of the live estimator.
+pub fn sentences(language: Language) -> &'static [(&'static str, &'static str)] {
+    match language {
+        Language::English => &ENGLISH,
+        Language::German => &GERMAN,
+    }
 }
 
-fn filled(sentence: &str, arguments: &BTreeMap<String, Argument>) -> String {
-    arguments
-        .iter()
-        .fold(sentence.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), &shown(value)))
+/// The sentence of a key, where there is one.
+fn sentence(key: &str, language: Language) -> Option<&'static str> {
+    let (all, key) = match key.strip_prefix(OF_LIVE) {
+        Some(key) => (live::sentences(language), key),
+        None => (sentences(language), key),
+    };
+    Some(all.iter().find(|(known, _)| *known == key)?.1)
 }
 
-fn shown(argument: &Argument) -> String {
+fn filled(key: &str, arguments: &BTreeMap<String, Argument>, language: Language) -> String {
+    arguments.iter().fold(sentence(key, language).unwrap_or_default().to_owned(), |text, (name, value)| {
+        text.replace(&format!("{{{name}}}"), &shown(value, language))
+    })
+}
+
+fn shown(argument: &Argument, language: Language) -> String {
     match argument {
-        Argument::Number(value, decimals) => format!("{value:.*}", usize::from(*decimals)),
+        Argument::Number(value, decimals) => language.number(&format!("{value:.*}", usize::from(*decimals))),
         // Several words stand with spaces between their keys.
-        Argument::Word(keys) => keys
-            .split(' ')
-            .map(|key| if sentence(key).is_empty() { key } else { sentence(key) })
-            .collect::<Vec<_>>()
-            .join(" and "),
+        Argument::Word(keys) => {
+            let words = keys.split(' ').map(|key| sentence(key, language).unwrap_or(key));
+            words.collect::<Vec<_>>().join(language.and())
+        }
         Argument::Plain(text) => text.clone(),
         Argument::Texts(texts) => {
-            texts.iter().map(|text| text.english.as_str()).collect::<Vec<_>>().join(", ")
+            texts.iter().map(|text| text.in_language(language)).collect::<Vec<_>>().join(", ")
         }
     }
 }

@@ -721,7 +721,11 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_routes_json(
     ): Int
-    external fun uniffi_gyradius_ffi_checksum_func_english_texts(
+    external fun uniffi_gyradius_ffi_checksum_func_sentence_in(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_texts(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_warning_in(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_analysis_figures(
     ): Int
@@ -794,6 +798,8 @@ internal object IntegrityCheckingUniffiLib {
     external fun uniffi_gyradius_ffi_checksum_method_rehearsal_by_the_book(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_rehearsal_handle(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_method_rehearsal_heard(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_rehearsal_mishap(
     ): Int
@@ -1026,6 +1032,8 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_method_rehearsal_handle(`ptr`: Long,`event`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): Unit
+    external fun uniffi_gyradius_ffi_fn_method_rehearsal_heard(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_method_rehearsal_mishap(`ptr`: Long,`step`: RustBuffer.ByValue,`take`: Int,`what`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): Unit
     external fun uniffi_gyradius_ffi_fn_method_rehearsal_state(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
@@ -1128,7 +1136,11 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_routes_json(uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
-    external fun uniffi_gyradius_ffi_fn_func_english_texts(uniffi_out_err: UniffiRustCallStatus, 
+    external fun uniffi_gyradius_ffi_fn_func_sentence_in(`sentence`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_texts(`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_warning_in(`warning`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun ffi_gyradius_ffi_rustbuffer_alloc(`size`: Long,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
@@ -1285,7 +1297,13 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_func_routes_json() and 0xFFFF) != 1685) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_gyradius_ffi_checksum_func_english_texts() and 0xFFFF) != 65225) {
+    if ((lib.uniffi_gyradius_ffi_checksum_func_sentence_in() and 0xFFFF) != 38777) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_texts() and 0xFFFF) != 11710) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_warning_in() and 0xFFFF) != 28542) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_analysis_figures() and 0xFFFF) != 20605) {
@@ -1394,6 +1412,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_rehearsal_handle() and 0xFFFF) != 58650) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_method_rehearsal_heard() and 0xFFFF) != 53776) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_rehearsal_mishap() and 0xFFFF) != 58132) {
@@ -5200,6 +5221,11 @@ public interface RehearsalInterface {
     fun `handle`(`event`: ProcedureEvent)
     
     /**
+     * What the phone recorded while time last went by, as a live trace shows it.
+     */
+    fun `heard`(): List<SampleBatch>
+    
+    /**
      * Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`, `touch`, `slip`, `silence`.
      */
     fun `mishap`(`step`: kotlin.String, `take`: kotlin.UInt, `what`: kotlin.String)
@@ -5383,6 +5409,22 @@ open class Rehearsal: Disposable, AutoCloseable, RehearsalInterface
 }
     }
     
+    
+
+    
+    /**
+     * What the phone recorded while time last went by, as a live trace shows it.
+     */override fun `heard`(): List<SampleBatch> {
+            return FfiConverterSequenceTypeSampleBatch.lift(
+    callWithHandle {
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_method_rehearsal_heard(
+        it,
+        _status)
+}
+    }
+    )
+    }
     
 
     
@@ -13669,6 +13711,49 @@ public object FfiConverterTypeGyradiusError : FfiConverterRustBuffer<GyradiusExc
 
 
 /**
+ * A language of the sentences that an operator reads or hears.
+ */
+
+enum class Language {
+    
+    /**
+     * As everywhere else.
+     */
+    ENGLISH,
+    /**
+     * With decimal commas.
+     */
+    GERMAN;
+
+    
+
+
+    companion object
+}
+
+
+/**
+ * @suppress
+ */
+public object FfiConverterTypeLanguage: FfiConverterRustBuffer<Language> {
+    override fun read(buf: ByteBuffer) = try {
+        Language.values()[buf.getInt() - 1]
+    } catch (e: IndexOutOfBoundsException) {
+        throw RuntimeException("invalid enum value, something is very wrong!!", e)
+    }
+
+    override fun allocationSize(value: Language) = 4UL
+
+    override fun write(value: Language, buf: ByteBuffer) {
+        buf.putInt(value.ordinal + 1)
+    }
+}
+
+
+
+
+
+/**
  * One piece of advice; `live_sentence` gives its sentence.
  */
 sealed class LiveAdvice {
@@ -17855,6 +17940,34 @@ public object FfiConverterSequenceTypeRoute: FfiConverterRustBuffer<List<Route>>
 /**
  * @suppress
  */
+public object FfiConverterSequenceTypeSampleBatch: FfiConverterRustBuffer<List<SampleBatch>> {
+    override fun read(buf: ByteBuffer): List<SampleBatch> {
+        val len = buf.getInt()
+        return List<SampleBatch>(len) {
+            FfiConverterTypeSampleBatch.read(buf)
+        }
+    }
+
+    override fun allocationSize(value: List<SampleBatch>): ULong {
+        val sizeForLength = 4UL
+        val sizeForItems = value.map { FfiConverterTypeSampleBatch.allocationSize(it) }.sum()
+        return sizeForLength + sizeForItems
+    }
+
+    override fun write(value: List<SampleBatch>, buf: ByteBuffer) {
+        buf.putInt(value.size)
+        value.iterator().forEach {
+            FfiConverterTypeSampleBatch.write(it, buf)
+        }
+    }
+}
+
+
+
+
+/**
+ * @suppress
+ */
 public object FfiConverterSequenceTypeSensorState: FfiConverterRustBuffer<List<SensorState>> {
     override fun read(buf: ByteBuffer): List<SensorState> {
         val len = buf.getInt()
@@ -18624,14 +18737,45 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
     
 
         /**
+         * A sentence in a language, with what it names.
+         */ fun `sentenceIn`(`sentence`: Sentence, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_sentence_in(
+    
+        
+        FfiConverterTypeSentence.lower(`sentence`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
          * Every sentence and word by its key; `{name}` stands for an argument. Keys of the live estimator begin with `live.`, those
          * of the plan's warnings with `plan.`.
-         */ fun `englishTexts`(): List<NamedText> {
+         */ fun `texts`(`language`: Language): List<NamedText> {
             return FfiConverterSequenceTypeNamedText.lift(
     uniffiRustCall() { _status ->
-    UniffiLib.uniffi_gyradius_ffi_fn_func_english_texts(
+    UniffiLib.uniffi_gyradius_ffi_fn_func_texts(
     
-        _status)
+        
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
+         * The sentence of a plan's warning in a language.
+         */ fun `warningIn`(`warning`: PlanWarning, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_warning_in(
+    
+        
+        FfiConverterTypePlanWarning.lower(`warning`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
 }
     )
     }

@@ -93,7 +93,8 @@ class ResultsTest {
 
     @Test
     fun `every text has a key of its own`() {
-        val texts = englishTexts()
+        val (texts, german) = Language.entries.map { texts(it) }
+        assertEquals(texts.map { it.name }, german.map { it.name })
         assertEquals(texts.size, texts.map { it.name }.toSet().size)
         assertTrue(texts.all { it.name.isNotEmpty() && it.text.isNotEmpty() })
         assertTrue(listOf("", "live.", "plan.").all { room -> texts.any { it.name.startsWith(room) } })
