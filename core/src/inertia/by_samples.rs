@@ -23,6 +23,8 @@ use super::words::period_label;
 const CONTRADICTION: f64 = 30.0;
 /// Of swings that contradict each other, those that take off so much of the most may be the one that is wrong.
 const ALIKE: f64 = 0.5;
+/// Of the logarithm of a gyradius, where a swing by itself says little of it.
+const ABOUT_LOG_U: f64 = 0.1;
 /// Pitch of a hanging that counts as level, degrees.
 const LEVEL_DEG: f64 = 3.0;
 /// Residual over noise beyond which a fit may have lost its way.
@@ -103,7 +105,7 @@ fn statements(fits: &Fits, together: bool) -> Vec<Vec<Statement>> {
 impl<'a> Samples<'a> {
     /// The swings fitted, each as well as what the others say allows.
     fn fitted(&self, system: &mut System, x: &[f64], inclines: &[Option<Quantity>]) -> Fits<'a> {
-        let mut fits = self.each(system, x, &|i| self.is_level(i), &[]);
+        let mut fits = self.each(system, x, &|i| self.is_level(i), &self.about(x));
         let level = statements(&fits, false).concat();
         let x = system.agreed(&statements(&fits, false), inclines).unwrap_or_else(|| x.to_vec());
         let tilted = self.each(system, &x, &|i| !self.is_level(i), &level);
@@ -117,6 +119,13 @@ impl<'a> Samples<'a> {
         }
         self.fill(system, &mut fits, inclines);
         fits
+    }
+
+    /// Gyradii are about those given: a swing by itself that says nothing of one would lead it astray, and what it says of the
+    /// others would be told from there.
+    fn about(&self, x: &[f64]) -> Vec<Statement> {
+        let about = |i: usize| Statement { row: vec![(i, ABOUT_LOG_U.recip())], value: x[i] / ABOUT_LOG_U };
+        self.layout.log_gyradii.map(about).to_vec()
     }
 
     fn is_level(&self, i: usize) -> bool {
