@@ -10,9 +10,12 @@ import PackageDescription
     .linkedLibrary("gyradius_ffi"),
     .unsafeFlags(["-L", library, "-Xlinker", "-rpath", "-Xlinker", library]),
   ]
+  // Swift's own libswiftObservation of Linux leaves a name unresolved that it needs in a crash only.
+  let observed: [LinkerSetting] = [.unsafeFlags(["-Xlinker", "--allow-shlib-undefined"])]
 #else
   let core = Target.binaryTarget(name: "GyradiusFFI", path: "GyradiusFFI.xcframework")
   let linked: [LinkerSetting] = []
+  let observed: [LinkerSetting] = []
 #endif
 
 let package = Package(
@@ -21,11 +24,14 @@ let package = Package(
   platforms: [.iOS(.v17), .macOS(.v14)],
   products: [
     .library(name: "GyradiusKit", targets: ["GyradiusKit"]),
+    .library(name: "GyradiusApp", targets: ["GyradiusApp"]),
   ],
   targets: [
     core,
     .target(name: "GyradiusKit", dependencies: ["GyradiusFFI"], linkerSettings: linked),
+    .target(name: "GyradiusApp", dependencies: ["GyradiusKit"], linkerSettings: observed),
     .testTarget(name: "GyradiusKitTests", dependencies: ["GyradiusKit"]),
+    .testTarget(name: "GyradiusAppTests", dependencies: ["GyradiusApp"]),
   ],
   swiftLanguageModes: [.v6]
 )
