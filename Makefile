@@ -1,7 +1,7 @@
 # The one task runner: people and CI call these recipes only.
 #
-# Needs Rust, Python >= 3.10 and, for Kotlin, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
-# and `.venv/`, and from Maven Central into Maven's own store.
+# Needs Rust, Python >= 3.10, for Kotlin a JDK and Maven, for Swift root and Debian's apt; everything else comes from crates.io
+# and PyPI into `target/` and `.venv/`, from Maven Central into Maven's own store, and Swift from Debian into a cache.
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -12,12 +12,12 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-swift bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
-	@echo "make generate  the generated Kotlin anew, after a change of bindings/ffi"
+	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
 	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
@@ -37,6 +37,7 @@ test:
 	@$(MAKE) --no-print-directory test-vectors
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-kotlin
+	@$(MAKE) --no-print-directory test-swift
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
@@ -68,9 +69,15 @@ test-kotlin: package bindings
 	@$(STEP) generated bindings/check-generated
 	@$(STEP) kotlin bindings/kotlin/run-tests $(BIN)/python
 
+# The same of Swift. Debian's Swift 6 is unpacked into the user's cache at the first time: half a gigabyte to fetch.
+test-swift: package bindings
+	@$(STEP) generated bindings/check-generated
+	@$(STEP) swift bindings/swift/run-tests $(BIN)/python
+
 generate: bindings
-	rm -rf bindings/kotlin/src/main/kotlin-generated
-	bindings/generate bindings/kotlin/src/main/kotlin-generated
+	rm -rf bindings/kotlin/src/main/kotlin-generated bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated
+	bindings/generate kotlin bindings/kotlin/src/main/kotlin-generated
+	bindings/generate swift bindings/swift/Sources
 
 # Sessions drawn afresh by a generator that shares nothing with the analysis, its witness MuJoCo, and the sessions that ship.
 test-blind: package blind-tools

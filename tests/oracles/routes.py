@@ -485,3 +485,10 @@ def guard_band(v: N) -> N:
     # The interval of acceptance is closed: an exact value on the limit meets both and conforms, as its probability says.
     verdict = 1 if margin >= band else -1 if margin <= -band else 0
     return {"conformance_probability": probability, "guard_band": band, "verdict": mpf(verdict)}
+
+
+@oracle
+def core_motion(v: N) -> N:
+    # The conventional value of standard gravity (3rd CGPM, 1901); specific force points away from the pull.
+    forces = {f"force_{axis}_m_s2": -v[f"acceleration_{axis}_g"] * 980665 / 10**5 for axis in "xyz"}
+    return {**forces, "stamp_ns": mp.nint(v["timestamp_s"] * 10**9)}

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use gyradius_core::intake::{ImportRequest, import_session};
-use gyradius_core::recording::import::{Platform, from_core_motion};
+use gyradius_core::recording::import::{Platform, from_core_motion, stamp_from_core_motion};
 use gyradius_core::recording::{Overwrite, Quantity, Suspension};
 
 use crate::block;
@@ -61,4 +61,11 @@ pub fn forces_from_core_motion(accelerations_g: &[u8]) -> Result<Vec<u8>> {
     let forces: Vec<[f64; 3]> =
         block::triples("accelerations_g", accelerations_g)?.into_iter().map(from_core_motion).collect();
     Ok(block::of_floats(forces.as_flattened()))
+}
+
+/// Time stamps of Core Motion, a block of floats, s since the phone was switched on, as a block of stamps, ns.
+#[uniffi::export]
+pub fn stamps_from_core_motion(timestamps_s: &[u8]) -> Result<Vec<u8>> {
+    let stamps = block::floats("timestamps_s", timestamps_s)?.into_iter().map(stamp_from_core_motion);
+    Ok(block::of_stamps(&stamps.collect::<gyradius_core::Result<Vec<_>>>()?))
 }

@@ -14,6 +14,7 @@ use super::{beat, corrections, ellipsoid, finite_amplitude, incline, ratio};
 use crate::dynamics::RigidBody;
 use crate::frames::{Mat3, Vec3};
 use crate::recording::Quantity;
+use crate::recording::import::{from_core_motion, stamp_from_core_motion};
 use crate::{Error, Result};
 
 const fn need(name: &'static str) -> Slot {
@@ -30,7 +31,7 @@ const fn in_root_moment(name: &'static str) -> Slot {
 
 /// Unit that the end of a name tells, `1` for a plain number.
 const fn unit_of(name: &str) -> &'static str {
-    const ENDINGS: [(&str, &str); 11] = [
+    const ENDINGS: [(&str, &str); 13] = [
         ("_kg_m2", "kg·m²"),
         ("_kg_m3", "kg/m³"),
         ("_m_s2", "m/s²"),
@@ -38,9 +39,11 @@ const fn unit_of(name: &str) -> &'static str {
         ("_m2", "m²"),
         ("_kg", "kg"),
         ("_m", "m"),
+        ("_ns", "ns"),
         ("_s", "s"),
         ("_rad", "rad"),
         ("_deg", "deg"),
+        ("_g", "g"),
         ("", "1"),
     ];
     let mut i = 0;
@@ -399,4 +402,11 @@ pub(super) const ROUTES: &[CatalogueEntry] = &[
         "Verdict against a limit: 1 pass, 0 undecided, −1 fail. at_least 1: the value must reach the limit, 0: must not exceed it. Guard factor 1.645 (95 %) unless given.";
         value, u, limit, at_least, guard_factor = GUARD_95 => conformance_probability, guard_band, verdict;
         guard_band(Quantity::new(value, u), limit, at_least, guard_factor)?),
+    route!(core_motion, "Core Motion",
+    "What iOS gives as specific force (the other sign, m/s²) and as a stamp in ns.";
+    acceleration_x_g, acceleration_y_g, acceleration_z_g, timestamp_s
+    => force_x_m_s2, force_y_m_s2, force_z_m_s2, stamp_ns; {
+        let [x, y, z] = from_core_motion([acceleration_x_g, acceleration_y_g, acceleration_z_g]);
+        [x, y, z, stamp_from_core_motion(timestamp_s)? as f64]
+    }),
 ];

@@ -24,7 +24,7 @@ use super::samples::{GateEvents, Recording, Track};
 use crate::{Error, Result};
 
 pub use mapping::{ColumnMapping, MappedColumn};
-pub use units::{Dimension, Unit, from_core_motion};
+pub use units::{Dimension, Unit, from_core_motion, stamp_from_core_motion};
 
 use detect::Content;
 use source::Source;

@@ -10,6 +10,19 @@ pub fn from_core_motion(acceleration_g: [f64; 3]) -> [f64; 3] {
     acceleration_g.map(|a| -STANDARD_GRAVITY_M_S2 * a)
 }
 
+/// A time stamp of iOS, seconds since the phone was switched on, as ns.
+pub fn stamp_from_core_motion(timestamp_s: f64) -> Result<i64> {
+    let stamp_ns = (1e9 * timestamp_s).round();
+    // A NaN is not below it either.
+    if stamp_ns.abs() < MOST_STAMP_NS {
+        return Ok(stamp_ns as i64);
+    }
+    Err(Error::argument("timestamp_s", "seconds since the phone was switched on", timestamp_s))
+}
+
+/// 2⁵³, 104 days: up to there a float tells whole ns apart.
+const MOST_STAMP_NS: f64 = 9_007_199_254_740_992.0;
+
 /// A unit of a mapped column: `s`, `ms`, `us`, `ns`, `rad/s`, `deg/s`, `m/s2`, `g`, `m`, `mm`, `cm`. A leading minus
 /// turns the sign (`-g` for raw iOS accelerations).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -703,6 +703,8 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_import_recordings(
     ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_stamps_from_core_motion(
+    ): Int
     external fun uniffi_gyradius_ffi_checksum_func_live_sentence(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_boat_types(
@@ -1118,6 +1120,8 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_import_recordings(`files`: RustBuffer.ByValue,`folder`: RustBuffer.ByValue,`request`: RustBuffer.ByValue,`overwrite`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_stamps_from_core_motion(`timestampsS`: ForeignBytes.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_live_sentence(`advice`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_boat_types(uniffi_out_err: UniffiRustCallStatus, 
@@ -1268,6 +1272,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_func_import_recordings() and 0xFFFF) != 29475) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_stamps_from_core_motion() and 0xFFFF) != 27769) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_func_live_sentence() and 0xFFFF) != 11108) {
@@ -18598,6 +18605,21 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
         FfiConverterString.lower(`folder`),
         FfiConverterTypeImportRequest.lower(`request`),
         FfiConverterTypeOverwrite.lower(`overwrite`),_status)
+}
+    )
+    }
+    
+
+        /**
+         * Time stamps of Core Motion, a block of floats, s since the phone was switched on, as a block of stamps, ns.
+         */
+    @Throws(GyradiusException::class) fun `stampsFromCoreMotion`(`timestampsS`: java.nio.ByteBuffer): kotlin.ByteArray {
+            return FfiConverterByteArray.lift(
+    uniffiRustCallWithError(GyradiusException) { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_stamps_from_core_motion(
+    
+        
+        FfiConverterByRefBytes.lower(`timestampsS`),_status)
 }
     )
     }

@@ -129,10 +129,12 @@ class SensorsTest {
     }
 
     @Test
-    fun `Core Motion's accelerations are specific forces of the other sign`() {
+    fun `Core Motion's accelerations are specific forces of the other sign, its times stamps`() {
         // At rest, screen up, iOS gives -1 g along z; standard gravity is 9.80665 m/s² by definition.
         val forces = forcesFromCoreMotion(blockOf(doubleArrayOf(0.0, 0.0, -1.0, 0.5, -0.25, 0.0))).asDoubles()
         assertEquals(listOf(0.0, 0.0, 9.80665), forces.take(3).map { it + 0.0 })
         assertEquals(listOf(-4.903325, 2.4516625), forces.drop(3).take(2))
+        val stamps = stampsFromCoreMotion(blockOf(doubleArrayOf(0.01, 345_678.123456789))).asStamps()
+        assertArrayEquals(longArrayOf(10_000_000, 345_678_123_456_789), stamps)
     }
 }

@@ -1,0 +1,115 @@
+import Foundation
+import GyradiusKit
+import Observation
+
+/// A session that was measured: its result and its report.
+@MainActor @Observable
+public final class ResultModel {
+  public private(set) var title = ""
+  public private(set) var result: InertiaResult?
+  public private(set) var recordings: [RecordingFigureData] = []
+  /// How much of the measurement is done, 0 to 1; absent while nothing is done.
+  public private(set) var share: Double?
+  public private(set) var error: String?
+  /// What the simulation gets wrong.
+  public let criticism = CriticismModel()
+  private var session: Session?
+  private var analysis: Analysis?
+
+  public init() {}
+
+  /// Reads a session, measures it, and takes the criticism that was kept, if there is one.
+  public func open(_ found: Measurable) async {
+    title = found.title
+    await work {
+      let session = try await Session.load(found.session)
+      self.session = session
+      criticism.begin(with: session, kept: found.critique)
+      try await measure(found.limits)
+    }
+  }
+
+  /// Measures again, with verdicts on other limits.
+  public func judge(by limits: [String]) async {
+    await work { try await measure(limits) }
+  }
+
+  /// Writes the report into a folder, with the criticism where there is one.
+  public func report(into folder: URL, measuredOn: String? = nil) async -> URL? {
+    let file = folder.appending(path: "report.html")
+    var written: URL?
+    await work {
+      guard let analysis else { return }
+      let html = try await analysis.reportHtml(criticism: criticism.found, measuredOn: measuredOn)
+      try html.write(to: file, atomically: true, encoding: .utf8)
+      written = file
+    }
+    return written
+  }
+
+  private func measure(_ limits: [String]) async throws {
+    guard let session else { return }
+    let found = try await session.measure(limits: limits) { share, _ in
+      Task { @MainActor in if self.share != nil { self.share = share } }
+    }
+    analysis = found
+    (result, recordings) = (found.result(), found.recordings())
+  }
+
+  private func work(_ what: () async throws -> Void) async {
+    (share, error) = (0, nil)
+    do {
+      try await what()
+    } catch is CancellationError {
+    } catch {
+      self.error = sentence(of: error)
+    }
+    share = nil
+  }
+}
+
+/// What the simulation of a session gets wrong, why, and what mending it gains.
+@MainActor @Observable
+public final class CriticismModel {
+  public private(set) var critique: Critique?
+  /// Only of a criticism made just now; one that was kept has no curves.
+  public private(set) var compared: [ComparedSwing] = []
+  public private(set) var share: Double?
+  public private(set) var error: String?
+  private(set) var found: Criticism?
+  private var session: Session?
+
+  public init() {}
+
+  /// Looks for what is missing: minutes. It stops with its task.
+  public func criticise() async {
+    guard let session else { return }
+    (share, error) = (0, nil)
+    do {
+      let made = try await session.critique { share, _ in
+        Task { @MainActor in if self.share != nil { self.share = share } }
+      }
+      show(made)
+    } catch is CancellationError {
+    } catch {
+      self.error = sentence(of: error)
+    }
+    share = nil
+  }
+
+  func begin(with session: Session, kept: URL) {
+    self.session = session
+    (critique, compared, found, error) = (nil, [], nil, nil)
+    guard FileManager.default.fileExists(atPath: kept.path) else { return }
+    do {
+      show(try Criticism.fromJson(text: String(contentsOf: kept, encoding: .utf8)))
+    } catch {
+      self.error = sentence(of: error)
+    }
+  }
+
+  private func show(_ criticism: Criticism) {
+    found = criticism
+    (critique, compared) = (criticism.result(), criticism.compared())
+  }
+}

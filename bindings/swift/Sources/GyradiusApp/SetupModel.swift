@@ -1,0 +1,128 @@
+import Foundation
+import GyradiusKit
+import Observation
+
+/// A number with its uncertainty as it is typed in.
+public struct TypedQuantity: Equatable, Sendable {
+  public var value: Double?
+  public var u: Double?
+
+  public init(_ quantity: Quantity? = nil) {
+    (value, u) = (quantity?.value, quantity?.u)
+  }
+
+  /// The quantity, where both are there.
+  public var quantity: Quantity? {
+    guard let value, let u else { return nil }
+    return Quantity(value: value, u: u)
+  }
+}
+
+/// A class limit as it is typed in.
+public struct TypedLimit: Identifiable, Equatable, Sendable {
+  public let id: UUID
+  /// `k_yaw_m` …
+  public var quantity: String
+  public var isLeast = true
+  public var value: Double?
+
+  public init(quantity: String) {
+    id = UUID()
+    self.quantity = quantity
+  }
+
+  /// As the library reads it, where there is a number.
+  public var text: String? { value.map { "\(quantity)\(isLeast ? ">=" : "<=")\($0)" } }
+}
+
+/// A boat that is known roughly becomes a plan.
+@MainActor @Observable
+public final class SetupModel {
+  public var title = ""
+  public var massKg: Double?
+  public var lengthM: Double?
+  public var beamM: Double?
+  public var boatType: String
+  public var known: [String: TypedQuantity] = [:]
+  public var mostLineLengthM: Double?
+  public var leastLineLengthM: Double?
+  public var gravityMS2: TypedQuantity
+  /// Wanted uncertainties by quantity, in the unit of `wantedUnits`.
+  public var wanted: [String: Double] = [:]
+  public var limits: [TypedLimit] = []
+  public private(set) var isPlanning = false
+  public private(set) var plan: PlanResult?
+  public private(set) var task: ProcedureTask?
+  public private(set) var error: String?
+
+  /// What may be known more closely, as the library names it.
+  public static let knowable = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"]
+  /// Quantities whose uncertainty can be wished for, and the unit of the wish.
+  public static let wantedUnits = [
+    ("k_yaw", "%"), ("k_pitch", "%"), ("k_roll", "%"), ("depth", "%"), ("psi", "°"),
+  ]
+
+  public init() {
+    let means = usualMeans()
+    boatType = boatTypes().first ?? ""
+    (mostLineLengthM, leastLineLengthM) = (means.mostLineLengthM, means.leastLineLengthM)
+    gravityMS2 = TypedQuantity(means.gravityMS2)
+  }
+
+  /// Asks the planner: seconds.
+  public func makePlan() async {
+    (isPlanning, plan, task, error) = (true, nil, nil, nil)
+    defer { isPlanning = false }
+    do {
+      let made = try await Plan.make(request)
+      (plan, task) = (made.result(), made.task())
+    } catch {
+      self.error = sentence(of: error)
+    }
+  }
+
+  /// Class limits as the library reads them.
+  public var limitTexts: [String] { limits.compactMap(\.text) }
+
+  /// What is asked of the planner; a field that is empty keeps the library's default.
+  public var request: PlanRequest {
+    let usual = usualPlanRequest()
+    let asked = Self.wantedUnits.compactMap { name, unit in wanted[name].map { "\(name)=\($0)\(unit)" } }
+    return PlanRequest(
+      title: title, hull: hull, wanted: asked.isEmpty ? usual.wanted : asked, means: means(usual.means))
+  }
+
+  private var hull: RoughHull {
+    RoughHull(
+      massKg: massKg,
+      lengthM: lengthM,
+      beamM: beamM,
+      boatType: boatType,
+      kYawM: known["k_yaw_m"]?.quantity,
+      kPitchM: known["k_pitch_m"]?.quantity,
+      kRollM: known["k_roll_m"]?.quantity,
+      cmDepthM: known["cm_depth_m"]?.quantity,
+      psiDeg: known["psi_deg"]?.quantity
+    )
+  }
+
+  private func means(_ usual: Means) -> Means {
+    Means(
+      mostLineLengthM: mostLineLengthM ?? usual.mostLineLengthM,
+      leastLineLengthM: leastLineLengthM ?? usual.leastLineLengthM,
+      mostSpacingM: usual.mostSpacingM,
+      leastSpacingM: usual.leastSpacingM,
+      uLineLengthM: usual.uLineLengthM,
+      uSpacingM: usual.uSpacingM,
+      uHullPitchDeg: usual.uHullPitchDeg,
+      gravityMS2: gravityMS2.quantity ?? usual.gravityMS2,
+      gyroNoiseRadS: usual.gyroNoiseRadS,
+      accNoiseMS2: usual.accNoiseMS2,
+      rateHz: usual.rateHz,
+      decayS: usual.decayS,
+      amplitudeDeg: usual.amplitudeDeg,
+      leastDurationS: usual.leastDurationS,
+      mostDurationS: usual.mostDurationS
+    )
+  }
+}

@@ -1,0 +1,152 @@
+import Foundation
+import GyradiusKit
+import Testing
+
+@testable import GyradiusApp
+
+/// The models beside the procedure.
+@MainActor @Suite struct ModelsTests {
+  private let folder: TemporaryFolder
+  private let sessions: SessionsModel
+
+  init() throws {
+    folder = try TemporaryFolder()
+    sessions = SessionsModel(SessionStore(documents: folder.url, support: folder.url))
+  }
+
+  private func shipped(_ name: String) -> URL { root.appending(path: "python/gyradius/sessions/\(name)") }
+
+  @Test func aPlanIsMadeOfWhatIsTypedIn() async throws {
+    let setup = SetupModel()
+    await setup.makePlan()
+    #expect(setup.error != nil && setup.plan == nil)
+    (setup.title, setup.massKg, setup.lengthM, setup.beamM, setup.boatType) = ("Finn", 120, 4.5, 1.5, "dinghy")
+    setup.known["k_yaw_m"] = TypedQuantity(Quantity(value: 1.1, u: 0.02))
+    setup.wanted = ["k_yaw": 0.5]
+    setup.mostLineLengthM = 2.5
+    setup.limits = [TypedLimit(quantity: "k_yaw_m"), TypedLimit(quantity: "k_pitch_m")]
+    setup.limits[0].value = 1.05
+    #expect(setup.limitTexts == ["k_yaw_m>=1.05"])
+    await setup.makePlan()
+    let plan = try #require(setup.plan)
+    #expect(setup.error == nil && setup.task?.title == "Finn")
+    #expect(plan.hull.kYawM == Quantity(value: 1.1, u: 0.02))
+    let longest = plan.steps.compactMap { $0.swing?.suspension.lineLengthM?.value }.max()
+    #expect(try #require(longest) <= 2.5)
+    let yaw = try #require(plan.quantities.first { $0.name == "k_yaw_m" }).quantity
+    #expect(try abs(#require(yaw.wantedU) - 0.005 * yaw.value) < 1e-12)
+  }
+
+  @Test func sessionsAreListedTakenInDeletedAndHadBack() async throws {
+    await sessions.refresh()
+    #expect(sessions.listed.isEmpty && !sessions.isPracticeLeft)
+    await sessions.take(shipped("boat-park").appending(path: "yaw-sway.csv"))
+    #expect(sessions.error == nil)
+    let one = try #require(sessions.listed.first)
+    #expect(one.phase == nil && one.damage == nil && !one.title.isEmpty && one.at != nil)
+    let measurable = try #require(sessions.store.measurable(one.folder))
+    #expect(measurable.session.lastPathComponent == "imported-yaw-sway.csv")
+    sessions.delete(one)
+    #expect(sessions.listed.isEmpty)
+    await sessions.undo()
+    #expect(sessions.listed == [one])
+    sessions.delete(one)
+    sessions.forget()
+    await sessions.refresh()
+    #expect(sessions.listed.isEmpty && !FileManager.default.fileExists(atPath: one.folder.path))
+  }
+
+  @Test func whatIsNoSessionIsRefusedAndLeavesNothing() async throws {
+    let file = folder.url.appending(path: "shopping.txt")
+    try "milk, bread".write(to: file, atomically: true, encoding: .utf8)
+    await sessions.take(file)
+    #expect(sessions.error != nil && sessions.listed.isEmpty)
+    #expect(try names(in: sessions.store.root).isEmpty)
+  }
+
+  @Test func aSessionUnderWayIsListedWithItsPhaseAndADamagedOneWithItsReason() async throws {
+    let setup = SetupModel()
+    (setup.title, setup.massKg, setup.lengthM, setup.beamM) = ("Finn", 120, 4.5, 1.5)
+    await setup.makePlan()
+    let folder = try #require(sessions.create(title: "Finn", limits: ["k_yaw_m>=1.0"]))
+    let model = ProcedureModel()
+    await model.measure(in: folder, task: try #require(setup.task), source: PlayedSource(name: "phone"))
+    await model.leave()
+    await sessions.refresh()
+    #expect(sessions.listed.map(\.phase) == [.start] && sessions.listed.map(\.title) == ["Finn"])
+    #expect(sessions.store.measurable(folder) == nil)
+    try Data().write(to: folder.appending(path: "procedure.journal"))
+    await sessions.refresh()
+    #expect(sessions.listed.first?.damage?.isEmpty == false)
+  }
+
+  @Test func aResultIsMeasuredJudgedAndReported() async throws {
+    let critique = root.appending(path: "core/tests/report/critiques/ambiguous.json")
+    let measurable = Measurable(
+      session: shipped("keelboat"), title: "keelboat", limits: ["k_yaw_m>=1.000"], critique: critique)
+    let model = ResultModel()
+    await model.open(measurable)
+    #expect(model.error == nil && model.share == nil)
+    #expect(model.result?.verdicts.map(\.quantity) == ["k_yaw_m"])
+    #expect(model.criticism.critique?.verdict.status == "ambiguous")
+    await model.judge(by: ["k_yaw_m<=1.200", "k_yaw_m>=1.000"])
+    #expect(model.result?.verdicts.count == 2)
+    let report = try #require(await model.report(into: folder.url))
+    #expect(try String(contentsOf: report, encoding: .utf8).contains("gyradius-critique"))
+    await model.judge(by: ["k_yaw"])
+    #expect(model.error != nil && model.result?.verdicts.count == 2)
+  }
+
+  @Test func aCriticismIsMadeOfASession() async throws {
+    let model = ResultModel()
+    let none = folder.url.appending(path: "critique.json")
+    await model.open(Measurable(session: shipped("keelboat"), title: "", limits: [], critique: none))
+    #expect(model.criticism.critique == nil)
+    await model.criticism.criticise()
+    #expect(model.criticism.error == nil && model.criticism.share == nil)
+    #expect(model.criticism.critique?.format == "gyradius-critique/1")
+  }
+
+  @Test func settingsAreKept() throws {
+    let name = UUID().uuidString
+    let defaults = try #require(UserDefaults(suiteName: name))
+    defer { defaults.removePersistentDomain(forName: name) }
+    let settings = Settings(defaults)
+    #expect(settings.isAloud && settings.isFelt && settings.placement == .flatTopToBow)
+    (settings.isAloud, settings.isFlat) = (false, false)
+    let again = Settings(defaults)
+    #expect(!again.isAloud && again.isFelt && again.placement == .anyWay)
+  }
+
+  @Test func figuresShowTheUncertaintyWithTwoDigits() {
+    let english = Locale(identifier: "en")
+    #expect(withUncertainty(1.09346, 0.00123, locale: english) == ("1.0935", "0.0012"))
+    #expect(withUncertainty(1.09345, 0.0996, locale: english) == ("1.09", "0.10"))
+    #expect(withUncertainty(9.806, 12.3, locale: english) == ("10", "12"))
+    #expect(withUncertainty(1.5, 0.02, locale: Locale(identifier: "de")) == ("1,500", "0,020"))
+    #expect(withUncertainty(1.5, 0, locale: english) == ("1.5000", "–"))
+    #expect(nameAndUnit("k_yaw_m") == ("k yaw", "m") && nameAndUnit("psi_deg") == ("psi", "°"))
+  }
+
+  @Test func cuesTellWhoDoesNotLook() async throws {
+    let rig = try String(contentsOf: root.appending(path: "python/gyradius/rigs/keelboat.toml"), encoding: .utf8)
+    let rehearsal = try Rehearsal.create(
+      folder: folder.url.path, rig: Rig.parse(text: rig, name: "practice"), seed: 1)
+    try rehearsal.mishap(step: "yaw-sway", take: 1, what: "touch")
+    try rehearsal.mishap(step: "surge-pitch", take: 1, what: "slip")
+    var (told, before): ([Cue], ProcedureState) = ([], rehearsal.state())
+    while before.phase != .measure {
+      if let event = try rehearsal.byTheBook(atUtc: "2026-05-04T09:30:00Z") {
+        try rehearsal.handle(event: event)
+      } else {
+        _ = try rehearsal.advance(seconds: 0.5)
+      }
+      let now = rehearsal.state()
+      if let cue = Cue.of(before, now), told.last != cue { told.append(cue) }
+      before = now
+    }
+    #expect(told.prefix(4) == [.good, .releaseNow, .recording, .touched])
+    #expect(told.contains(.repeat))
+    #expect(told.last == .good)
+  }
+}

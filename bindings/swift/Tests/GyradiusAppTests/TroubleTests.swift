@@ -1,0 +1,123 @@
+import Foundation
+import GyradiusKit
+import Testing
+
+@testable import GyradiusApp
+
+/// What goes wrong in the middle of a recording, and what is left of it.
+@MainActor @Suite struct TroubleTests {
+  @Test func anAppThatIsSentToTheBackgroundLosesOnlyThatTimeAndSaysSo() async throws {
+    // A lock of the screen and a call that is taken do the same: iOS gives the app no time and no samples.
+    let park = try Park()
+    try await park.record()
+    try await park.rest(seconds: 10)
+    await park.model.pauseLooking()
+    // On the disk before the app is held: what iOS then does to it costs nothing more.
+    #expect(try park.recorded(.gyroscope) >= 950)
+    #expect(try park.state.phase == .record)
+    park.source.letGoBy(seconds: 8)
+    try await park.rest(seconds: 10)
+    await park.model.handle(.stopRecording)
+    let judgement = try #require(park.state.judgement)
+    #expect(judgement.recommend == .repeat)
+    #expect(judgement.reasons.contains { $0.key == "reason_gaps" }, "\(judgement.reasons.map(\.key))")
+    #expect(try park.recorded(.gyroscope) == 2000)
+    #expect(try park.recorded(.accelerometer) == 2000)
+  }
+
+  @Test func aPauseThatTakesNoSampleAwayLosesNone() async throws {
+    // A banner of a call: the app is inactive for a moment, and iOS goes on giving samples.
+    let park = try Park()
+    try await park.record()
+    park.model.goOnLooking()
+    await park.model.pauseLooking()
+    try await park.rest(seconds: 10)
+    await park.model.handle(.stopRecording)
+    let reasons = try #require(park.state.judgement).reasons.map(\.key)
+    #expect(!reasons.contains("reason_gaps"))
+    #expect(try park.recorded(.gyroscope) == 1000)
+  }
+
+  @Test func anAppThatIsKilledInARecordingGoesOnWithIt() async throws {
+    let park = try Park()
+    try await park.record()
+    try await park.rest(seconds: 10)
+    // The disk as it is at that moment; what the app then does in closing is undone.
+    let asKilled = park.folder.appendingPathExtension("killed")
+    try FileManager.default.copyItem(at: park.folder, to: asKilled)
+    await park.model.leave()
+    #expect(!park.model.isListening)
+    try FileManager.default.removeItem(at: park.folder)
+    try FileManager.default.moveItem(at: asKilled, to: park.folder)
+    await park.model.goOn(in: park.folder, source: park.source)
+    #expect(try park.state.phase == .interrupted)
+    await park.model.handle(.continue)
+    try await park.rest(seconds: 5)
+    await park.model.handle(.stopRecording)
+    #expect(try park.state.phase == .judge)
+    // Never more than half a second behind.
+    #expect(try (1450...1500).contains(park.recorded(.gyroscope)))
+    #expect(try park.take().damage().map(\.kind) == [.resumed])
+  }
+
+  @Test func aSensorThatStopsIsShownAndTheRecordingKnows() async throws {
+    let park = try Park()
+    try await park.record()
+    try await park.rest(seconds: 5)
+    #expect(park.model.recorder.silent == [])
+    park.source.mute([.gyroscope])
+    try await park.rest(seconds: 3)
+    #expect(park.model.recorder.silent == [.gyroscope])
+    park.source.mute([])
+    try await park.rest(seconds: 2)
+    #expect(park.model.recorder.silent == [])
+    await park.model.handle(.stopRecording)
+    #expect(try park.take().marks().map(\.key).contains("sensor stopped gyroscope"))
+    #expect(try park.state.judgement?.recommend == .repeat)
+    #expect(try park.recorded(.gyroscope) == 700)
+    #expect(try park.recorded(.accelerometer) == 1000)
+  }
+
+  @Test func sensorsThatAllStopAreShown() async throws {
+    let park = try Park()
+    try await park.begin()
+    park.source.mute([.gyroscope, .accelerometer])
+    try await park.goOn(seconds: 1)
+    #expect(park.model.recorder.silent == [.gyroscope, .accelerometer])
+  }
+
+  /// A disk of a few megabytes that is the test's alone; `tools/swift` mounts it.
+  nonisolated private static let smallDisk = ProcessInfo.processInfo.environment["GYRADIUS_SMALL_DISK"]
+
+  @Test(.enabled(if: smallDisk != nil, "it needs a small disk of its own"))
+  func aFullDiskIsToldWhatWasRecordedStaysAndItGoesOnWhenThereIsRoom() async throws {
+    let disk = URL(filePath: try #require(Self.smallDisk))
+    let park = try Park(on: disk)
+    try await park.record()
+    try await park.rest(seconds: 10)
+    let filler = disk.appending(path: "filler")
+    try fill(filler)
+    try await park.rest(seconds: 10)
+    #expect(try park.state.phase == .interrupted)
+    #expect(park.model.error != nil)
+    try FileManager.default.removeItem(at: filler)
+    await park.model.handle(.continue)
+    #expect(try park.state.phase == .record)
+    try await park.rest(seconds: 10)
+    await park.model.handle(.stopRecording)
+    #expect(try park.state.phase == .judge)
+    // Those before the disk was full, and those after.
+    #expect(try (1950...2600).contains(park.recorded(.gyroscope)))
+    await park.model.leave()
+    try FileManager.default.removeItem(at: park.folder)
+  }
+
+  private func fill(_ file: URL) throws {
+    #expect(FileManager.default.createFile(atPath: file.path, contents: nil))
+    let handle = try FileHandle(forWritingTo: file)
+    for size in [1 << 16, 1 << 10] {
+      while (try? handle.write(contentsOf: Data(count: size))) != nil {}
+    }
+    try handle.close()
+  }
+}
