@@ -94,7 +94,7 @@ class Resolver:
         code = choose(variants, self.platform, "library")
         node = Node()
         for variant in [code] if code else [v for v in variants if category(v) == "platform"]:
-            node.needs += [needed(one) for one in variant.get("dependencies", []) if category(one) == "library"]
+            node.needs += [needed(one) for one in variant.get("dependencies", []) if category(one) in ("library", "platform")]
             node.floors += [needed(one) for one in variant.get("dependencyConstraints", [])]
             if "available-at" in variant:
                 there = variant["available-at"]
