@@ -12,12 +12,13 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-android screenshots facade bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make generate  the generated Kotlin anew, after a change of bindings/ffi"
+	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
 	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
@@ -67,6 +68,17 @@ bindings:
 test-kotlin: package bindings
 	@$(STEP) generated bindings/check-generated
 	@$(STEP) kotlin bindings/kotlin/run-tests $(BIN)/python
+
+# The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
+test-android: facade
+	@$(STEP) android android/run-tests test
+
+# Pictures of its screens in build/android/shots.
+screenshots: facade
+	@$(STEP) screenshots android/run-tests shots
+
+facade:
+	@cargo build --quiet -p gyradius-ffi
 
 generate: bindings
 	rm -rf bindings/kotlin/src/main/kotlin-generated
