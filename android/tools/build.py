@@ -14,6 +14,7 @@ import subprocess
 import sys
 import time
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from catalog import ANDROID, Catalog
@@ -81,16 +82,18 @@ class Build:
         resources = Resources(OUT, PACKAGE, self._aapt2(), self.framework, tools, self.catalog.versions)
         step("resources", lambda: resources.link(ANDROID / "app/src/main", aars, [ROOT / "python/gyradius/rigs"]))
         # By itself: it seldom changes, and is most of what there is to compile.
-        step("facade", lambda: self._kotlinc(FACE, OUT / "face-classes", [*self.app_jars, self.framework], []))
-        path = [OUT / "face-classes", OUT / "r-classes", *self.app_jars, self.framework]
-        step("app", lambda: self._kotlinc(MAIN, OUT / "classes", path, []))
-        path = [OUT / "classes", OUT / "face-classes", OUT / "r-classes", *self.jars, self.framework]
-        step("tests", lambda: self._kotlinc(TESTS, OUT / "test-classes", path, [f"-Xfriend-paths={OUT / 'classes'}"]))
+        face, app, tests = OUT / "face-classes", OUT / "classes", OUT / "test-classes"
+        step("facade", lambda: self._kotlinc(FACE, face, [*self.app_jars, self.framework], []))
+        path = [face, OUT / "r-classes", *self.app_jars, self.framework]
+        step("app", lambda: self._kotlinc(MAIN, app, path, [], [stamp_of(face), OUT / "R.txt"]))
+        path = [app, face, OUT / "r-classes", *self.jars, self.framework]
+        friend = f"-Xfriend-paths={app}"
+        step("tests", lambda: self._kotlinc(TESTS, tests, path, [friend], [stamp_of(app)]))
 
-    def _kotlinc(self, sources: list[Path], to: Path, path: list[Path], more: list[str]) -> None:
+    def _kotlinc(self, sources: list[Path], to: Path, path: list[Path], more: list[str], after: Sequence[Path] = ()) -> None:
         files = sorted(str(file) for folder in sources for file in folder.rglob("*.kt"))
-        stamp = to.with_suffix(".sha256")
-        key = digest([Path(one) for one in files], [str(one) for one in path] + more)
+        stamp = stamp_of(to)
+        key = digest([*map(Path, files), *after], [str(one) for one in path] + more)
         if to.exists() and stamp.exists() and stamp.read_text() == key:
             return
         shutil.rmtree(to, ignore_errors=True)
@@ -167,13 +170,16 @@ def test_config() -> str:
     return "".join(f"{name}={value}\n" for name, value in entries.items())
 
 
+def stamp_of(classes: Path) -> Path:
+    """Where it is kept what a folder of classes was compiled from."""
+    return classes.with_suffix(".sha256")
+
+
 def digest(files: list[Path], more: list[str]) -> str:
     """Tells whether anything changed."""
     total = hashlib.sha256("\n".join(more).encode())
     for file in files:
         total.update(str(file).encode() + file.read_bytes())
-    r_text = OUT / "R.txt"
-    total.update(r_text.read_bytes() if r_text.exists() else b"")
     return total.hexdigest()
 
 

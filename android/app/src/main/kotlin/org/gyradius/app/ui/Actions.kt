@@ -36,6 +36,8 @@ fun Actions(shown: Shown, model: RunModel) {
             ProcedureAction.MEASURED -> if (state.phase == ProcedurePhase.HANG) Hanging(shown, model)
             ProcedureAction.START_RECORDING ->
                 WideButton(stringResource(R.string.action_start_recording)) { model.record() }
+            ProcedureAction.WORK ->
+                if (shown.isWorkStuck) WideButton(stringResource(R.string.action_work_again), onClick = model::workAgain)
             else -> plain(action)?.let { (text, event) ->
                 WideButton(stringResource(text), isMain) { model.handle(event) }
             }

@@ -17,6 +17,7 @@ import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import org.gyradius.Channel
 import org.gyradius.ProcedurePhase
 import org.gyradius.ProcedureState
 import org.gyradius.app.R
@@ -32,8 +33,9 @@ fun ProcedureScreen(shown: Shown, model: RunModel) {
         if (shown.isPractice) Pace(shown.pace, model::setPace)
         Text(state.instruction.english, style = MaterialTheme.typography.headlineSmall)
         (listOfNotNull(shown.error) + state.warnings.map { it.english }).forEach { Advice(it) }
+        shown.silent.forEach { Advice(stringResource(silence(it))) }
         PhaseBody(shown, state)
-        if (state.work != null) Working(shown.workShare)
+        if (state.work != null && !shown.isWorkStuck) Working(shown.workShare)
         Actions(shown, model)
     }
 }
@@ -74,13 +76,17 @@ private fun PhaseBody(shown: Shown, state: ProcedureState) {
     state.critique?.let { Text(it.text, style = MaterialTheme.typography.bodyLarge) }
 }
 
+private fun silence(channel: Channel): Int =
+    if (channel == Channel.ACCELEROMETER) R.string.sensor_stopped_accelerometer else R.string.sensor_stopped_gyroscope
+
 @Composable
 private fun Working(share: Double?) {
     val done = share ?: return LinearProgressIndicator()
     LinearProgressIndicator({ done.toFloat() })
 }
 
-private fun title(phase: ProcedurePhase): Int = when (phase) {
+/** What a phase is called. */
+internal fun title(phase: ProcedurePhase): Int = when (phase) {
     ProcedurePhase.START -> R.string.phase_start
     ProcedurePhase.LEVEL -> R.string.phase_level
     ProcedurePhase.REST -> R.string.phase_rest
