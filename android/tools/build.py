@@ -1,4 +1,4 @@
-"""The app without the Android SDK: build.py compile | test | shots.
+"""The app without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…].
 
 The same sources, resources, manifest and version catalog as Android Studio's; the frameworks are Robolectric's. What it makes is
 in `build/android`, what it fetches in `~/.cache/gyradius-android`.
@@ -33,12 +33,12 @@ TESTS = [ANDROID / "app/src/test/kotlin"]
 COMPILER = "org.jetbrains.kotlin.cli.jvm.K2JVMCompiler"
 
 
-def main(what: str) -> None:
+def main(what: str, only: list[str]) -> None:
     """Runs one of the recipes."""
     build = Build()
     build.compile()
     if what in ("test", "shots"):
-        build.test(OUT / "shots" if what == "shots" else None)
+        build.test(OUT / "shots" if what == "shots" else None, only)
 
 
 class Build:
@@ -80,7 +80,7 @@ class Build:
         tools = self._resolved("jvm", [], ["manifest-merger"])
         aars = [unpacked(one) for one in self.files if one.kind == "aar"]
         resources = Resources(OUT, PACKAGE, self._aapt2(), self.framework, tools, self.catalog.versions)
-        step("resources", lambda: resources.link(ANDROID / "app/src/main", aars, [ROOT / "python/gyradius/rigs"]))
+        step("resources", lambda: self._link(resources, ANDROID / "app/src/main", aars, [ROOT / "python/gyradius/rigs"]))
         # By itself: it seldom changes, and is most of what there is to compile.
         face, app, tests = OUT / "face-classes", OUT / "classes", OUT / "test-classes"
         step("facade", lambda: self._kotlinc(FACE, face, [*self.app_jars, self.framework], []))
@@ -90,11 +90,19 @@ class Build:
         friend = f"-Xfriend-paths={app}"
         step("tests", lambda: self._kotlinc(TESTS, tests, path, [friend], [stamp_of(app)]))
 
+    def _link(self, resources: Resources, main: Path, aars: list[Path], assets: list[Path]) -> None:
+        own = [one for folder in [main / "res", *assets] for one in sorted(folder.rglob("*")) if one.is_file()]
+        stamp = stamp_of(OUT / "resources")
+        key = digest([main / "AndroidManifest.xml", ANDROID / "gradle/libs.versions.toml", *own], list(map(str, aars)))
+        if not up_to_date(stamp, key, OUT / "r-classes"):
+            resources.link(main, aars, assets)
+            stamp.write_text(key)
+
     def _kotlinc(self, sources: list[Path], to: Path, path: list[Path], more: list[str], after: Sequence[Path] = ()) -> None:
         files = sorted(str(file) for folder in sources for file in folder.rglob("*.kt"))
         stamp = stamp_of(to)
         key = digest([*map(Path, files), *after], [str(one) for one in path] + more)
-        if to.exists() and stamp.exists() and stamp.read_text() == key:
+        if up_to_date(stamp, key, to):
             return
         shutil.rmtree(to, ignore_errors=True)
         arguments = to.with_suffix(".args")
@@ -105,8 +113,8 @@ class Build:
         run(["java", "-Xmx2g", "-cp", compiler, COMPILER, f"@{arguments}"])
         stamp.write_text(key)
 
-    def test(self, shots: Path | None) -> None:
-        """Runs every test class under Robolectric."""
+    def test(self, shots: Path | None, only: list[str]) -> None:
+        """Runs every test class under Robolectric, or only some."""
         framework = self._alone("android-all-instrumented")
         (OUT / "test-config/com/android/tools").mkdir(parents=True, exist_ok=True)
         config = OUT / "test-config/com/android/tools/test_config.properties"
@@ -114,6 +122,7 @@ class Build:
         path = [OUT / "test-config", ANDROID / "app/src/test/resources", OUT / "test-classes", OUT / "classes"]
         path += [OUT / "face-classes", OUT / "r-classes", *self.jars, self.framework]
         classes = sorted(str(one.relative_to(TESTS[0]).with_suffix("")).replace("/", ".") for one in TESTS[0].rglob("*Test.kt"))
+        classes = [one for one in classes if not only or one.rpartition(".")[2] in only]
         properties = {
             "robolectric.offline": "true",
             "robolectric.dependency.dir": framework.parent,
@@ -170,8 +179,13 @@ def test_config() -> str:
     return "".join(f"{name}={value}\n" for name, value in entries.items())
 
 
+def up_to_date(stamp: Path, key: str, made: Path) -> bool:
+    """Whether something was made, whole, of just these things."""
+    return made.exists() and stamp.exists() and stamp.read_text() == key
+
+
 def stamp_of(classes: Path) -> Path:
-    """Where it is kept what a folder of classes was compiled from."""
+    """Where it is kept what something was made of."""
     return classes.with_suffix(".sha256")
 
 
@@ -198,4 +212,4 @@ def run(command: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1] if len(sys.argv) > 1 else "compile")
+    main(sys.argv[1] if len(sys.argv) > 1 else "compile", sys.argv[2:])
