@@ -2,6 +2,8 @@ package org.gyradius.app
 
 import android.graphics.Bitmap
 import androidx.compose.ui.graphics.asAndroidBitmap
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.SemanticsMatcher
 import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.junit4.ComposeTestRule
 import androidx.compose.ui.test.onAllNodesWithText
@@ -17,14 +19,21 @@ fun ComposeTestRule.shot(name: String) {
     File(folder, "$name.png").outputStream().use { bitmap.compress(Bitmap.CompressFormat.PNG, 100, it) }
 }
 
+/** A slow machine is not a failure. */
+private const val PATIENCE_MS = 30_000L
+
 /** Waits in real time for what the library's threads bring about; the message says what for. */
 fun ComposeTestRule.patient(what: String, holds: () -> Boolean) {
     try {
-        waitUntil(timeoutMillis = 120_000, condition = holds)
+        waitUntil(timeoutMillis = PATIENCE_MS, condition = holds)
     } catch (late: Throwable) {
-        throw AssertionError("waited in vain for $what", late)
+        throw AssertionError("waited in vain for $what; on the screen: ${texts()}", late)
     }
 }
 
 /** Whether a text is on the screen, or can be scrolled to. */
 fun ComposeTestRule.exists(text: String): Boolean = onAllNodesWithText(text).fetchSemanticsNodes().isNotEmpty()
+
+private fun ComposeTestRule.texts(): List<String> =
+    onAllNodes(SemanticsMatcher.keyIsDefined(SemanticsProperties.Text)).fetchSemanticsNodes()
+        .flatMap { it.config[SemanticsProperties.Text] }.map { it.text }
