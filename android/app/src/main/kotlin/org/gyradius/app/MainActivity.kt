@@ -44,7 +44,7 @@ class MainActivity : ComponentActivity() {
                     isSetup -> {
                         BackHandler { isSetup = false }
                         val planned by setup.planned.collectAsStateWithLifecycle()
-                        SetupScreen(planned, setup) { measure(it); isSetup = false }
+                        SetupScreen(planned, setup::plan, onBack = { isSetup = false }) { task, _ -> measure(task); isSetup = false }
                     }
                     else -> SessionsScreen(shown.error, onMeasure = { isSetup = true }, onPractise = ::practise)
                 }

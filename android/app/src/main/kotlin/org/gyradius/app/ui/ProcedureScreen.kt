@@ -1,97 +1,134 @@
 package org.gyradius.app.ui
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.safeDrawingPadding
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.FilterChip
+import android.os.Build
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalContext
 import androidx.compose.ui.res.stringResource
-import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import org.gyradius.MeasuredDimensions
+import org.gyradius.PhoneInfo
+import org.gyradius.Placement
+import org.gyradius.ProcedureEvent
 import org.gyradius.ProcedurePhase
 import org.gyradius.ProcedureState
 import org.gyradius.app.R
+import org.gyradius.app.cues.AndroidCues
+import org.gyradius.app.cues.CueTeller
+import org.gyradius.app.cues.Cues
 import org.gyradius.app.run.RunModel
 import org.gyradius.app.run.Shown
 
+/** What an operator can do while the procedure runs. */
+class Deeds(
+    val begin: (Placement) -> Unit,
+    val measured: (MeasuredDimensions) -> Unit,
+    val record: () -> Unit,
+    val handle: (ProcedureEvent) -> Unit,
+    val setPace: (Int) -> Unit,
+    val leave: () -> Unit,
+    /** Opens the whole result, where there is a way to it. */
+    val openResult: (() -> Unit)? = null,
+)
+
+/** The procedure as its model runs it. */
+@Composable
+fun ProcedureScreen(shown: Shown, model: RunModel, cues: Cues = rememberCues(), onResult: (() -> Unit)? = null) {
+    val state = shown.state ?: return
+    var isOn by rememberSaveable { mutableStateOf(true) }
+    val teller = remember(cues) { CueTeller(cues) }
+    LaunchedEffect(state, isOn) { teller.see(state, isOn) }
+    ProcedurePage(shown, deedsOf(shown.isPractice, model, onResult), isOn) { isOn = it }
+}
+
+/** In practice the simulated hull's tape tells what there is to type in. */
+private fun deedsOf(isPractice: Boolean, model: RunModel, onResult: (() -> Unit)?) = Deeds(
+    begin = { placement ->
+        val phone = PhoneInfo("${Build.MANUFACTURER} ${Build.MODEL}", model.sensors)
+        if (isPractice) model.byTheBook() else model.start(phone, placement)
+    },
+    measured = { if (isPractice) model.byTheBook() else model.handle(ProcedureEvent.Measured(it)) },
+    record = model::record,
+    handle = { model.handle(it) },
+    setPace = model::setPace,
+    leave = model::leave,
+    openResult = onResult,
+)
+
+@Composable
+private fun rememberCues(): Cues {
+    val context = LocalContext.current.applicationContext
+    val cues = remember { AndroidCues(context) }
+    DisposableEffect(cues) { onDispose(cues::close) }
+    return cues
+}
+
 /** The procedure: what to do now, what is measured, what may be done. */
 @Composable
-fun ProcedureScreen(shown: Shown, model: RunModel) {
+fun ProcedurePage(shown: Shown, deeds: Deeds, isAloud: Boolean, onAloud: (Boolean) -> Unit) {
     val state = shown.state ?: return
-    Stack(Modifier.safeDrawingPadding().verticalScroll(rememberScrollState()).padding(16.dp)) {
-        Heading(state, model::leave)
-        if (shown.isPractice) Pace(shown.pace, model::setPace)
-        Text(state.instruction.english, style = MaterialTheme.typography.headlineSmall)
-        (listOfNotNull(shown.error) + state.warnings.map { it.english }).forEach { Advice(it) }
-        PhaseBody(shown, state)
-        if (state.work != null) Working(shown.workShare)
-        Actions(shown, model)
+    Page {
+        TopBar(stringResource(title(state.phase)), deeds.leave, R.string.back) {
+            AloudButton(isAloud, onAloud)
+            HelpButton(helpOf(state.phase))
+        }
+        Progress(state)
+        if (shown.isPractice) PracticeBanner(shown.pace, deeds.setPace)
+        TwoColumns({ Now(shown, state) }) {
+            Actions(shown, deeds)
+            Details(shown, state, deeds)
+        }
     }
 }
 
 @Composable
-private fun Heading(state: ProcedureState, onLeave: () -> Unit) {
-    Row(horizontalArrangement = Arrangement.SpaceBetween) {
-        Text(
-            stringResource(title(state.phase)),
-            Modifier.weight(1f).semantics { heading() },
-            style = MaterialTheme.typography.headlineLarge,
-        )
-        TextButton(onLeave) { Text(stringResource(R.string.back)) }
-    }
-    val progress = state.progress
-    LinearProgressIndicator({ progress.share.toFloat() })
+private fun AloudButton(isAloud: Boolean, onAloud: (Boolean) -> Unit) {
+    val (picture, says) = if (isAloud) R.drawable.ic_sound_on to R.string.sound_off else R.drawable.ic_sound_off to R.string.sound_on
+    BarButton(picture, says) { onAloud(!isAloud) }
+}
+
+@Composable
+private fun Progress(state: ProcedureState) {
+    val share = state.progress.share.toFloat()
+    LinearProgressIndicator({ share }, Modifier.fillMaxWidth().height(8.dp))
     state.step?.let {
         val at = stringResource(R.string.step_of, it.index.toInt() + 1, it.count.toInt())
-        Text("$at · ${it.id}", style = MaterialTheme.typography.titleMedium)
+        val take = if (it.take > 1uL) " · " + stringResource(R.string.take, it.take.toInt()) else ""
+        Text("$at · ${it.id}$take", style = MaterialTheme.typography.titleMedium)
     }
 }
 
+/** What is to be done, and what is measured. */
 @Composable
-private fun Pace(pace: Int, onPace: (Int) -> Unit) {
-    Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
-        Text("${stringResource(R.string.practice)} · ${stringResource(R.string.practice_time)}", Modifier.padding(top = 14.dp))
-        for (one in listOf(1, 10, 60)) FilterChip(one == pace, { onPace(one) }, { Text("$one×") })
-    }
-}
-
-@Composable
-private fun PhaseBody(shown: Shown, state: ProcedureState) {
-    state.tilt?.takeIf { state.recording == null }?.let { TiltBody(it) }
-    state.rest?.let { RestBody(it) }
-    state.recording?.let { RecordingBody(it, shown.trace) }
-    state.judgement?.let { JudgementBody(it) }
-    state.result?.let { ResultBody(it) }
-    state.critique?.let { Text(it.text, style = MaterialTheme.typography.bodyLarge) }
+private fun Now(shown: Shown, state: ProcedureState) {
+    val isQuiet = state.phase in setOf(ProcedurePhase.LEVEL, ProcedurePhase.REST, ProcedurePhase.RECORD)
+    val region = if (isQuiet) Modifier else Modifier.semantics { liveRegion = LiveRegionMode.Polite }
+    Text(spoken(state.instruction), region, style = MaterialTheme.typography.headlineSmall)
+    shown.error?.let { Advice(it, Tone.WRONG) }
+    state.warnings.forEach { Advice(spoken(it)) }
+    PhaseBody(state)
+    if (state.work != null) Working(shown.workShare)
 }
 
 @Composable
 private fun Working(share: Double?) {
-    val done = share ?: return LinearProgressIndicator()
-    LinearProgressIndicator({ done.toFloat() })
-}
-
-private fun title(phase: ProcedurePhase): Int = when (phase) {
-    ProcedurePhase.START -> R.string.phase_start
-    ProcedurePhase.LEVEL -> R.string.phase_level
-    ProcedurePhase.REST -> R.string.phase_rest
-    ProcedurePhase.HANG -> R.string.phase_hang
-    ProcedurePhase.READY -> R.string.phase_ready
-    ProcedurePhase.RECORD -> R.string.phase_record
-    ProcedurePhase.INTERRUPTED -> R.string.phase_interrupted
-    ProcedurePhase.JUDGE -> R.string.phase_judge
-    ProcedurePhase.MEASURE -> R.string.phase_measure
-    ProcedurePhase.FAILED -> R.string.phase_failed
-    ProcedurePhase.CRITIQUE -> R.string.phase_critique
-    ProcedurePhase.SUGGEST -> R.string.phase_suggest
-    ProcedurePhase.DONE -> R.string.phase_done
+    val bar = Modifier.fillMaxWidth().height(16.dp)
+    if (share == null) return LinearProgressIndicator(bar)
+    LinearProgressIndicator({ share.toFloat() }, bar)
+    Text(stringResource(R.string.percent_done, 100 * share), style = MaterialTheme.typography.titleLarge)
 }

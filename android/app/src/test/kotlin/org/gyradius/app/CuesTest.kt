@@ -1,0 +1,43 @@
+package org.gyradius.app
+
+import org.gyradius.ProcedurePhase
+import org.gyradius.ProcedureState
+import org.gyradius.app.cues.Cue
+import org.gyradius.app.cues.CueTeller
+import org.gyradius.app.cues.RecordingCues
+import org.junit.Assert.assertEquals
+import org.junit.Assert.assertTrue
+import org.junit.Test
+
+/** What an operator hears who does not look at the phone. */
+class CuesTest {
+    @Test
+    fun `a swing by the book`() {
+        val swing = listOf(Cue.RELEASE_NOW, Cue.RECORDING, Cue.GOOD)
+        assertEquals(listOf(Cue.GOOD) + swing + swing + Cue.DONE, heard(Core.byTheBook))
+    }
+
+    @Test
+    fun `a touch is told at once, and the swing is to be repeated`() {
+        val heard = heard(Core.touched)
+        assertTrue("$heard", heard.indexOf(Cue.TOUCHED) in 1..<heard.indexOf(Cue.REPEAT))
+    }
+
+    @Test
+    fun `nothing is told where it is turned off`() {
+        assertEquals(emptyList<Cue>(), heard(Core.byTheBook, isOn = false))
+    }
+
+    @Test
+    fun `nothing is told of what was there when the screen opened`() {
+        val done = Core.byTheBook.last { it.phase == ProcedurePhase.DONE }
+        assertEquals(emptyList<Cue>(), heard(listOf(done, done)))
+    }
+
+    private fun heard(states: List<ProcedureState>, isOn: Boolean = true): List<Cue> {
+        val cues = RecordingCues()
+        val teller = CueTeller(cues)
+        states.forEach { teller.see(it, isOn) }
+        return cues.told
+    }
+}
