@@ -44,8 +44,11 @@ object Core {
     /** Every state of a rehearsal that goes by the book, half a second of simulated time apart. */
     val byTheBook: List<ProcedureState> by lazy { rehearse { } }
 
-    /** The same with somebody who touches the hull in the first recording, and does it again. */
+    /** The same with somebody who touches the hull in the first recording. */
     val touched: List<ProcedureState> by lazy { rehearse { it.mishap("yaw-sway", 1u, "touch") } }
+
+    /** The same with a first release that is not as planned. */
+    val badlyReleased: List<ProcedureState> by lazy { rehearse { it.mishap("yaw-sway", 1u, "bad_release") } }
 
     /** The rates of a swing that the rig simulates, as the live trace takes them. */
     val trace: List<Trace.Point> by lazy {

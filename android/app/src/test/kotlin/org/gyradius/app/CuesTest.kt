@@ -6,7 +6,6 @@ import org.gyradius.app.cues.Cue
 import org.gyradius.app.cues.CueTeller
 import org.gyradius.app.cues.RecordingCues
 import org.junit.Assert.assertEquals
-import org.junit.Assert.assertTrue
 import org.junit.Test
 
 /** What an operator hears who does not look at the phone. */
@@ -18,9 +17,14 @@ class CuesTest {
     }
 
     @Test
-    fun `a touch is told at once, and the swing is to be repeated`() {
-        val heard = heard(Core.touched)
-        assertTrue("$heard", heard.indexOf(Cue.TOUCHED) in 1..<heard.indexOf(Cue.REPEAT))
+    fun `a touch is told while it swings`() {
+        assertEquals(listOf(Cue.GOOD, Cue.RELEASE_NOW, Cue.RECORDING, Cue.TOUCHED), heard(Core.touched).take(4))
+    }
+
+    @Test
+    fun `a bad release is to be repeated, and then is good`() {
+        val swing = listOf(Cue.RELEASE_NOW, Cue.RECORDING)
+        assertEquals(listOf(Cue.GOOD) + swing + Cue.REPEAT + swing + Cue.GOOD, heard(Core.badlyReleased).take(7))
     }
 
     @Test

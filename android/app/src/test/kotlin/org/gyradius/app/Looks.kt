@@ -29,6 +29,7 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.then
 import androidx.compose.ui.text.TextLayoutResult
 import androidx.compose.ui.text.intl.LocaleList
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import java.io.File
@@ -73,12 +74,13 @@ fun ComposeContentTestRule.looks(name: String, content: @Composable () -> Unit) 
             key(look) { GyradiusTheme { Surface(Modifier.fillMaxSize().testTag(SCREEN)) { content() } } }
         }
     }
-    for (one in LOOKS) {
+    val wrong = LOOKS.flatMap { one ->
         look = one
         waitForIdle()
         picture("$name-${one.name}")
-        check("$name-${one.name}", one)
+        faults(one).map { "$name-${one.name}: $it" }
     }
+    assertTrue(wrong.joinToString("\n"), wrong.isEmpty())
 }
 
 private fun ComposeContentTestRule.picture(name: String) {
@@ -88,27 +90,30 @@ private fun ComposeContentTestRule.picture(name: String) {
     File(folder, "$name.png").outputStream().use { bitmap.compress(Bitmap.CompressFormat.PNG, 100, it) }
 }
 
-/** No text is cut off, none lies over another or beside the screen, and what is to be touched is large enough. */
-private fun ComposeContentTestRule.check(name: String, look: Look) {
+/** Text that is cut off, lies over other text or beside the screen; what is to be touched and is too small. */
+private fun ComposeContentTestRule.faults(look: Look): List<String> {
     val nodes = onRoot(useUnmergedTree = true).fetchSemanticsNode().andBelow().filter { it.size.width > 0 && it.size.height > 0 }
     val texts = nodes.filter { it.config.contains(SemanticsProperties.Text) }
-    assertTrue("$name shows text", texts.isNotEmpty())
-    for (one in texts) {
-        assertTrue("$name: cut off: ${one.words}", !one.isCutOff)
-        assertTrue("$name: beside the screen: ${one.words}", one.place.left >= -1 && one.place.right <= widthOf(look) + 1)
-    }
-    for ((at, one) in texts.withIndex()) for (other in texts.drop(at + 1)) {
-        val common = one.place.intersect(other.place)
-        assertTrue("$name: ${one.words} lies over ${other.words}", common.width <= 1 || common.height <= 1)
-    }
-    for (one in nodes.filter { it.config.contains(SemanticsActions.OnClick) }) with(density) {
-        val (width, height) = one.touchBoundsInRoot.width.toDp() to one.touchBoundsInRoot.height.toDp()
-        val isCut = one.place.bottom > look.size.height.toPx() || one.place.top < 0
-        assertTrue("$name: ${one.words} is $width by $height", isCut || (width >= 47.9.dp && height >= 47.9.dp))
-    }
+    val none = listOf("shows no text").filter { texts.isEmpty() }
+    val cut = texts.filter { it.isCutOff }.map { "cut off: ${it.words}" }
+    val beside = texts.filter { it.place.left < -1 || it.place.right > px(look.size.width) + 1 }.map { "beside the screen: ${it.words}" }
+    return none + cut + beside + overlaps(texts) + tooSmall(nodes, px(look.size.height))
 }
 
-private fun ComposeContentTestRule.widthOf(look: Look) = with(density) { look.size.width.toPx() }
+private fun overlaps(texts: List<SemanticsNode>): List<String> = texts.flatMapIndexed { at, one ->
+    texts.drop(at + 1).filter { other ->
+        val common = one.place.intersect(other.place)
+        common.width > 1 && common.height > 1
+    }.map { "${one.words} lies over ${it.words}" }
+}
+
+/** What is half scrolled away is as large as it is when it is not. */
+private fun ComposeContentTestRule.tooSmall(nodes: List<SemanticsNode>, height: Float): List<String> =
+    nodes.filter { it.config.contains(SemanticsActions.OnClick) && it.place.top >= 0 && it.place.bottom <= height }
+        .filter { minOf(it.touchBoundsInRoot.width, it.touchBoundsInRoot.height) < px(LEAST_TARGET) - 1 }
+        .map { "too small to touch: ${it.words}, ${it.touchBoundsInRoot}" }
+
+private fun ComposeContentTestRule.px(length: Dp) = with(density) { length.toPx() }
 
 private fun SemanticsNode.andBelow(): List<SemanticsNode> = listOf(this) + children.flatMap { it.andBelow() }
 
@@ -120,11 +125,17 @@ private val SemanticsNode.words: String
     get() = config.getOrNull(SemanticsProperties.Text)?.joinToString { it.text }
         ?: config.getOrNull(SemanticsProperties.ContentDescription)?.joinToString() ?: "node $id"
 
+/** The layout that is asked for here is as wide as there is room, so that its own word on overflow says nothing. */
 private val SemanticsNode.isCutOff: Boolean
     get() {
-        val laid = mutableListOf<TextLayoutResult>()
-        config.getOrNull(SemanticsActions.GetTextLayoutResult)?.action?.invoke(laid)
-        return laid.any { it.hasVisualOverflow }
+        val found = mutableListOf<TextLayoutResult>()
+        config.getOrNull(SemanticsActions.GetTextLayoutResult)?.action?.invoke(found)
+        return found.any { laid ->
+            val lines = 0 until laid.lineCount
+            val isWide = lines.any { laid.getLineRight(it) - laid.getLineLeft(it) > size.width + 1 || laid.isLineEllipsized(it) }
+            isWide || laid.getLineBottom(lines.last) > size.height + 1
+        }
     }
 
+private val LEAST_TARGET = 48.dp
 private const val SCREEN = "screen"

@@ -54,7 +54,7 @@ class LooksTest {
     fun `practice begins`() = procedure("practice", first(ProcedurePhase.START), isPractice = true)
 
     @Test
-    fun level() = procedure("level", Core.byTheBook.last { it.phase == ProcedurePhase.LEVEL && it.tilt?.angleDeg != null })
+    fun level() = procedure("level", Core.byTheBook.last { it.phase == ProcedurePhase.LEVEL && it.tilt != null })
 
     @Test
     fun `a rest that is being taken`() = procedure("rest", Core.byTheBook.middle { it.rest != null && it.rest?.found == null })
@@ -85,7 +85,7 @@ class LooksTest {
 
     @Test
     fun `a recording to be repeated`() =
-        procedure("judge-repeat", Core.touched.first { it.judgement?.recommend == Recommend.REPEAT })
+        procedure("judge-repeat", Core.badlyReleased.first { it.judgement?.recommend == Recommend.REPEAT })
 
     @Test
     fun `the end`() = procedure("done", Core.byTheBook.last())
