@@ -1,7 +1,6 @@
 package org.gyradius.app
 
 import android.Manifest.permission.POST_NOTIFICATIONS
-import android.content.Intent
 import android.content.pm.PackageManager.PERMISSION_GRANTED
 import android.hardware.SensorManager
 import android.os.Build
@@ -19,28 +18,32 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.saveable.rememberSaveable
 import androidx.compose.runtime.setValue
-import androidx.core.content.FileProvider
 import androidx.core.content.edit
 import androidx.lifecycle.compose.collectAsStateWithLifecycle
 import java.io.File
 import org.gyradius.ProcedurePhase
-import org.gyradius.ProcedureTask
+import org.gyradius.app.result.ResultModel
+import org.gyradius.app.result.ResultShown
+import org.gyradius.app.result.printReport
+import org.gyradius.app.result.shareFile
 import org.gyradius.app.run.PhoneSource
 import org.gyradius.app.run.RunModel
 import org.gyradius.app.run.SetupModel
 import org.gyradius.app.run.Shown
 import org.gyradius.app.store.Listed
-import org.gyradius.app.store.ReadModel
 import org.gyradius.app.store.SessionsModel
+import org.gyradius.app.ui.AboutScreen
 import org.gyradius.app.ui.GyradiusTheme
 import org.gyradius.app.ui.NoticeDialog
 import org.gyradius.app.ui.ProcedureScreen
-import org.gyradius.app.ui.ReadScreen
+import org.gyradius.app.ui.ResultDeeds
+import org.gyradius.app.ui.ResultScreen
 import org.gyradius.app.ui.SessionActions
 import org.gyradius.app.ui.SessionsScreen
 import org.gyradius.app.ui.SetupScreen
+import org.gyradius.libraryVersion
 
-/** The one activity: the sessions, one of them from a file, the set-up of a boat, or the procedure under way. */
+/** The one activity: the sessions, the set-up of a boat, the procedure under way, or a result. */
 class MainActivity : ComponentActivity() {
     private val app get() = application as GyradiusApp
 
@@ -48,7 +51,7 @@ class MainActivity : ComponentActivity() {
     val model: RunModel get() = app.model
     private val sessions: SessionsModel by viewModels()
     private val setup: SetupModel by viewModels()
-    private val read: ReadModel by viewModels()
+    private val result: ResultModel by viewModels()
     private val chooser = registerForActivityResult(OpenDocument()) { it?.let(sessions::import) }
 
     /** Whatever the answer is, the app works. */
@@ -60,29 +63,46 @@ class MainActivity : ComponentActivity() {
         setContent { GyradiusTheme { Screens() } }
     }
 
+    /** Where the operator is while nothing is under way. */
+    private enum class Place { LIST, SETUP, ABOUT }
+
     @Composable
     private fun Screens() {
         val shown by model.shown.collectAsStateWithLifecycle()
-        val opened by read.read.collectAsStateWithLifecycle()
-        var isSetup by rememberSaveable { mutableStateOf(false) }
+        val opened by result.shown.collectAsStateWithLifecycle()
+        var place by rememberSaveable { mutableStateOf(Place.LIST) }
+        val toList = { place = Place.LIST }
         val file = opened
         when {
+            file != null -> Result(file)
             shown.state != null -> UnderWay(shown)
-            file != null -> {
-                BackHandler(onBack = read::close)
-                ReadScreen(file, read::close)
-            }
-            isSetup -> Setup(onLeave = { isSetup = false })
-            else -> SessionsList(shown) { isSetup = true }
+            place == Place.SETUP -> Setup(toList)
+            place == Place.ABOUT -> About(toList)
+            else -> SessionsList(shown) { place = it }
         }
     }
 
     @Composable
+    private fun Result(shown: ResultShown) {
+        BackHandler(onBack = result::close)
+        val deeds = ResultDeeds(
+            judge = result::judge,
+            criticise = result::criticise,
+            share = { result.report(app.store.shared) { shareFile(this, it, "text/html") } },
+            print = { result.report(app.store.shared) { printReport(this, it) } },
+            leave = result::close,
+        )
+        ResultScreen(shown, deeds)
+    }
+
+    @Composable
     private fun UnderWay(shown: Shown) {
+        val isAloud by app.isAloud.collectAsStateWithLifecycle()
         // A touch of a wet sleeve must not cut a recording off: it goes on behind the launcher.
         val isRecording = shown.state?.phase == ProcedurePhase.RECORD && !shown.isPractice
-        BackHandler { if (isRecording) moveTaskToBack(true) else model.leave() }
-        ProcedureScreen(shown, model)
+        val leave: () -> Unit = { if (isRecording) moveTaskToBack(true) else model.leave() }
+        BackHandler(onBack = leave)
+        ProcedureScreen(shown, model, isAloud, { app.isAloud.value = it }, leave) { shown.folder?.let(::openResult) }
         if (shown.isListening) Notice()
     }
 
@@ -105,33 +125,41 @@ class MainActivity : ComponentActivity() {
     private fun Setup(onLeave: () -> Unit) {
         BackHandler(onBack = onLeave)
         val planned by setup.planned.collectAsStateWithLifecycle()
-        SetupScreen(planned, setup) { task -> measure(task); onLeave() }
+        SetupScreen(planned, setup::plan, onLeave) { task, limits ->
+            model.measure(app.store.create(task.title, limits), task, phone())
+            onLeave()
+        }
     }
 
     @Composable
-    private fun SessionsList(shown: Shown, onMeasure: () -> Unit) {
-        LaunchedEffect(Unit) { sessions.refresh() }
-        val listed by sessions.sessions.collectAsStateWithLifecycle()
-        SessionsScreen(listed, shown.error, Actions(onMeasure))
+    private fun About(onLeave: () -> Unit) {
+        BackHandler(onBack = onLeave)
+        AboutScreen(packageManager.getPackageInfo(packageName, 0).versionName ?: "", libraryVersion(), onLeave)
     }
 
-    private inner class Actions(private val onMeasure: () -> Unit) : SessionActions {
-        override fun measure() = onMeasure()
+    @Composable
+    private fun SessionsList(shown: Shown, onPlace: (Place) -> Unit) {
+        LaunchedEffect(Unit) { sessions.refresh() }
+        val listed by sessions.sessions.collectAsStateWithLifecycle()
+        SessionsScreen(listed, shown.error, Actions(onPlace))
+    }
+
+    private inner class Actions(private val onPlace: (Place) -> Unit) : SessionActions {
+        override fun measure() = onPlace(Place.SETUP)
+        override fun about() = onPlace(Place.ABOUT)
         override fun practise() = practise(app.store.practiceAfresh())
         override fun goOnPractising() = practise(app.store.practice)
         override fun import() = chooser.launch(arrayOf("*/*"))
-        override fun open(session: Listed) = this@MainActivity.open(session)
-        override fun share(session: Listed) = sessions.share(session, ::send)
+        override fun open(session: Listed) = openResult(session.folder)
+        override fun goOn(session: Listed) = model.goOn(session.folder, phone())
+        override fun share(session: Listed) = sessions.share(session) { shareFile(this@MainActivity, it, "application/zip") }
         override fun delete(session: Listed) = sessions.delete(session)
         override fun undo() = sessions.undo()
         override fun forget(session: Listed) = sessions.forget(session)
     }
 
-    private fun measure(task: ProcedureTask) = model.measure(app.store.create(task.title), task, phone())
-
-    private fun open(session: Listed) {
-        val file = app.store.fileOf(session.folder)
-        if (file == null) model.goOn(session.folder, phone()) else read.open(file, session.title)
+    private fun openResult(folder: File) {
+        app.store.measurable(folder)?.let(result::open)
     }
 
     private fun phone() = PhoneSource(checkNotNull(getSystemService(SensorManager::class.java)))
@@ -139,15 +167,6 @@ class MainActivity : ComponentActivity() {
     private fun practise(folder: File) {
         val rig = assets.open(PRACTICE_RIG).bufferedReader().use { it.readText() }
         model.practise(folder, rig, PRACTICE_SEED)
-    }
-
-    /** Hands a packed session to whatever app the operator chooses. */
-    private fun send(file: File) {
-        val uri = FileProvider.getUriForFile(this, "$packageName.files", file)
-        val send = Intent(Intent.ACTION_SEND).setType("application/zip")
-            .putExtra(Intent.EXTRA_STREAM, uri)
-            .addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION)
-        startActivity(Intent.createChooser(send, null))
     }
 
     private companion object {

@@ -33,6 +33,8 @@ data class Shown(
     val state: ProcedureState? = null,
     val trace: List<Trace.Point> = emptyList(),
     val isPractice: Boolean = false,
+    /** Where it is kept. */
+    val folder: File? = null,
     /** Simulated seconds that go by in one; only in practice. */
     val pace: Int = 1,
     val workShare: Double? = null,
@@ -79,14 +81,14 @@ class RunModel(
 
     /** Goes on with the practice in a folder, or begins one there. */
     fun practise(folder: File, rigText: String, seed: ULong) =
-        begin(isPractice = true) { Practising.of(folder, rigText, seed) }
+        begin(folder, isPractice = true) { Practising.of(folder, rigText, seed) }
 
     /** Begins a measurement in a folder, on what a source gives. */
     fun measure(folder: File, task: ProcedureTask, source: MotionSource) =
-        begin(isPractice = false) { Measuring.create(folder, task, source) }
+        begin(folder, isPractice = false) { Measuring.create(folder, task, source) }
 
     /** Goes on with the measurement in a folder. */
-    fun goOn(folder: File, source: MotionSource) = begin(isPractice = false) { Measuring.open(folder, source) }
+    fun goOn(folder: File, source: MotionSource) = begin(folder, isPractice = false) { Measuring.open(folder, source) }
 
     /** Begins, phone and placement told. */
     fun start(phone: PhoneInfo, placement: Placement) = handle(ProcedureEvent.Begin(utc(), phone, placement))
@@ -111,11 +113,11 @@ class RunModel(
         life?.cancel()
     }
 
-    private fun begin(isPractice: Boolean, make: () -> Run) {
+    private fun begin(folder: File, isPractice: Boolean, make: () -> Run) {
         life?.cancel()
         life = scope.launch(oneByOne) {
             closed.withLock {
-                flow.value = Shown(isPractice = isPractice)
+                flow.value = Shown(isPractice = isPractice, folder = folder)
                 var made: Run? = null
                 guarded { made = make() }
                 made?.let { live(it) }

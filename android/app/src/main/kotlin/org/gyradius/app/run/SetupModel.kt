@@ -7,11 +7,11 @@ import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.launch
 import org.gyradius.GyradiusException
+import org.gyradius.PlanRequest
 import org.gyradius.PlanResult
 import org.gyradius.ProcedureTask
 import org.gyradius.planSwings
 import org.gyradius.text
-import org.gyradius.usualPlanRequest
 
 /** What is known of a plan. */
 data class Planned(
@@ -29,13 +29,11 @@ class SetupModel : ViewModel() {
     val planned: StateFlow<Planned> = flow.asStateFlow()
 
     /** Asks the planner: seconds. */
-    fun plan(title: String, massKg: Double?, lengthM: Double?, beamM: Double?, boatType: String) {
-        val usual = usualPlanRequest()
-        val hull = usual.hull.copy(massKg = massKg, lengthM = lengthM, beamM = beamM, boatType = boatType)
+    fun plan(request: PlanRequest) {
         flow.value = Planned(isPlanning = true)
         viewModelScope.launch {
             flow.value = try {
-                planSwings(usual.copy(title = title, hull = hull)).use { Planned(plan = it.result(), task = it.task()) }
+                planSwings(request).use { Planned(plan = it.result(), task = it.task()) }
             } catch (wrong: GyradiusException) {
                 Planned(error = wrong.text)
             }

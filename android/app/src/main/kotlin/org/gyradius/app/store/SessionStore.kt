@@ -29,9 +29,23 @@ data class Listed(
     val damage: String? = null,
 )
 
+/** A session that can be measured. */
+data class Measurable(
+    /** The session's folder, or a file from elsewhere. */
+    val session: File,
+    val title: String,
+    /** Class limits to judge it by. */
+    val limits: List<String>,
+    /** Its criticism, once there is one. */
+    val critique: File,
+)
+
 /** The sessions on the disk: a folder each, named by the moment it was made. */
-class SessionStore(filesDir: File, private val clock: () -> Instant = Instant::now) {
+class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Instant = Instant::now) {
     private val root = File(filesDir, "sessions")
+
+    /** What was made to be shared; the folder that `res/xml/shared_files.xml` lets out. */
+    val shared = File(cacheDir, "shared")
 
     /** The one practice; begun afresh whenever it is not gone on with. */
     val practice = File(filesDir, "practice")
@@ -47,10 +61,13 @@ class SessionStore(filesDir: File, private val clock: () -> Instant = Instant::n
         mkdirs()
     }
 
-    /** A folder for a new session. */
-    fun create(title: String): File {
+    /** A folder for a new session, with the class limits that it will be judged by. */
+    fun create(title: String, limits: List<String> = emptyList()): File {
         val name = clock().truncatedTo(ChronoUnit.MILLIS).toString().replace(':', '-')
-        return File(root, name).apply { mkdirs(); File(this, TITLE).writeText(title) }
+        val folder = File(root, name).apply { mkdirs() }
+        File(folder, TITLE).writeText(title)
+        if (limits.isNotEmpty()) File(folder, LIMITS).writeText(limits.joinToString("\n"))
+        return folder
     }
 
     /** All sessions, the newest first. Must not be asked while one is under way: a procedure has one owner. */
@@ -63,11 +80,11 @@ class SessionStore(filesDir: File, private val clock: () -> Instant = Instant::n
 
     /** Packs a session for others: one that was measured is a session's zip as every `gyradius` reads it, with all that
      * the procedure knows beside it. */
-    suspend fun share(session: Listed, into: File): File = withContext(Dispatchers.IO) {
-        into.mkdirs()
+    suspend fun share(session: Listed): File = withContext(Dispatchers.IO) {
+        shared.mkdirs()
         val file = fileOf(session.folder)
-        if (file != null) file.copyTo(File(into, file.name), overwrite = true)
-        else File(into, "${plain(session.title)}.zip").also { pack(session.folder, it) }
+        if (file != null) file.copyTo(File(shared, file.name), overwrite = true)
+        else File(shared, "${plain(session.title)}.zip").also { pack(session.folder, it) }
     }
 
     /** Takes in a file from elsewhere: what [share] packed goes on here, anything else must be readable as a session or a
@@ -86,8 +103,17 @@ class SessionStore(filesDir: File, private val clock: () -> Instant = Instant::n
         }
     }
 
+    /** What of a session's folder can be measured: an imported file, or what a procedure has gathered. */
+    fun measurable(folder: File): Measurable? {
+        val session = fileOf(folder) ?: File(folder, SESSION).takeIf { it.exists() } ?: return null
+        val limits = File(folder, LIMITS).takeIf { it.exists() }?.readLines().orEmpty()
+        return Measurable(session, titleOf(folder), limits, File(folder, CRITIQUE))
+    }
+
+    private fun titleOf(folder: File) = File(folder, TITLE).takeIf { it.exists() }?.readText().orEmpty()
+
     /** The file that an imported session is. */
-    fun fileOf(folder: File): File? = folder.listFiles { one -> one.name.startsWith(FILE) }?.firstOrNull()
+    private fun fileOf(folder: File): File? = folder.listFiles { one -> one.name.startsWith(FILE) }?.firstOrNull()
 
     private fun takeApart(file: File, folder: File) {
         unpack(file, folder)
@@ -95,8 +121,7 @@ class SessionStore(filesDir: File, private val clock: () -> Instant = Instant::n
     }
 
     private fun listed(folder: File): Listed {
-        val title = File(folder, TITLE).takeIf { it.exists() }?.readText().orEmpty()
-        val bare = Listed(folder, title, Instant.parse(stampOf(folder.name)), phase = null)
+        val bare = Listed(folder, titleOf(folder), Instant.parse(stampOf(folder.name)), phase = null)
         if (fileOf(folder) != null) return bare
         return try {
             Procedure.open(folder.path).use { procedure ->
@@ -117,6 +142,13 @@ class SessionStore(filesDir: File, private val clock: () -> Instant = Instant::n
 
     private companion object {
         const val TITLE = "title.txt"
+
+        /** A class limit in each line. */
+        const val LIMITS = "limits.txt"
+
+        /** The procedure's own. */
+        const val SESSION = "session"
+        const val CRITIQUE = "critique.json"
         const val FILE = "imported-"
 
         /** `2026-05-04T09-30-00.123Z` is `2026-05-04T09:30:00.123Z`. */

@@ -67,7 +67,7 @@ class SessionsModel(private val app: Application) : AndroidViewModel(app) {
 
     /** Packs a session and hands the zip on. */
     fun share(session: Listed, onPacked: (File) -> Unit) = attempt {
-        onPacked(store.share(session, File(app.cacheDir, SHARED)))
+        onPacked(store.share(session))
     }
 
     private suspend fun reread() {
@@ -93,10 +93,5 @@ class SessionsModel(private val app: Application) : AndroidViewModel(app) {
         val cursor = app.contentResolver.query(uri, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
         val told = cursor?.use { if (it.moveToFirst()) it.getString(0) else null }
         return told ?: uri.lastPathSegment?.substringAfterLast('/') ?: "import"
-    }
-
-    private companion object {
-        /** The folder that `res/xml/shared_files.xml` lets out. */
-        const val SHARED = "shared"
     }
 }

@@ -1,6 +1,7 @@
 package org.gyradius.app.ui
 
 import java.math.BigDecimal
+import java.math.MathContext
 import java.math.RoundingMode
 import java.util.Locale
 
@@ -13,3 +14,7 @@ fun withUncertainty(value: Double, u: Double): Pair<String, String> {
 }
 
 private fun plain(value: Double, places: Int): String = String.format(Locale.getDefault(), "%.${places}f", value)
+
+/** A figure as it stands in a field before anybody types: six digits, no exponent. */
+internal fun asTyped(value: Double): String =
+    BigDecimal(value).round(MathContext(6)).stripTrailingZeros().toPlainString()

@@ -31,7 +31,6 @@ import java.time.ZoneId
 import java.time.format.DateTimeFormatter
 import java.time.format.FormatStyle
 import org.gyradius.NamedQuantity
-import org.gyradius.ProcedurePhase
 import org.gyradius.app.R
 import org.gyradius.app.store.Listed
 import org.gyradius.app.store.Sessions
@@ -40,10 +39,16 @@ import org.gyradius.number
 /** What can be done in the list of sessions. */
 interface SessionActions {
     fun measure()
+    fun about()
     fun practise()
     fun goOnPractising()
     fun import()
+
+    /** Shows what was measured. */
     fun open(session: Listed)
+
+    /** Goes on with the procedure. */
+    fun goOn(session: Listed)
     fun share(session: Listed)
     fun delete(session: Listed)
     fun undo()
@@ -69,11 +74,9 @@ fun SessionsScreen(sessions: Sessions, error: String?, on: SessionActions) {
 
 @Composable
 private fun Beginning(sessions: Sessions, errors: List<String>, on: SessionActions) = Stack {
-    Text(
-        stringResource(R.string.sessions),
-        Modifier.semantics { heading() },
-        style = MaterialTheme.typography.headlineLarge,
-    )
+    TopBar(stringResource(R.string.sessions), onBack = null, back = R.string.back) {
+        BarButton(R.drawable.ic_info, R.string.about, on::about)
+    }
     errors.forEach { Advice(it) }
     WideButton(stringResource(R.string.measure), onClick = on::measure)
     if (sessions.isPracticeLeft) {
@@ -94,15 +97,16 @@ private fun SessionCard(session: Listed, on: SessionActions) = Card(Modifier.fil
         Text(standing(session), style = MaterialTheme.typography.bodyLarge)
         session.figures.forEach { Text(figure(it), style = MaterialTheme.typography.titleMedium) }
         FlowRow {
-            if (session.damage == null) {
-                val isDone = session.phase == null || session.phase == ProcedurePhase.DONE
-                Choice(if (isDone) R.string.session_open else R.string.session_go_on) { on.open(session) }
-            }
+            if (session.canBeOpened) Choice(R.string.session_open) { on.open(session) }
+            if (session.phase != null) Choice(R.string.session_go_on) { on.goOn(session) }
             Choice(R.string.session_share) { on.share(session) }
             Choice(R.string.session_delete) { on.delete(session) }
         }
     }
 }
+
+private val Listed.canBeOpened: Boolean
+    get() = damage == null && (phase == null || figures.isNotEmpty())
 
 @Composable
 private fun Choice(text: Int, onClick: () -> Unit) =

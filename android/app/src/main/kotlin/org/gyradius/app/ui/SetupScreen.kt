@@ -3,11 +3,7 @@ package org.gyradius.app.ui
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.safeDrawingPadding
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.foundation.verticalScroll
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.material3.FilterChip
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.MaterialTheme
@@ -20,70 +16,116 @@ import androidx.compose.runtime.saveable.rememberSaveable
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
-import androidx.compose.ui.semantics.heading
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
+import org.gyradius.Orientation
+import org.gyradius.PlanRequest
 import org.gyradius.ProcedureTask
+import org.gyradius.SuspensionKind
 import org.gyradius.app.R
 import org.gyradius.app.run.Planned
-import org.gyradius.app.run.SetupModel
 import org.gyradius.boatTypes
+import org.gyradius.usualMeans
 
-/** The boat as it is roughly known, and what the planner advises. */
+/** The boat as it is roughly known, what is at hand, and what the planner advises. [onBegin] is also given the class limits. */
 @Composable
-fun SetupScreen(planned: Planned, model: SetupModel, onBegin: (ProcedureTask) -> Unit) {
-    var name by rememberSaveable { mutableStateOf("") }
-    var mass by rememberSaveable { mutableStateOf("") }
-    var length by rememberSaveable { mutableStateOf("") }
-    var beam by rememberSaveable { mutableStateOf("") }
-    var type by rememberSaveable { mutableStateOf(boatTypes().first()) }
-    Stack(Modifier.safeDrawingPadding().verticalScroll(rememberScrollState()).padding(16.dp)) {
-        Text(
-            stringResource(R.string.boat),
-            Modifier.semantics { heading() },
-            style = MaterialTheme.typography.headlineLarge,
-        )
-        Field(R.string.boat_name, name, KeyboardType.Text) { name = it }
-        Field(R.string.boat_mass, mass) { mass = it }
-        Field(R.string.boat_length, length) { length = it }
-        Field(R.string.boat_beam, beam) { beam = it }
-        Types(type) { type = it }
-        WideButton(stringResource(R.string.plan), isMain = planned.task == null) {
-            model.plan(name, numberIn(mass), numberIn(length), numberIn(beam), type)
+fun SetupScreen(
+    planned: Planned,
+    onPlan: (PlanRequest) -> Unit,
+    onBack: () -> Unit,
+    onBegin: (task: ProcedureTask, limits: List<String>) -> Unit,
+) {
+    var form by rememberSaveable { mutableStateOf(SetupForm.of(usualMeans(), boatTypes().first())) }
+    Page {
+        TopBar(stringResource(R.string.boat), onBack, R.string.back) { HelpButton(R.string.help_setup) }
+        TwoColumns({ Form(form) { form = it } }) {
+            WideButton(stringResource(R.string.plan), isMain = planned.task == null, isEnabled = !planned.isPlanning) {
+                onPlan(form.request())
+            }
+            if (planned.isPlanning) LinearProgressIndicator(Modifier.fillMaxWidth())
+            planned.error?.let { Advice(it, Tone.WRONG) }
+            planned.task?.let { task ->
+                WideButton(stringResource(R.string.to_the_boat)) { onBegin(task, form.limitTexts()) }
+            }
+            planned.plan?.let { PlanCards(it) }
+            if (planned.plan == null) WhatToMeasure()
         }
-        PlanAdvice(planned)
-        planned.task?.let { task -> WideButton(stringResource(R.string.to_the_boat)) { onBegin(task) } }
+    }
+}
+
+@Composable
+private fun Form(form: SetupForm, onForm: (SetupForm) -> Unit) {
+    OutlinedTextField(
+        form.name,
+        { onForm(form.copy(name = it)) },
+        Modifier.fillMaxWidth(),
+        label = { Text(stringResource(R.string.boat_name)) },
+        singleLine = true,
+    )
+    Entries(HULL, form, onForm, isNeeded = true)
+    Types(form.type) { onForm(form.copy(type = it)) }
+    Fold(R.string.known_closer) { KnownCloser(form, onForm) }
+    Fold(R.string.at_hand) { Entries(ROOM, form, onForm) }
+    Fold(R.string.wanted) { Wanted(form, onForm) }
+    Fold(R.string.class_limits) { Limits(form.limits) { onForm(form.with(it)) } }
+    Fold(R.string.finer) {
+        Entries(FINER, form, onForm)
+        QuantityFields(R.string.gravity_m_s2, form.gravity) { onForm(form.copy(gravity = it)) }
+    }
+}
+
+@Composable
+private fun Entries(entries: List<Entry>, form: SetupForm, onForm: (SetupForm) -> Unit, isNeeded: Boolean = false) {
+    for (one in entries) {
+        val text = form.numbers[one].orEmpty()
+        // An empty field is asked for, not complained about.
+        NumberField(stringResource(one.label), text, isNeeded = isNeeded && text.isNotEmpty()) { onForm(form.with(one, it)) }
     }
 }
 
 @Composable
 private fun Types(chosen: String, onType: (String) -> Unit) {
+    SectionHead(stringResource(R.string.type))
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
-        for (one in boatTypes()) FilterChip(one == chosen, { onType(one) }, { Text(one) })
+        for (one in boatTypes()) {
+            FilterChip(one == chosen, { onType(one) }, { Text(boatType(one)) }, Modifier.heightIn(min = 56.dp))
+        }
     }
 }
 
 @Composable
-private fun PlanAdvice(planned: Planned) {
-    if (planned.isPlanning) LinearProgressIndicator()
-    planned.error?.let { Advice(it) }
-    val plan = planned.plan ?: return
-    plan.suspensions.forEach { Text(it.text, style = MaterialTheme.typography.bodyLarge) }
-    plan.warnings.forEach { Advice(it.text) }
+private fun KnownCloser(form: SetupForm, onForm: (SetupForm) -> Unit) {
+    Text(stringResource(R.string.known_closer_says), style = MaterialTheme.typography.bodyLarge)
+    for (one in Known.entries) {
+        QuantityFields(one.label, form.known[one] ?: Typed("", ""), isNeeded = false) { onForm(form.with(one, it)) }
+    }
 }
 
 @Composable
-private fun Field(label: Int, text: String, keyboard: KeyboardType = KeyboardType.Decimal, onText: (String) -> Unit) {
-    OutlinedTextField(
-        text,
-        onText,
-        Modifier.fillMaxWidth(),
-        label = { Text(stringResource(label)) },
-        keyboardOptions = KeyboardOptions(keyboardType = keyboard),
-        singleLine = true,
-    )
+private fun Wanted(form: SetupForm, onForm: (SetupForm) -> Unit) {
+    Text(stringResource(R.string.wanted_says), style = MaterialTheme.typography.bodyLarge)
+    for (goal in Goal.entries) {
+        val label = "${stringResource(goal.label)}, ${goal.unit}"
+        NumberField(label, form.wanted[goal].orEmpty(), isNeeded = false) { onForm(form.with(goal, it)) }
+    }
 }
 
-/** A number as people type it, with a comma or a point. */
-internal fun numberIn(text: String): Double? = text.trim().replace(',', '.').toDoubleOrNull()
+/** What will have to be measured, as pictures. */
+@Composable
+private fun WhatToMeasure() {
+    SectionHead(stringResource(R.string.what_to_measure))
+    Text(stringResource(R.string.what_to_measure_says), style = MaterialTheme.typography.bodyLarge)
+    SuspensionSketch(SuspensionKind.BIFILAR, Orientation.ATHWARTSHIPS)
+    Fold(R.string.other_ways) {
+        SuspensionSketch(SuspensionKind.BIFILAR, Orientation.FORE_AND_AFT)
+        FrameSketch(null)
+        SuspensionSketch(SuspensionKind.COMPOUND, Orientation.ATHWARTSHIPS)
+    }
+}
+
+private val HULL = listOf(Entry.MASS, Entry.LENGTH, Entry.BEAM)
+private val ROOM = listOf(
+    Entry.MOST_LINE, Entry.LEAST_LINE, Entry.MOST_SPACING, Entry.LEAST_SPACING, Entry.U_LINE, Entry.U_SPACING, Entry.U_LEVEL,
+)
+private val FINER = listOf(
+    Entry.AMPLITUDE, Entry.LEAST_DURATION, Entry.MOST_DURATION, Entry.DECAY, Entry.RATE, Entry.GYRO_NOISE, Entry.ACC_NOISE,
+)

@@ -8,7 +8,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.res.stringResource
@@ -20,19 +19,22 @@ import kotlin.math.max
 import org.gyradius.app.R
 import org.gyradius.app.run.Trace
 
-/** The three rates over the last seconds. */
+/** The three rates over the last seconds, on one scale. */
 @Composable
 fun TracePlot(points: List<Trace.Point>) {
     val label = stringResource(R.string.trace)
     val scheme = MaterialTheme.colorScheme
     val colours = listOf(scheme.error, scheme.tertiary, scheme.primary)
-    Canvas(Modifier.fillMaxWidth().height(160.dp).semantics { contentDescription = label }) {
-        drawLine(scheme.outline, Offset(0f, size.height / 2), Offset(size.width, size.height / 2))
-        val curves: List<(Trace.Point) -> Float> = listOf({ it.x }, { it.y }, { it.z })
-        val top = points.maxOfOrNull { max(abs(it.x), max(abs(it.y), abs(it.z))) } ?: return@Canvas
-        for ((curve, colour) in curves.zip(colours)) {
-            drawPath(pathOf(points, curve, max(top, LEAST_TOP), size), colour, style = Stroke(3.dp.toPx()))
+    Stack {
+        Canvas(Modifier.fillMaxWidth().height(160.dp).semantics { contentDescription = label }) {
+            drawLine(scheme.outline, Offset(0f, size.height / 2), Offset(size.width, size.height / 2))
+            val curves: List<(Trace.Point) -> Float> = listOf({ it.x }, { it.y }, { it.z })
+            val top = points.maxOfOrNull { max(abs(it.x), max(abs(it.y), abs(it.z))) } ?: return@Canvas
+            for ((curve, colour) in curves.zip(colours)) {
+                drawPath(pathOf(points, curve, max(top, LEAST_TOP), size), colour, style = Stroke(3.dp.toPx()))
+            }
         }
+        Legend(listOf("x", "y", "z").map { stringResource(R.string.rate_about, it) }.zip(colours))
     }
 }
 
