@@ -132,7 +132,7 @@ class Build:
             "gyradius.shots": shots or "",
         }
         flags = [f"-D{name}={value}" for name, value in properties.items()]
-        command = ["java", "-Xmx3g", *flags, "-cp", os.pathsep.join(map(str, path)), "org.junit.runner.JUnitCore", *classes]
+        command = ["java", "-Xmx3g", *flags, "-cp", os.pathsep.join(map(str, path)), f"{PACKAGE}.EverythingKt", *classes]
         step("robolectric", lambda: run(command))
 
     def _aapt2(self) -> Path:

@@ -1,14 +1,16 @@
 package org.gyradius.app
 
+import androidx.test.ext.junit.runners.AndroidJUnit4
 import org.gyradius.ProcedurePhase
 import org.gyradius.ProcedureState
 import org.gyradius.app.cues.Cue
 import org.gyradius.app.cues.CueTeller
-import org.gyradius.app.cues.RecordingCues
 import org.junit.Assert.assertEquals
 import org.junit.Test
+import org.junit.runner.RunWith
 
 /** What an operator hears who does not look at the phone. */
+@RunWith(AndroidJUnit4::class)
 class CuesTest {
     @Test
     fun `a swing by the book`() {

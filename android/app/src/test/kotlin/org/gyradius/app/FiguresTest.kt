@@ -1,11 +1,14 @@
 package org.gyradius.app
 
+import androidx.test.ext.junit.runners.AndroidJUnit4
 import org.gyradius.app.ui.nameAndUnit
 import org.gyradius.app.ui.withUncertainty
 import org.junit.Assert.assertEquals
 import org.junit.Test
+import org.junit.runner.RunWith
 
 /** Figures as they stand on the screen. */
+@RunWith(AndroidJUnit4::class)
 class FiguresTest {
     @Test
     fun `an uncertainty has two digits and its figure as many places`() {

@@ -28,12 +28,10 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.annotation.Config
-import org.robolectric.annotation.GraphicsMode
 
 /** Every screen in every look, with what the core makes of a simulated hull and of a session that ships. */
 @RunWith(AndroidJUnit4::class)
-@GraphicsMode(GraphicsMode.Mode.NATIVE)
-@Config(sdk = [35], qualifiers = "w1300dp-h2700dp-hdpi")
+@Config(qualifiers = "w1300dp-h2700dp-hdpi")
 class LooksTest {
     @get:Rule
     val rule = createComposeRule()

@@ -28,6 +28,7 @@ import org.robolectric.Shadows.shadowOf
 class Park {
     val app: GyradiusApp = ApplicationProvider.getApplicationContext()
     val phone = Phone()
+    val cues = RecordingCues()
     val model get() = app.model
     val state get() = model.shown.value.state
 
@@ -36,6 +37,7 @@ class Park {
 
     init {
         shadowOf(app).grantPermissions(POST_NOTIFICATIONS)
+        app.cuesOf = { cues }
     }
 
     /** From nothing to a recording that has begun, without a screen. */

@@ -20,7 +20,7 @@ fun ComposeTestRule.shot(name: String) {
 }
 
 /** A slow machine is not a failure. */
-private const val PATIENCE_MS = 30_000L
+private const val PATIENCE_MS = 120_000L
 
 /** Waits in real time for what the library's threads bring about; the message says what for. */
 fun ComposeTestRule.patient(what: String, holds: () -> Boolean) {

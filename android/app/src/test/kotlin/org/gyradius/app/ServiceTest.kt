@@ -12,12 +12,10 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.Robolectric
 import org.robolectric.Shadows.shadowOf
-import org.robolectric.annotation.Config
 import org.robolectric.shadows.ShadowPowerManager
 
 /** The service that keeps the recording up. */
 @RunWith(AndroidJUnit4::class)
-@Config(sdk = [35], shadows = [HandledSensors::class])
 class ServiceTest {
     private val park = Park()
 

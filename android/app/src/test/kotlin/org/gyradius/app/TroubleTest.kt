@@ -19,13 +19,9 @@ import org.junit.Assert.assertTrue
 import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
-import org.robolectric.annotation.Config
-import org.robolectric.annotation.GraphicsMode
 
 /** What goes wrong in the middle of a recording, and what is left of it. */
 @RunWith(AndroidJUnit4::class)
-@GraphicsMode(GraphicsMode.Mode.NATIVE)
-@Config(sdk = [35], qualifiers = "w411dp-h891dp-xhdpi", shadows = [HandledSensors::class])
 class TroubleTest {
     @get:Rule
     val rule = createAndroidComposeRule<MainActivity>()
@@ -59,6 +55,7 @@ class TroubleTest {
         // The disk as it is at that moment; what the app then does in closing is undone.
         val asKilled = File(park.app.cacheDir, "killed").also { park.folder.copyRecursively(it) }
         park.leave()
+        rule.patient("the list") { rule.exists("Finn") }
         park.folder.deleteRecursively()
         asKilled.copyRecursively(park.folder)
         park.app.onCreate()
@@ -83,7 +80,9 @@ class TroubleTest {
         park.phone.rest(5.0)
         park.await("samples") { (it.state?.recording?.recordedS ?: 0.0) > 4.9 && it.silent.isEmpty() }
         val accelerometer = listOf(park.phone.accelerometer)
-        val feeding = thread { repeat(3_000) { if (park.model.shown.value.silent.isEmpty()) park.phone.rest(0.005, accelerometer) } }
+        val feeding = thread {
+            repeat(3_000) { at -> if (at < 400 || park.model.shown.value.silent.isEmpty()) park.phone.rest(0.005, accelerometer) }
+        }
         park.await("silence") { Channel.GYROSCOPE in it.silent }
         rule.patient("the word on it") { rule.exists("The gyroscope gives nothing. If this stays, restart the phone.") }
         feeding.join()

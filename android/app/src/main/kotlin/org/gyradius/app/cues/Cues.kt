@@ -9,24 +9,12 @@ import org.gyradius.swing
 /** What an operator is told who does not look at the phone. */
 enum class Cue { RELEASE_NOW, RECORDING, TOUCHED, GOOD, REPEAT, DONE }
 
-/** Tells cues: by sound, voice and vibration, or to a test. */
+/** Tells cues: by sound, voice and vibration. */
 interface Cues : AutoCloseable {
     /** Tells one, and breaks off what is still being told. */
     fun tell(cue: Cue)
 
     override fun close() = Unit
-}
-
-/** Keeps what it was told. */
-class RecordingCues : Cues {
-    private val kept = mutableListOf<Cue>()
-
-    /** In the order they came. */
-    val told: List<Cue> get() = kept
-
-    override fun tell(cue: Cue) {
-        kept += cue
-    }
 }
 
 /** Follows the states of a procedure and tells what changed. */

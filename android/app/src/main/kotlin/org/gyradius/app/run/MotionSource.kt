@@ -38,7 +38,7 @@ class PhoneSource(private val manager: SensorManager) : MotionSource {
 
     private val listener = object : SensorEventListener {
         override fun onSensorChanged(event: SensorEvent) {
-            gatherers[event.sensor]?.add(event.timestamp, event.values)
+            synchronized(gatherers) { gatherers[event.sensor]?.add(event.timestamp, event.values) }
         }
 
         override fun onAccuracyChanged(sensor: Sensor, accuracy: Int) = Unit
@@ -54,7 +54,11 @@ class PhoneSource(private val manager: SensorManager) : MotionSource {
         gatherers.keys.forEach { manager.registerListener(listener, it, PERIOD_US, latencyUs(it), handler) }
     }
 
-    override fun take(): List<Samples> = gatherers.values.mapNotNull { it.take() }
+    /** Streams are taken at the same moment and go hand in hand: after a hold-up none must seem to lag behind another. */
+    override fun take(): List<Samples> {
+        val taken = synchronized(gatherers) { gatherers.values.mapNotNull { it.take() } }
+        return taken.flatMap { it.slices() }.sortedBy { it.stampsNs.last() }
+    }
 
     override fun close() {
         manager.unregisterListener(listener)
@@ -76,14 +80,21 @@ class PhoneSource(private val manager: SensorManager) : MotionSource {
     }
 }
 
-/** Gathers samples of one stream, filled by one thread and emptied by another: one call to the library for each sample would
- * cost more than the sample does. */
+/** The same samples, a tenth of a second at a time. */
+private fun Samples.slices(): List<Samples> = stampsNs.indices.step(SLICE).map { from ->
+    val to = minOf(from + SLICE, stampsNs.size)
+    Samples(channel, stampsNs.copyOfRange(from, to), values.copyOfRange(3 * from, 3 * to))
+}
+
+private const val SLICE = 20
+
+/** Gathers samples of one stream: one call to the library for each sample would cost more than the sample does. Whoever has it
+ * sees to it that one thread at a time fills or empties it. */
 internal class Gatherer(val channel: Channel) {
     private var stampsNs = LongArray(ROOM)
     private var values = DoubleArray(3 * ROOM)
     private var count = 0
 
-    @Synchronized
     fun add(stampNs: Long, xyz: FloatArray) {
         if (count == stampsNs.size) grow()
         stampsNs[count] = stampNs
@@ -91,7 +102,6 @@ internal class Gatherer(val channel: Channel) {
         count += 1
     }
 
-    @Synchronized
     fun take(): Samples? {
         if (count == 0) return null
         return Samples(channel, stampsNs.copyOf(count), values.copyOf(3 * count)).also { count = 0 }

@@ -7,6 +7,7 @@ import androidx.lifecycle.AndroidViewModel
 import androidx.lifecycle.viewModelScope
 import java.io.File
 import java.io.IOException
+import kotlinx.coroutines.Job
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.StateFlow
 import kotlinx.coroutines.flow.asStateFlow
@@ -29,13 +30,15 @@ data class Sessions(
 class SessionsModel(private val app: Application) : AndroidViewModel(app) {
     private val store get() = (app as GyradiusApp).store
     private val flow = MutableStateFlow(Sessions())
+    private var reading: Job? = null
 
     /** What the list shows. */
     val sessions: StateFlow<Sessions> = flow.asStateFlow()
 
-    /** Reads the folders anew. */
+    /** Reads the folders anew; what is still being read is out of date. */
     fun refresh() {
-        viewModelScope.launch { reread() }
+        reading?.cancel()
+        reading = viewModelScope.launch { reread() }
     }
 
     /** Takes a session off the list. An earlier one that was taken off is removed for good. */
@@ -62,7 +65,7 @@ class SessionsModel(private val app: Application) : AndroidViewModel(app) {
         val name = nameOf(uri)
         val content = app.contentResolver.openInputStream(uri) ?: throw IOException(name)
         content.use { store.import(name, it) }
-        reread()
+        refresh()
     }
 
     /** Packs a session and hands the zip on. */
