@@ -13,13 +13,15 @@ import androidx.activity.result.contract.ActivityResultContracts.OpenDocument
 import androidx.activity.result.contract.ActivityResultContracts.RequestPermission
 import androidx.activity.viewModels
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.saveable.rememberSaveable
 import androidx.compose.runtime.setValue
 import androidx.core.content.edit
+import androidx.lifecycle.compose.LifecycleResumeEffect
 import androidx.lifecycle.compose.collectAsStateWithLifecycle
+import androidx.lifecycle.viewmodel.initializer
+import androidx.lifecycle.viewmodel.viewModelFactory
 import java.io.File
 import org.gyradius.ProcedurePhase
 import org.gyradius.app.result.ResultModel
@@ -49,7 +51,7 @@ class MainActivity : ComponentActivity() {
 
     /** The procedure under way; it outlives the activity. */
     val model: RunModel get() = app.model
-    private val sessions: SessionsModel by viewModels()
+    private val sessions: SessionsModel by viewModels { viewModelFactory { initializer { SessionsModel(app.store, contentResolver) } } }
     private val setup: SetupModel by viewModels()
     private val result: ResultModel by viewModels()
     private val chooser = registerForActivityResult(OpenDocument()) { it?.let(sessions::import) }
@@ -139,7 +141,10 @@ class MainActivity : ComponentActivity() {
 
     @Composable
     private fun SessionsList(shown: Shown, onPlace: (Place) -> Unit) {
-        LaunchedEffect(Unit) { sessions.refresh() }
+        LifecycleResumeEffect(Unit) {
+            sessions.refresh()
+            onPauseOrDispose {}
+        }
         val listed by sessions.sessions.collectAsStateWithLifecycle()
         SessionsScreen(listed, shown.error, Actions(onPlace))
     }

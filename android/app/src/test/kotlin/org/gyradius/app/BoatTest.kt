@@ -78,7 +78,7 @@ class BoatTest {
         reach(ProcedurePhase.RECORD)
         park.phone.ride(motion) { state?.phase == ProcedurePhase.RECORD }
         reach(ProcedurePhase.JUDGE)
-        assertEquals("${state!!.judgement}", Recommend.ACCEPT, state!!.judgement!!.recommend)
+        assertEquals("${step.planned.swing}\n${step.hanging}\n${state!!.judgement}", Recommend.ACCEPT, state!!.judgement!!.recommend)
         click("Accept")
         rule.patient("the next step") { state?.phase !in setOf(ProcedurePhase.JUDGE, null) }
     }
@@ -106,7 +106,8 @@ class BoatTest {
         fun start(excited: Excitation) = when (excited) {
             Excitation.YAW -> "yaw_deg = 5.0"
             Excitation.SWAY -> "sway_m = 0.15"
-            Excitation.PITCH -> "pitch_deg = 5.0"
+            // Held so that the other of the two motions in this plane stays asleep.
+            Excitation.PITCH -> "pitch_deg = 5.0\nsurge_m = 0.05"
             else -> error("the plan of a dinghy has no $excited")
         }
 

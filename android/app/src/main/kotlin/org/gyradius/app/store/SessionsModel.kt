@@ -1,9 +1,9 @@
 package org.gyradius.app.store
 
-import android.app.Application
+import android.content.ContentResolver
 import android.net.Uri
 import android.provider.OpenableColumns
-import androidx.lifecycle.AndroidViewModel
+import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
 import java.io.File
 import java.io.IOException
@@ -14,7 +14,6 @@ import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.flow.update
 import kotlinx.coroutines.launch
 import org.gyradius.GyradiusException
-import org.gyradius.app.GyradiusApp
 import org.gyradius.text
 
 /** What the list of sessions shows. */
@@ -27,8 +26,7 @@ data class Sessions(
 )
 
 /** The list of sessions and what can be done with them. */
-class SessionsModel(private val app: Application) : AndroidViewModel(app) {
-    private val store get() = (app as GyradiusApp).store
+class SessionsModel(private val store: SessionStore, private val resolver: ContentResolver) : ViewModel() {
     private val flow = MutableStateFlow(Sessions())
     private var reading: Job? = null
 
@@ -63,7 +61,7 @@ class SessionsModel(private val app: Application) : AndroidViewModel(app) {
     /** Takes in a file that the operator chose. */
     fun import(uri: Uri) = attempt {
         val name = nameOf(uri)
-        val content = app.contentResolver.openInputStream(uri) ?: throw IOException(name)
+        val content = resolver.openInputStream(uri) ?: throw IOException(name)
         content.use { store.import(name, it) }
         refresh()
     }
@@ -93,7 +91,7 @@ class SessionsModel(private val app: Application) : AndroidViewModel(app) {
     }
 
     private fun nameOf(uri: Uri): String {
-        val cursor = app.contentResolver.query(uri, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
+        val cursor = resolver.query(uri, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
         val told = cursor?.use { if (it.moveToFirst()) it.getString(0) else null }
         return told ?: uri.lastPathSegment?.substringAfterLast('/') ?: "import"
     }
