@@ -1,6 +1,6 @@
 # The one task runner: people and CI call these recipes only.
 #
-# Needs Rust, Python >= 3.10 and, for Kotlin, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
+# Needs Rust, Python >= 3.10 and, for Kotlin and the Android app, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
 # and `.venv/`, and from Maven Central into Maven's own store.
 
 SHELL := /bin/bash
@@ -38,6 +38,7 @@ test:
 	@$(MAKE) --no-print-directory test-vectors
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-kotlin
+	@$(MAKE) --no-print-directory test-android
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
