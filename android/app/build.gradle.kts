@@ -11,8 +11,8 @@ android {
         applicationId = "org.gyradius.app"
         minSdk = libs.versions.minSdk.get().toInt()
         targetSdk = libs.versions.targetSdk.get().toInt()
-        versionCode = 1
-        versionName = "0.1.0"
+        versionCode = libs.versions.appCode.get().toInt()
+        versionName = libs.versions.appVersion.get()
     }
     sourceSets["main"].kotlin.srcDirs(
         "src/main/kotlin",

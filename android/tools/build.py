@@ -1,4 +1,4 @@
-"""The app without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…].
+"""The app without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…] | apk.
 
 The same sources, resources, manifest and version catalog as Android Studio's; the frameworks are Robolectric's. What it makes is
 in `build/android`, what it fetches in `~/.cache/gyradius-android`.
@@ -19,6 +19,7 @@ from pathlib import Path
 
 from catalog import ANDROID, Catalog
 from fetch import CACHE, Artifact, fetch
+from pack import Pack
 from resolve import Resolver
 from resources import Resources
 
@@ -39,6 +40,8 @@ def main(what: str, only: list[str]) -> None:
     build.compile()
     if what in ("test", "shots"):
         build.test(OUT / "shots" if what == "shots" else None, only)
+    if what == "apk":
+        build.apk()
 
 
 class Build:
@@ -132,8 +135,20 @@ class Build:
             "gyradius.shots": shots or "",
         }
         flags = [f"-D{name}={value}" for name, value in properties.items()]
-        command = ["java", "-Xmx3g", *flags, "-cp", os.pathsep.join(map(str, path)), f"{PACKAGE}.EverythingKt", *classes]
+        # Robolectric closes files by reflection.
+        command = ["java", "-Xmx3g", "--add-opens=java.base/java.io=ALL-UNNAMED", *flags, "-cp", os.pathsep.join(map(str, path)), f"{PACKAGE}.EverythingKt", *classes]
         step("robolectric", lambda: run(command))
+
+    def apk(self) -> None:
+        """A debug APK, and what Android reads of it."""
+        pack = Pack(OUT, self._alone("r8"), self._alone("apksig"), self.framework, self.catalog.versions["minSdk"])
+        (group, name), version = self.catalog.library("jna")
+        jna = Artifact(group, name, version, "aar")
+        fetch([jna])
+        classes = [OUT / "classes", OUT / "face-classes", OUT / "r-classes"]
+        apk = pack.apk(classes, self.app_jars, unpacked(jna))
+        print(apk.relative_to(ROOT), flush=True)
+        run([str(self._aapt2()), "dump", "badging", str(apk)])
 
     def _aapt2(self) -> Path:
         tool = CACHE / f"aapt2-{self.catalog.versions['apktool']}"

@@ -59,7 +59,8 @@ class Resources:
 
     def _properties(self) -> dict[str, str]:
         sdk = {"MIN_SDK_VERSION": self.versions["minSdk"], "TARGET_SDK_VERSION": self.versions["targetSdk"]}
-        return {"PACKAGE": self.package, **sdk}
+        own = {"VERSION_NAME": self.versions["appVersion"], "VERSION_CODE": self.versions["appCode"]}
+        return {"PACKAGE": self.package, **sdk, **own}
 
     def _copy_assets(self, folders: list[Path]) -> None:
         assets = self.out / "assets"

@@ -40,6 +40,7 @@ class BoatTest {
         reach(ProcedurePhase.LEVEL)
         park.phone.rest(5.0)
         rule.patient("level") { abs(state?.tilt?.bowUpDeg ?: 90.0) < 0.2 && rule.exists("Accept") }
+        rule.shot("20-level")
         click("Accept")
         reach(ProcedurePhase.REST)
         park.phone.rest(20.0)
@@ -78,7 +79,8 @@ class BoatTest {
         reach(ProcedurePhase.RECORD)
         park.phone.ride(motion) { state?.phase == ProcedurePhase.RECORD }
         reach(ProcedurePhase.JUDGE)
-        assertEquals("${step.planned.swing}\n${step.hanging}\n${state!!.judgement}", Recommend.ACCEPT, state!!.judgement!!.recommend)
+        rule.shot("21-judge-${step.id}")
+        assertEquals("${state!!.judgement}", Recommend.ACCEPT, state!!.judgement!!.recommend)
         click("Accept")
         rule.patient("the next step") { state?.phase !in setOf(ProcedurePhase.JUDGE, null) }
     }

@@ -7,6 +7,8 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performTextReplacement
 import androidx.test.ext.junit.runners.AndroidJUnit4
+import java.io.File
+import java.time.Instant
 import org.gyradius.Placement
 import org.gyradius.PlanRequest
 import org.gyradius.ProcedurePhase
@@ -21,8 +23,13 @@ import org.gyradius.app.ui.Deeds
 import org.gyradius.app.ui.ProcedurePage
 import org.gyradius.app.ui.ResultDeeds
 import org.gyradius.app.ui.ResultScreen
+import org.gyradius.app.store.Listed
+import org.gyradius.app.store.Sessions
+import org.gyradius.app.ui.SessionActions
+import org.gyradius.app.ui.SessionsScreen
 import org.gyradius.app.ui.SetupScreen
 import org.gyradius.libraryVersion
+import org.gyradius.number
 import org.junit.Assert.assertEquals
 import org.junit.Rule
 import org.junit.Test
@@ -35,6 +42,13 @@ import org.robolectric.annotation.Config
 class LooksTest {
     @get:Rule
     val rule = createComposeRule()
+
+    @Test
+    fun `the list of sessions`() {
+        val done = Listed(File("b"), "Finn", AT, ProcedurePhase.DONE, Core.byTheBook.last().result!!.quantities.filter { it.quantity.value.number != null })
+        val sessions = Sessions(listOf(Listed(File("a"), "Laser", AT, ProcedurePhase.INTERRUPTED), done), isPracticeLeft = true)
+        rule.looks("sessions") { SessionsScreen(sessions, null, noSessionActions) }
+    }
 
     @Test
     fun `set-up before anything is known`() = rule.looks("setup") { SetupScreen(Planned(), {}, {}) { _, _ -> } }
@@ -153,5 +167,23 @@ class LooksTest {
     private fun deeds(begin: (Placement) -> Unit = {}, measured: (MeasuredDimensions) -> Unit = {}) =
         Deeds(begin, measured, record = {}, workAgain = {}, handle = {}, setPace = {}, leave = {}, openResult = {})
 
+    private val noSessionActions = object : SessionActions {
+        override fun measure() = Unit
+        override fun about() = Unit
+        override fun practise() = Unit
+        override fun goOnPractising() = Unit
+        override fun import() = Unit
+        override fun open(session: Listed) = Unit
+        override fun goOn(session: Listed) = Unit
+        override fun share(session: Listed) = Unit
+        override fun delete(session: Listed) = Unit
+        override fun undo() = Unit
+        override fun forget(session: Listed) = Unit
+    }
+
     private val noResultDeeds = ResultDeeds({}, {}, {}, {}, {})
+
+    private companion object {
+        val AT: Instant = Instant.parse(Core.AT_UTC)
+    }
 }

@@ -25,7 +25,7 @@ import org.gyradius.usualPlanRequest
 import org.robolectric.Shadows.shadowOf
 
 /** A boat park: the app, a phone taped to a hull, and an operator who knows the procedure. */
-class Park {
+class Park(mayNotify: Boolean = true) {
     val app: GyradiusApp = ApplicationProvider.getApplicationContext()
     val phone = Phone()
     val cues = RecordingCues()
@@ -36,7 +36,7 @@ class Park {
     lateinit var folder: File
 
     init {
-        shadowOf(app).grantPermissions(POST_NOTIFICATIONS)
+        if (mayNotify) shadowOf(app).grantPermissions(POST_NOTIFICATIONS)
         app.cuesOf = { cues }
     }
 
@@ -63,6 +63,9 @@ class Park {
     /** How many samples of each sensor the newest recording of a folder holds. */
     fun recorded(folder: File = this.folder): Map<Channel, Int> =
         RecorderFile.read(take(folder).path).use { file -> file.samples().associate { it.channel to it.stampsNs.size } }
+
+    /** The folders of all sessions. */
+    fun sessions(): List<File> = File(app.filesDir, "sessions").listFiles().orEmpty().toList()
 
     /** Marks in the newest recording. */
     fun marks(): List<String> = RecorderFile.read(take(folder).path).use { file -> file.marks().map { it.key } }

@@ -41,6 +41,13 @@ class PracticeTest {
         press("Do without", ProcedurePhase.CRITIQUE)
         until("the end") { state?.phase == ProcedurePhase.DONE }
         rule.onNodeWithText("Yaw gyradius").assertExists()
+        wholeResult()
+    }
+
+    private fun wholeResult() {
+        rule.onNodeWithText("All of the result").performScrollTo().performClick()
+        until("the way to share") { rule.exists("Share the report") }
+        rule.shot("8-whole-result")
     }
 
     /** Hangs, records and accepts one step. */

@@ -34,6 +34,7 @@ fun ComposeTestRule.patient(what: String, holds: () -> Boolean) {
 /** Whether a text is on the screen, or can be scrolled to. */
 fun ComposeTestRule.exists(text: String): Boolean = onAllNodesWithText(text).fetchSemanticsNodes().isNotEmpty()
 
-private fun ComposeTestRule.texts(): List<String> =
+/** Everything that can be read on the screen. */
+fun ComposeTestRule.texts(): List<String> =
     onAllNodes(SemanticsMatcher.keyIsDefined(SemanticsProperties.Text)).fetchSemanticsNodes()
         .flatMap { it.config[SemanticsProperties.Text] }.map { it.text }

@@ -102,8 +102,8 @@ class TroubleTest {
         park.reach(ProcedurePhase.INTERRUPTED)
         park.await("the error") { it.error != null }
         rule.patient("the error") { rule.exists(park.model.shown.value.error!!) }
-        rule.shot("14-full-disk")
         limitFiles(UNLIMITED)
+        rule.shot("14-full-disk")
         click("Go on with it")
         park.reach(ProcedurePhase.RECORD)
         park.phone.rest(10.0)

@@ -1,5 +1,6 @@
 package org.gyradius.app.ui
 
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
@@ -81,7 +82,8 @@ fun PlacementChoice(chosen: Placement, onChoice: (Placement) -> Unit) {
 private fun Choice(text: Int, isChosen: Boolean, onChoice: () -> Unit) {
     Row(
         Modifier.fillMaxWidth().heightIn(min = 56.dp).selectable(isChosen, role = Role.RadioButton, onClick = onChoice),
-        verticalAlignment = Alignment.CenterVertically,
+        Arrangement.spacedBy(16.dp),
+        Alignment.CenterVertically,
     ) {
         RadioButton(isChosen, null)
         Text(stringResource(text), style = MaterialTheme.typography.bodyLarge)

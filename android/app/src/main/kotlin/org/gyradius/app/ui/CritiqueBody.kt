@@ -12,6 +12,7 @@ import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import kotlin.math.abs
 import org.gyradius.CauseResult
 import org.gyradius.ComparedSwing
 import org.gyradius.Critique
@@ -41,7 +42,7 @@ private fun Residuals(critique: Critique) {
     val after = critique.extended.heldoutRmsOverNoise ?: critique.extended.rmsOverNoise
     before?.let { Figure(stringResource(R.string.residual_before), stringResource(R.string.times_noise, it)) }
     after?.let { Figure(stringResource(R.string.residual_after), stringResource(R.string.times_noise, it)) }
-    critique.gain.kYawShiftM?.takeIf { it != 0.0 }?.let {
+    critique.gain.kYawShiftM?.takeIf { abs(it) >= LEAST_SHIFT_M }?.let {
         Figure(stringResource(R.string.k_yaw_shift), stringResource(R.string.metres_shift, it))
     }
 }
@@ -90,6 +91,9 @@ internal fun toneOf(status: String): Tone = when (status) {
     "ambiguous" -> Tone.CAUTION
     else -> Tone.WRONG
 }
+
+/** What is less shows as nothing. */
+private const val LEAST_SHIFT_M = 0.00005
 
 /** Causes further down are hardly probable. */
 private const val MOST_CAUSES = 5

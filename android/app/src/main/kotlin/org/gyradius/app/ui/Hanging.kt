@@ -13,6 +13,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.saveable.rememberSaveable
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
@@ -55,14 +56,22 @@ internal fun Hanging(step: StepView, onMeasured: (MeasuredDimensions) -> Unit) {
     }
 }
 
-/** A figure and its uncertainty beside each other. */
+/** A figure and its uncertainty beside each other, or below where large type leaves no room. */
 @Composable
 internal fun QuantityFields(@StringRes label: Int, typed: Typed, isNeeded: Boolean = true, onTyped: (Typed) -> Unit) {
-    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
-        NumberField(stringResource(label), typed.value, Modifier.weight(2f), isNeeded) { onTyped(typed.copy(value = it)) }
-        NumberField("±", typed.u, Modifier.weight(1f), isNeeded) { onTyped(typed.copy(u = it)) }
+    val value: @Composable (Modifier) -> Unit = { room ->
+        NumberField(stringResource(label), typed.value, room, isNeeded) { onTyped(typed.copy(value = it)) }
+    }
+    val u: @Composable (Modifier) -> Unit = { room -> NumberField("±", typed.u, room, isNeeded) { onTyped(typed.copy(u = it)) } }
+    if (LocalDensity.current.fontScale > LARGE_TYPE) {
+        Stack { value(Modifier); u(Modifier) }
+    } else {
+        Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) { value(Modifier.weight(2f)); u(Modifier.weight(1f)) }
     }
 }
+
+/** From here on the name of a field takes the whole width. */
+private const val LARGE_TYPE = 1.3f
 
 /** A field for a number; one that cannot be read is marked. */
 @Composable

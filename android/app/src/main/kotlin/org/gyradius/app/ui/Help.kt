@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.AlertDialog
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
@@ -43,7 +42,7 @@ fun PracticeBanner(pace: Int, onPace: (Int) -> Unit) {
     Panel(Tone.INFO) {
         Text(stringResource(R.string.practice_banner), style = MaterialTheme.typography.titleMedium)
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
-            for (one in PACES) FilterChip(one == pace, { onPace(one) }, { Text("$one×") }, Modifier.heightIn(min = 56.dp))
+            for (one in PACES) Chip("$one×", one == pace) { onPace(one) }
         }
     }
 }

@@ -2,12 +2,9 @@ package org.gyradius.app.ui
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.unit.dp
 import org.gyradius.Verdict
@@ -35,10 +32,6 @@ private fun Limit(one: LimitTyped, onLimit: (LimitTyped) -> Unit, onRemove: () -
     NumberField("${stringResource(R.string.limit)}, ${nameAndUnit(one.goal.measured).second}", one.value) { onLimit(one.copy(value = it)) }
     WideButton(stringResource(R.string.limit_remove), isMain = false, onClick = onRemove)
 }
-
-@Composable
-private fun Chip(text: String, isChosen: Boolean, onChoice: () -> Unit) =
-    FilterChip(isChosen, onChoice, { Text(text) }, Modifier.heightIn(min = 56.dp))
 
 /** What is to be thought of one limit. */
 @Composable

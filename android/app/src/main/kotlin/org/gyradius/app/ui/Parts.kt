@@ -12,6 +12,8 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Button
 import androidx.compose.material3.Card
 import androidx.compose.material3.CardDefaults
+import androidx.compose.material3.FilterChip
+import androidx.compose.material3.FilterChipDefaults
 import androidx.compose.material3.Icon
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.OutlinedButton
@@ -45,6 +47,14 @@ fun WideButton(text: String, isMain: Boolean = true, isEnabled: Boolean = true, 
         Text(text, style = MaterialTheme.typography.titleLarge, textAlign = TextAlign.Center)
     }
     if (isMain) Button(onClick, modifier, isEnabled) { label() } else OutlinedButton(onClick, modifier, isEnabled) { label() }
+}
+
+/** One of some choices; the chosen one stands out on every ground. */
+@Composable
+fun Chip(text: String, isChosen: Boolean, onChoice: () -> Unit) {
+    val scheme = MaterialTheme.colorScheme
+    val colours = FilterChipDefaults.filterChipColors(selectedContainerColor = scheme.primary, selectedLabelColor = scheme.onPrimary)
+    FilterChip(isChosen, onChoice, { Text(text) }, Modifier.heightIn(min = 56.dp), colors = colours)
 }
 
 /** A figure and what it is; read as one by a screen reader. */

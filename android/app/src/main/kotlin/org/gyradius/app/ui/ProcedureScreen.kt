@@ -117,13 +117,18 @@ private fun Progress(state: ProcedureState) {
 private fun Now(shown: Shown, state: ProcedureState) {
     val isQuiet = state.phase in setOf(ProcedurePhase.LEVEL, ProcedurePhase.REST, ProcedurePhase.RECORD)
     val region = if (isQuiet) Modifier else Modifier.semantics { liveRegion = LiveRegionMode.Polite }
-    Text(spoken(state.instruction), region, style = MaterialTheme.typography.headlineSmall)
+    Text(instruction(state), region, style = MaterialTheme.typography.headlineSmall)
     shown.error?.let { Advice(it, Tone.WRONG) }
     shown.silent.forEach { Advice(stringResource(silence(it)), Tone.WRONG) }
     state.warnings.forEach { Advice(spoken(it)) }
     PhaseBody(state)
     if (state.work != null && !shown.isWorkStuck) Working(shown.workShare)
 }
+
+/** At the end the library names the folder, which on a phone nobody can open. */
+@Composable
+private fun instruction(state: ProcedureState): String =
+    if (state.phase == ProcedurePhase.DONE) stringResource(R.string.done_says) else spoken(state.instruction)
 
 private fun silence(channel: Channel): Int =
     if (channel == Channel.ACCELEROMETER) R.string.sensor_stopped_accelerometer else R.string.sensor_stopped_gyroscope

@@ -3,8 +3,6 @@ package org.gyradius.app.ui
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.OutlinedTextField
@@ -87,7 +85,7 @@ private fun Types(chosen: String, onType: (String) -> Unit) {
     SectionHead(stringResource(R.string.type))
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
         for (one in boatTypes()) {
-            FilterChip(one == chosen, { onType(one) }, { Text(boatType(one)) }, Modifier.heightIn(min = 56.dp))
+            Chip(boatType(one), one == chosen) { onType(one) }
         }
     }
 }
