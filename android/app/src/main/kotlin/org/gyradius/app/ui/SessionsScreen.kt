@@ -144,9 +144,9 @@ private fun standing(session: Listed): String {
 
 @Composable
 private fun figure(one: NamedQuantity): String {
-    val (name, unit) = nameAndUnit(one.name)
+    val unit = nameAndUnit(one.name).second
     val (value, u) = withUncertainty(one.quantity.value.number ?: 0.0, one.quantity.u.number ?: 0.0)
-    return "$name: " + stringResource(R.string.quantity_u, value, u, unit)
+    return quantityName(one.name) + ": " + stringResource(R.string.quantity_u, value, u, unit)
 }
 
 private val DATE = DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT)
