@@ -2,6 +2,8 @@
 #
 # Needs Rust, Python >= 3.10, for Kotlin a JDK and Maven, for Swift root and Debian's apt; everything else comes from crates.io
 # and PyPI into `target/` and `.venv/`, from Maven Central into Maven's own store, and Swift from Debian into a cache.
+# Needs Rust, Python >= 3.10 and, for Kotlin and the Android app, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
+# and `.venv/`, and from Maven Central into Maven's own store.
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -12,12 +14,13 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-swift bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-swift test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
+	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
 	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
@@ -38,6 +41,7 @@ test:
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-kotlin
 	@$(MAKE) --no-print-directory test-swift
+	@$(MAKE) --no-print-directory test-android
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
@@ -73,6 +77,14 @@ test-kotlin: package bindings
 test-swift: package bindings
 	@$(STEP) generated bindings/check-generated
 	@$(STEP) swift bindings/swift/run-tests $(BIN)/python
+
+# The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
+test-android: bindings
+	@$(STEP) android android/run-tests test
+
+# Pictures of its screens in build/android/shots.
+screenshots: bindings
+	@$(STEP) screenshots android/run-tests shots
 
 generate: bindings
 	rm -rf bindings/kotlin/src/main/kotlin-generated bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated

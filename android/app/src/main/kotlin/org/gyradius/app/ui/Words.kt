@@ -1,0 +1,83 @@
+package org.gyradius.app.ui
+
+import androidx.annotation.StringRes
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.res.stringResource
+import org.gyradius.Excitation
+import org.gyradius.ModeName
+import org.gyradius.Sentence
+import org.gyradius.SideMotionKind
+import org.gyradius.app.R
+
+/** A sentence of the library as the screen shows it: the one place that chooses its language. */
+@Composable
+fun spoken(sentence: Sentence): String = sentence.english
+
+/** What to set going, in words. */
+@StringRes
+internal fun wordOf(excited: Excitation): Int = when (excited) {
+    Excitation.YAW -> R.string.motion_yaw
+    Excitation.SWAY -> R.string.motion_sway
+    Excitation.SURGE -> R.string.motion_surge
+    Excitation.PITCH -> R.string.motion_pitch
+    Excitation.ROLL -> R.string.motion_roll
+}
+
+/** How to set it going, in a few words. */
+@StringRes
+internal fun howTo(excited: Excitation): Int = when (excited) {
+    Excitation.YAW -> R.string.how_yaw
+    Excitation.SWAY -> R.string.how_sway
+    Excitation.SURGE -> R.string.how_surge
+    Excitation.PITCH -> R.string.how_pitch
+    Excitation.ROLL -> R.string.how_roll
+}
+
+/** A mode of motion in words. */
+@StringRes
+internal fun wordOf(mode: ModeName): Int = when (mode) {
+    ModeName.YAW -> R.string.mode_yaw
+    ModeName.SWAY -> R.string.mode_sway
+    ModeName.PITCH_IN_PHASE -> R.string.mode_pitch_in_phase
+    ModeName.PITCH_OUT_OF_PHASE -> R.string.mode_pitch_out_of_phase
+    ModeName.ROLL_IN_PHASE -> R.string.mode_roll_in_phase
+    ModeName.ROLL_OUT_OF_PHASE -> R.string.mode_roll_out_of_phase
+    ModeName.COMPOUND -> R.string.mode_compound
+    ModeName.OTHER -> R.string.mode_other
+}
+
+/** What a motion beside the main one looks like. */
+@StringRes
+internal fun wordOf(kind: SideMotionKind): Int = when (kind) {
+    SideMotionKind.SWAY -> R.string.kind_sway
+    SideMotionKind.OTHER_TURN -> R.string.kind_other_turn
+    SideMotionKind.SAME_TURN -> R.string.kind_same_turn
+}
+
+/** A type of boat by the library's name for it; a name without a word stands as it is. */
+@Composable
+internal fun boatType(name: String): String = when (name) {
+    "keelboat" -> stringResource(R.string.type_keelboat)
+    "dinghy" -> stringResource(R.string.type_dinghy)
+    "model_keelboat" -> stringResource(R.string.type_model_keelboat)
+    "uniform_bar" -> stringResource(R.string.type_uniform_bar)
+    else -> name
+}
+
+/** A quantity by the library's name for it, in words; a name without words is spelled out. */
+@Composable
+internal fun quantityName(name: String): String = when (name) {
+    "k_yaw_m" -> stringResource(R.string.quantity_k_yaw)
+    "k_pitch_m" -> stringResource(R.string.quantity_k_pitch)
+    "k_roll_m" -> stringResource(R.string.quantity_k_roll)
+    "cm_depth_m" -> stringResource(R.string.quantity_cm_depth)
+    "psi_deg" -> stringResource(R.string.quantity_psi)
+    else -> nameAndUnit(name).first
+}
+
+/** `k_yaw_m` is read as "k yaw" in m. */
+internal fun nameAndUnit(name: String): Pair<String, String> {
+    val endings = listOf("_kg_m2" to "kg m²", "_m_s2" to "m/s²", "_deg" to "°", "_kg" to "kg", "_m" to "m", "_s" to "s")
+    val (ending, unit) = endings.firstOrNull { name.endsWith(it.first) } ?: ("" to "")
+    return name.removeSuffix(ending).replace('_', ' ') to unit
+}
