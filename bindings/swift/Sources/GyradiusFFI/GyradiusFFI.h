@@ -584,6 +584,11 @@ RustBuffer uniffi_gyradius_ffi_fn_method_rehearsal_by_the_book(uint64_t ptr, Rus
 void uniffi_gyradius_ffi_fn_method_rehearsal_handle(uint64_t ptr, RustBuffer event, RustCallStatus *_Nonnull out_status
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_REHEARSAL_HEARD
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_REHEARSAL_HEARD
+RustBuffer uniffi_gyradius_ffi_fn_method_rehearsal_heard(uint64_t ptr, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_REHEARSAL_MISHAP
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_REHEARSAL_MISHAP
 void uniffi_gyradius_ffi_fn_method_rehearsal_mishap(uint64_t ptr, RustBuffer step, uint32_t take, RustBuffer what, RustCallStatus *_Nonnull out_status
@@ -849,10 +854,19 @@ RustBuffer uniffi_gyradius_ffi_fn_func_routes_json(RustCallStatus *_Nonnull out_
     
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_ENGLISH_TEXTS
-#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_ENGLISH_TEXTS
-RustBuffer uniffi_gyradius_ffi_fn_func_english_texts(RustCallStatus *_Nonnull out_status
-    
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_SENTENCE_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_SENTENCE_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_sentence_in(RustBuffer sentence, RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_TEXTS
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_TEXTS
+RustBuffer uniffi_gyradius_ffi_fn_func_texts(RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_WARNING_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_WARNING_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_warning_in(RustBuffer warning, RustBuffer language, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_FFI_GYRADIUS_FFI_RUSTBUFFER_ALLOC
@@ -1193,9 +1207,21 @@ uint16_t uniffi_gyradius_ffi_checksum_func_routes_json(void
     
 );
 #endif
-#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ENGLISH_TEXTS
-#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ENGLISH_TEXTS
-uint16_t uniffi_gyradius_ffi_checksum_func_english_texts(void
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_SENTENCE_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_SENTENCE_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_sentence_in(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_TEXTS
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_TEXTS
+uint16_t uniffi_gyradius_ffi_checksum_func_texts(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_WARNING_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_WARNING_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_warning_in(void
     
 );
 #endif
@@ -1412,6 +1438,12 @@ uint16_t uniffi_gyradius_ffi_checksum_method_rehearsal_by_the_book(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_REHEARSAL_HANDLE
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_REHEARSAL_HANDLE
 uint16_t uniffi_gyradius_ffi_checksum_method_rehearsal_handle(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_REHEARSAL_HEARD
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_REHEARSAL_HEARD
+uint16_t uniffi_gyradius_ffi_checksum_method_rehearsal_heard(void
     
 );
 #endif

@@ -2486,6 +2486,11 @@ public protocol RehearsalProtocol: AnyObject, Sendable {
     func handle(event: ProcedureEvent) throws 
     
     /**
+     * What the phone recorded while time last went by, as a live trace shows it.
+     */
+    func heard()  -> [SampleBatch]
+    
+    /**
      * Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`, `touch`, `slip`, `silence`.
      */
     func mishap(step: String, take: UInt32, what: String) throws 
@@ -2632,6 +2637,18 @@ open func handle(event: ProcedureEvent)throws   {try rustCallWithError(FfiConver
         FfiConverterTypeProcedureEvent_lower(event),uniffiCallStatus
     )
 }
+}
+    
+    /**
+     * What the phone recorded while time last went by, as a live trace shows it.
+     */
+open func heard() -> [SampleBatch]  {
+    return try!  FfiConverterSequenceTypeSampleBatch.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_method_rehearsal_heard(
+            self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
 }
     
     /**
@@ -13039,6 +13056,81 @@ public func FfiConverterTypeGyradiusError_lower(_ value: GyradiusError) -> RustB
 
 
 /**
+ * A language of the sentences that an operator reads or hears.
+ */
+
+public enum Language: Equatable, Hashable {
+    
+    /**
+     * As everywhere else.
+     */
+    case english
+    /**
+     * With decimal commas.
+     */
+    case german
+
+
+
+
+
+}
+
+#if compiler(>=6)
+extension Language: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeLanguage: FfiConverterRustBuffer {
+    typealias SwiftType = Language
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Language {
+        let variant: Int32 = try readInt(&buf)
+        switch variant {
+        
+        case 1: return .english
+        
+        case 2: return .german
+        
+        default: throw UniffiInternalError.unexpectedEnumCase
+        }
+    }
+
+    public static func write(_ value: Language, into buf: inout [UInt8]) {
+        switch value {
+        
+        
+        case .english:
+            writeInt(&buf, Int32(1))
+        
+        
+        case .german:
+            writeInt(&buf, Int32(2))
+        
+        }
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeLanguage_lift(_ buf: RustBuffer) throws -> Language {
+    return try FfiConverterTypeLanguage.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeLanguage_lower(_ value: Language) -> RustBuffer {
+    return FfiConverterTypeLanguage.lower(value)
+}
+
+
+
+/**
  * One piece of advice; `live_sentence` gives its sentence.
  */
 
@@ -17224,6 +17316,31 @@ fileprivate struct FfiConverterSequenceTypeRoute: FfiConverterRustBuffer {
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
+fileprivate struct FfiConverterSequenceTypeSampleBatch: FfiConverterRustBuffer {
+    typealias SwiftType = [SampleBatch]
+
+    public static func write(_ value: [SampleBatch], into buf: inout [UInt8]) {
+        let len = Int32(value.count)
+        writeInt(&buf, len)
+        for item in value {
+            FfiConverterTypeSampleBatch.write(item, into: &buf)
+        }
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> [SampleBatch] {
+        let len: Int32 = try readInt(&buf)
+        var seq = [SampleBatch]()
+        seq.reserveCapacity(Int(len))
+        for _ in 0 ..< len {
+            seq.append(try FfiConverterTypeSampleBatch.read(from: &buf))
+        }
+        return seq
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
 fileprivate struct FfiConverterSequenceTypeSensorState: FfiConverterRustBuffer {
     typealias SwiftType = [SensorState]
 
@@ -18482,13 +18599,38 @@ public func routesJson()throws  -> String  {
 })
 }
 /**
+ * A sentence in a language, with what it names.
+ */
+public func sentenceIn(sentence: Sentence, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_sentence_in(
+        FfiConverterTypeSentence_lower(sentence),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
  * Every sentence and word by its key; `{name}` stands for an argument. Keys of the live estimator begin with `live.`, those
  * of the plan's warnings with `plan.`.
  */
-public func englishTexts() -> [NamedText]  {
+public func texts(language: Language) -> [NamedText]  {
     return try!  FfiConverterSequenceTypeNamedText.lift(try! rustCall() {
         uniffiCallStatus in
-    uniffi_gyradius_ffi_fn_func_english_texts(uniffiCallStatus
+    uniffi_gyradius_ffi_fn_func_texts(
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
+ * The sentence of a plan's warning in a language.
+ */
+public func warningIn(warning: PlanWarning, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_warning_in(
+        FfiConverterTypePlanWarning_lower(warning),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
     )
 })
 }
@@ -18547,7 +18689,13 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_routes_json() != 1685) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_english_texts() != 65225) {
+    if (uniffi_gyradius_ffi_checksum_func_sentence_in() != 38777) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_texts() != 11710) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_warning_in() != 28542) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_figures() != 20605) {
@@ -18656,6 +18804,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rehearsal_handle() != 58650) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_method_rehearsal_heard() != 53776) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rehearsal_mishap() != 58132) {
