@@ -11,6 +11,9 @@ import java.nio.ByteOrder
  */
 class Samples(val channel: Channel, val stampsNs: LongArray, val values: DoubleArray)
 
+/** A batch that the library gave, as one that it takes. */
+fun SampleBatch.asSamples() = Samples(channel, stampsNs.toLongArray(), values.flatMap { listOf(it.x, it.y, it.z) }.toDoubleArray())
+
 /** Numbers as the library takes them: little-endian, outside of the JVM's heap, read where they are. */
 fun blockOf(numbers: DoubleArray): ByteBuffer =
     direct(numbers.size).apply { asDoubleBuffer().put(numbers) }

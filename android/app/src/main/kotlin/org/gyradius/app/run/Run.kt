@@ -14,6 +14,7 @@ import org.gyradius.Rehearsal
 import org.gyradius.Rig
 import org.gyradius.Samples
 import org.gyradius.Sensor
+import org.gyradius.asSamples
 import org.gyradius.push
 import org.gyradius.work
 
@@ -109,6 +110,8 @@ class Measuring(private val procedure: Procedure, private val source: MotionSour
 
 /** A simulated hull: time goes by as it is let. */
 class Practising(private val rehearsal: Rehearsal) : Run {
+    private var heard = emptyList<Samples>()
+
     override val sensors = emptyList<PhoneSensor>()
 
     override val silent = emptySet<Channel>()
@@ -117,10 +120,11 @@ class Practising(private val rehearsal: Rehearsal) : Run {
 
     override fun handle(event: ProcedureEvent) = rehearsal.handle(event)
 
-    override fun takeIn() = emptyList<Samples>()
+    override fun takeIn() = heard.also { heard = emptyList() }
 
     override fun letGoBy(seconds: Double) {
         rehearsal.advance(seconds)
+        heard += rehearsal.heard().map { it.asSamples() }
     }
 
     override fun byTheBook(atUtc: String): ProcedureEvent? = rehearsal.byTheBook(atUtc)

@@ -24,7 +24,7 @@ import org.gyradius.app.R
 /** What the planner advises: warnings first, then what to expect, then how to hang it. */
 @Composable
 fun PlanCards(plan: PlanResult) {
-    plan.warnings.forEach { Advice(it.text) }
+    plan.warnings.forEach { Advice(spoken(it)) }
     SectionHead(stringResource(R.string.expected))
     plan.quantities.forEach { Expected(it) }
     Figure(stringResource(R.string.effort), stringResource(R.string.minutes, plan.effortS / SECONDS_PER_MINUTE))

@@ -4,14 +4,25 @@ import androidx.annotation.StringRes
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.res.stringResource
 import org.gyradius.Excitation
+import org.gyradius.Language
 import org.gyradius.ModeName
+import org.gyradius.PlanWarning
 import org.gyradius.Sentence
 import org.gyradius.SideMotionKind
 import org.gyradius.app.R
+import org.gyradius.sentenceIn
+import org.gyradius.warningIn
 
 /** A sentence of the library as the screen shows it: the one place that chooses its language. */
 @Composable
-fun spoken(sentence: Sentence): String = sentence.english
+fun spoken(sentence: Sentence): String = sentenceIn(sentence, libraryLanguage())
+
+/** A warning of the plan in the language of the screen. */
+@Composable
+fun spoken(warning: PlanWarning): String = warningIn(warning, libraryLanguage())
+
+@Composable
+private fun libraryLanguage(): Language = Language.valueOf(stringResource(R.string.library_language))
 
 /** What to set going, in words. */
 @StringRes
