@@ -1,7 +1,7 @@
 # The one task runner: people and CI call these recipes only.
 #
-# Needs Rust, Python >= 3.10 and, for Kotlin and the Android app, a JDK and Maven; everything else comes from crates.io and
-# PyPI into `target/` and `.venv/`, and from Maven Central into Maven's own store and `~/.cache/gyradius-android`.
+# Needs Rust, Python >= 3.10 and, for Kotlin and the Android app, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
+# and `.venv/`, and from Maven Central into Maven's own store.
 
 SHELL := /bin/bash
 PYTHON ?= python3
