@@ -55,6 +55,22 @@ class SessionsTest {
     }
 
     @Test
+    fun `what is shared is offered to other apps, to be read by the chosen one alone`() {
+        recorded()
+        click("Share")
+        var chooser: Intent? = null
+        rule.patient("the chooser") {
+            chooser = chooser ?: shadowOf(rule.activity).nextStartedActivity
+            chooser != null
+        }
+        val offered = chooser!!.getParcelableExtra(Intent.EXTRA_INTENT, Intent::class.java)!!
+        assertEquals("application/zip", offered.type)
+        assertEquals(Intent.FLAG_GRANT_READ_URI_PERMISSION, offered.flags and Intent.FLAG_GRANT_READ_URI_PERMISSION)
+        val uri = offered.getParcelableExtra(Intent.EXTRA_STREAM, Uri::class.java)!!
+        assertEquals("content://org.gyradius.app.files/shared/Finn.zip", "$uri")
+    }
+
+    @Test
     fun `a recording of another app is taken in`() {
         val rows = (0..400).joinToString("\n") { "${it / 200.0},0.001,0.002,0.0005" }
         val header = listOf("Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)").joinToString(",") { "\"$it\"" }
