@@ -14,12 +14,13 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-swift test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-swift test-ios test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
+	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its words and formatting"
 	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
@@ -41,6 +42,7 @@ test:
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-kotlin
 	@$(MAKE) --no-print-directory test-swift
+	@$(MAKE) --no-print-directory test-ios
 	@$(MAKE) --no-print-directory test-android
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
@@ -77,6 +79,10 @@ test-kotlin: package bindings
 test-swift: package bindings
 	@$(STEP) generated bindings/check-generated
 	@$(STEP) swift bindings/swift/run-tests $(BIN)/python
+
+# The iOS app: words, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
+test-ios:
+	@$(STEP) ios ios/check
 
 # The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
 test-android: bindings

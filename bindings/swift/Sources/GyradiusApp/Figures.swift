@@ -1,4 +1,5 @@
 import Foundation
+import GyradiusKit
 
 /// A figure and its uncertainty as text, the uncertainty with two digits and the figure as many places: layout only.
 public func withUncertainty(_ value: Double, _ u: Double, locale: Locale = .current) -> (value: String, u: String) {
@@ -15,6 +16,24 @@ public func nameAndUnit(_ name: String) -> (name: String, unit: String) {
   ]
   let (ending, unit) = endings.first { name.hasSuffix($0.0) } ?? ("", "")
   return (String(name.dropLast(ending.count).map { $0 == "_" ? " " : $0 }), unit)
+}
+
+/// A number as people type it, with a comma or a point.
+public func number(in text: String) -> Double? {
+  let plain = text.trimmingCharacters(in: .whitespaces).replacingOccurrences(of: ",", with: ".")
+  return Double(plain).flatMap { $0.isFinite ? $0 : nil }
+}
+
+/// A figure as it stands in a field before anybody types: six digits, no exponent.
+public func asTyped(_ value: Double, locale: Locale = .current) -> String {
+  value.formatted(.number.precision(.significantDigits(1...6)).grouping(.never).locale(locale))
+}
+
+/// The quantities that are one number, the gyradii first, as the report has them.
+public func headlines(_ quantities: [NamedQuantity]) -> [NamedQuantity] {
+  let order = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"]
+  let numbers = quantities.filter { $0.quantity.value.number != nil && $0.quantity.u.number != nil }
+  return order.flatMap { name in numbers.filter { $0.name == name } } + numbers.filter { !order.contains($0.name) }
 }
 
 private func plain(_ value: Double, _ places: Int, _ locale: Locale) -> String {

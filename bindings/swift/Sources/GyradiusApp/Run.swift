@@ -130,7 +130,7 @@ public actor Practising: Run {
     let advanced = Result { try rehearsal.advance(seconds: seconds) }
     var failure: GyradiusError?
     if case .failure(let error) = advanced { failure = error as? GyradiusError }
-    return Look(state: rehearsal.state(), found: [], silent: [], failure: failure)
+    return Look(state: rehearsal.state(), found: rehearsal.heard().map(\.samples), silent: [], failure: failure)
   }
 
   public func handle(_ event: ProcedureEvent) throws {

@@ -7,14 +7,26 @@ public struct TypedQuantity: Equatable, Sendable {
   public var value: Double?
   public var u: Double?
 
-  public init(_ quantity: Quantity? = nil) {
-    (value, u) = (quantity?.value, quantity?.u)
+  public init(value: Double? = nil, u: Double? = nil) {
+    (self.value, self.u) = (value, u)
+  }
+
+  public init(_ quantity: Quantity) {
+    self.init(value: quantity.value, u: quantity.u)
   }
 
   /// The quantity, where both are there.
   public var quantity: Quantity? {
-    guard let value, let u else { return nil }
+    guard let value, let u, u >= 0 else { return nil }
     return Quantity(value: value, u: u)
+  }
+}
+
+extension [String: TypedQuantity] {
+  /// What stands in the fields of a name: nothing, before anybody types.
+  public subscript(typed name: String) -> TypedQuantity {
+    get { self[name] ?? TypedQuantity() }
+    set { self[name] = newValue }
   }
 }
 
@@ -44,9 +56,8 @@ public final class SetupModel {
   public var beamM: Double?
   public var boatType: String
   public var known: [String: TypedQuantity] = [:]
-  public var mostLineLengthM: Double?
-  public var leastLineLengthM: Double?
-  public var gravityMS2: TypedQuantity
+  /// What is at hand, as the library has it at first.
+  public var means = TypedMeans(usualMeans())
   /// Wanted uncertainties by quantity, in the unit of `wantedUnits`.
   public var wanted: [String: Double] = [:]
   public var limits: [TypedLimit] = []
@@ -63,10 +74,7 @@ public final class SetupModel {
   ]
 
   public init() {
-    let means = usualMeans()
     boatType = boatTypes().first ?? ""
-    (mostLineLengthM, leastLineLengthM) = (means.mostLineLengthM, means.leastLineLengthM)
-    gravityMS2 = TypedQuantity(means.gravityMS2)
   }
 
   /// Asks the planner: seconds.
@@ -84,12 +92,13 @@ public final class SetupModel {
   /// Class limits as the library reads them.
   public var limitTexts: [String] { limits.compactMap(\.text) }
 
-  /// What is asked of the planner; a field that is empty keeps the library's default.
+  /// What is asked of the planner; where a field is empty, it keeps the library's default.
   public var request: PlanRequest {
     let usual = usualPlanRequest()
     let asked = Self.wantedUnits.compactMap { name, unit in wanted[name].map { "\(name)=\($0)\(unit)" } }
     return PlanRequest(
-      title: title, hull: hull, wanted: asked.isEmpty ? usual.wanted : asked, means: means(usual.means))
+      title: title, hull: hull, wanted: asked.isEmpty ? usual.wanted : asked, means: means.means(else: usual.means)
+    )
   }
 
   private var hull: RoughHull {
@@ -103,26 +112,6 @@ public final class SetupModel {
       kRollM: known["k_roll_m"]?.quantity,
       cmDepthM: known["cm_depth_m"]?.quantity,
       psiDeg: known["psi_deg"]?.quantity
-    )
-  }
-
-  private func means(_ usual: Means) -> Means {
-    Means(
-      mostLineLengthM: mostLineLengthM ?? usual.mostLineLengthM,
-      leastLineLengthM: leastLineLengthM ?? usual.leastLineLengthM,
-      mostSpacingM: usual.mostSpacingM,
-      leastSpacingM: usual.leastSpacingM,
-      uLineLengthM: usual.uLineLengthM,
-      uSpacingM: usual.uSpacingM,
-      uHullPitchDeg: usual.uHullPitchDeg,
-      gravityMS2: gravityMS2.quantity ?? usual.gravityMS2,
-      gyroNoiseRadS: usual.gyroNoiseRadS,
-      accNoiseMS2: usual.accNoiseMS2,
-      rateHz: usual.rateHz,
-      decayS: usual.decayS,
-      amplitudeDeg: usual.amplitudeDeg,
-      leastDurationS: usual.leastDurationS,
-      mostDurationS: usual.mostDurationS
     )
   }
 }

@@ -15,6 +15,13 @@ public struct Samples: Sendable, Equatable {
   }
 }
 
+extension SampleBatch {
+  /// The same in one row of numbers.
+  public var samples: Samples {
+    Samples(channel: channel, stampsNs: stampsNs, values: values.flatMap { [$0.x, $0.y, $0.z] })
+  }
+}
+
 /// Numbers as the library takes and gives them: little-endian, as every processor that Swift runs on has them in memory.
 extension Data {
   /// A block of floats.

@@ -70,6 +70,8 @@ import Testing
       await model.byTheBook()
       await model.look()
     }
+    // The simulated phone is seen on the screen as a real one would be.
+    #expect(!model.recorder.trace.isEmpty)
     await model.leave()
     #expect(model.state == nil)
     await model.practise(in: folder.url, rigText: rig, seed: 1)

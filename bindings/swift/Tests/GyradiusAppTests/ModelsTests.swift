@@ -21,15 +21,19 @@ import Testing
     await setup.makePlan()
     #expect(setup.error != nil && setup.plan == nil)
     (setup.title, setup.massKg, setup.lengthM, setup.beamM, setup.boatType) = ("Finn", 120, 4.5, 1.5, "dinghy")
-    setup.known["k_yaw_m"] = TypedQuantity(Quantity(value: 1.1, u: 0.02))
+    setup.known[typed: "k_yaw_m"].value = 1.1
+    #expect(setup.request.hull.kYawM == nil)
+    setup.known[typed: "k_yaw_m"].u = 0.02
     setup.wanted = ["k_yaw": 0.5]
-    setup.mostLineLengthM = 2.5
+    setup.means.mostLineLengthM = 2.5
+    setup.means.rateHz = nil
     setup.limits = [TypedLimit(quantity: "k_yaw_m"), TypedLimit(quantity: "k_pitch_m")]
     setup.limits[0].value = 1.05
     #expect(setup.limitTexts == ["k_yaw_m>=1.05"])
     await setup.makePlan()
     let plan = try #require(setup.plan)
     #expect(setup.error == nil && setup.task?.title == "Finn")
+    #expect(plan.means.rateHz == usualMeans().rateHz && plan.means.mostLineLengthM == 2.5)
     #expect(plan.hull.kYawM == Quantity(value: 1.1, u: 0.02))
     let longest = plan.steps.compactMap { $0.swing?.suspension.lineLengthM?.value }.max()
     #expect(try #require(longest) <= 2.5)
@@ -126,6 +130,47 @@ import Testing
     #expect(withUncertainty(1.5, 0.02, locale: Locale(identifier: "de")) == ("1,500", "0,020"))
     #expect(withUncertainty(1.5, 0, locale: english) == ("1.5000", "–"))
     #expect(nameAndUnit("k_yaw_m") == ("k yaw", "m") && nameAndUnit("psi_deg") == ("psi", "°"))
+  }
+
+  @Test func numbersAreReadAsPeopleTypeThem() {
+    #expect(number(in: " 1,25 ") == 1.25 && number(in: "-0.5") == -0.5)
+    #expect(number(in: "") == nil && number(in: "a yard") == nil && number(in: "inf") == nil)
+    #expect(asTyped(9.806650001, locale: Locale(identifier: "de")) == "9,80665")
+    #expect(asTyped(12345, locale: Locale(identifier: "en")) == "12345")
+    #expect(asTyped(0.00012, locale: Locale(identifier: "en")) == "0.00012")
+  }
+
+  @Test func aStepAsksForWhatItsHangingHasAndTakesItOnceAllIsThere() async throws {
+    let rig = try String(contentsOf: root.appending(path: "python/gyradius/rigs/keelboat.toml"), encoding: .utf8)
+    let model = ProcedureModel()
+    await model.practise(in: folder.url, rigText: rig, seed: 1)
+    model.pace = 60
+    while model.state?.phase != .hang {
+      await model.byTheBook()
+      await model.look()
+    }
+    let step = try #require(model.state?.step)
+    var form = HangingForm(step)
+    #expect(form.measured?.lineLengthM == step.hanging?.lineLengthM)
+    #expect(form.measured?.spacingM == step.hanging?.spacingM)
+    #expect(form.measured?.massKg == nil)
+    let at = try #require(form.entries.firstIndex { $0.id == .spacingM })
+    form.entries[at].typed = TypedQuantity(value: 0.81)
+    #expect(form.measured == nil)
+    form.entries[at].typed.u = -0.003
+    #expect(form.measured == nil)
+    form.entries[at].typed.u = 0.003
+    #expect(form.measured?.spacingM == Quantity(value: 0.81, u: 0.003))
+    await model.leave()
+  }
+
+  @Test func headlinesBeginWithTheGyradiiAndAreNumbers() {
+    let one = QuantityResult(value: .scalar(value: 1), u: .scalar(value: 0.1), interval95: nil, method: "")
+    let many = QuantityResult(
+      value: .vector(values: [1, 2]), u: .vector(values: [0.1, 0.1]), interval95: nil, method: "")
+    let named = [("mass_kg", one), ("psi_deg", one), ("axes_m", many), ("k_pitch_m", one), ("k_yaw_m", one)]
+    let shown = headlines(named.map { NamedQuantity(name: $0, quantity: $1) })
+    #expect(shown.map(\.name) == ["k_yaw_m", "k_pitch_m", "psi_deg", "mass_kg"])
   }
 
   @Test func cuesTellWhoDoesNotLook() async throws {

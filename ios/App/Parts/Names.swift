@@ -1,0 +1,126 @@
+import GyradiusApp
+import GyradiusKit
+
+/// A sentence of the library as the screen shows it.
+func spoken(_ sentence: Sentence) -> String { sentenceIn(sentence: sentence, language: libraryLanguage) }
+
+/// A warning of the plan.
+func spoken(_ warning: PlanWarning) -> String { warningIn(warning: warning, language: libraryLanguage) }
+
+/// The language of the app's own words, so that a screen never mixes two.
+private var libraryLanguage: Language { Words.libraryLanguage == "GERMAN" ? .german : .english }
+
+/// A quantity by the library's name for it, in words; a name without words is spelled out.
+func quantityName(_ name: String) -> String {
+  switch name {
+  case "k_yaw_m": Words.quantityKYaw
+  case "k_pitch_m": Words.quantityKPitch
+  case "k_roll_m": Words.quantityKRoll
+  case "cm_depth_m": Words.quantityCmDepth
+  case "psi_deg": Words.quantityPsi
+  default: nameAndUnit(name).name
+  }
+}
+
+/// A figure with its uncertainty and its unit, as a sentence's end.
+func figure(_ name: String, _ value: Double, _ u: Double) -> String {
+  let shown = withUncertainty(value, u)
+  return Words.quantityU(shown.value, shown.u, nameAndUnit(name).unit)
+}
+
+/// A type of boat by the library's name for it; a name without a word stands as it is.
+func boatTypeName(_ name: String) -> String {
+  switch name {
+  case "keelboat": Words.typeKeelboat
+  case "dinghy": Words.typeDinghy
+  case "model_keelboat": Words.typeModelKeelboat
+  case "uniform_bar": Words.typeUniformBar
+  default: name
+  }
+}
+
+extension Excitation {
+  /// What to set going.
+  var word: String {
+    switch self {
+    case .yaw: Words.motionYaw
+    case .sway: Words.motionSway
+    case .surge: Words.motionSurge
+    case .pitch: Words.motionPitch
+    case .roll: Words.motionRoll
+    }
+  }
+
+  /// How to set it going.
+  var howTo: String {
+    switch self {
+    case .yaw: Words.howYaw
+    case .sway: Words.howSway
+    case .surge: Words.howSurge
+    case .pitch: Words.howPitch
+    case .roll: Words.howRoll
+    }
+  }
+}
+
+extension ModeName {
+  var word: String {
+    switch self {
+    case .yaw: Words.modeYaw
+    case .sway: Words.modeSway
+    case .pitchInPhase: Words.modePitchInPhase
+    case .pitchOutOfPhase: Words.modePitchOutOfPhase
+    case .rollInPhase: Words.modeRollInPhase
+    case .rollOutOfPhase: Words.modeRollOutOfPhase
+    case .compound: Words.modeCompound
+    case .other: Words.modeOther
+    }
+  }
+}
+
+extension SideMotionKind {
+  var word: String {
+    switch self {
+    case .sway: Words.kindSway
+    case .otherTurn: Words.kindOtherTurn
+    case .sameTurn: Words.kindSameTurn
+    }
+  }
+}
+
+extension ProcedurePhase {
+  var title: String {
+    switch self {
+    case .start: Words.phaseStart
+    case .level: Words.phaseLevel
+    case .rest: Words.phaseRest
+    case .hang: Words.phaseHang
+    case .ready: Words.phaseReady
+    case .record: Words.phaseRecord
+    case .interrupted: Words.phaseInterrupted
+    case .judge: Words.phaseJudge
+    case .measure: Words.phaseMeasure
+    case .failed: Words.phaseFailed
+    case .critique: Words.phaseCritique
+    case .suggest: Words.phaseSuggest
+    case .done: Words.phaseDone
+    }
+  }
+
+  var help: String {
+    switch self {
+    case .start: Words.helpStart
+    case .level: Words.helpLevel
+    case .rest: Words.helpRest
+    case .hang: Words.helpHang
+    case .ready: Words.helpReady
+    case .record: Words.helpRecord
+    case .interrupted: Words.helpInterrupted
+    case .judge: Words.helpJudge
+    case .measure, .critique: Words.helpWork
+    case .failed: Words.helpFailed
+    case .suggest: Words.helpSuggest
+    case .done: Words.helpResult
+    }
+  }
+}
