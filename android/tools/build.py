@@ -221,7 +221,7 @@ def step(name: str, what) -> None:
 
 def run(command: list[str]) -> None:
     """Runs a command; its failure is ours."""
-    done = subprocess.run(command)
+    done = subprocess.run(command, check=False)
     if done.returncode:
         sys.exit(f"{Path(command[0]).name} failed with {done.returncode}")
 

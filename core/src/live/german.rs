@@ -23,7 +23,7 @@ pub const GERMAN: [(&str, &str); 12] = [
     ("amplitude_low", "Der Ausschlag ist {amplitude_deg}°, unter 2°: beenden oder neu auslenken."),
     (
         "sway",
-        "Querpendeln (Periode {period_s} s) mit {percent} % der Hauptbewegung: Rumpf beruhigen und neu auslenken.",
+        "Querschwingen (Periode {period_s} s) mit {percent} % der Hauptbewegung: Rumpf beruhigen und neu auslenken.",
     ),
     (
         "other_turn",

@@ -7,8 +7,11 @@ use crate::signal::ChannelGroup;
 /// Periods that a direction of gravity is the mean over: a swing averages out over whole periods, and quicker motions beside
 /// it nearly.
 const PERIODS: f64 = 3.0;
-/// A change of that direction from which on the phone has moved, degrees.
+/// A change of that direction from which on the phone has moved, degrees, …
 const MOVED_DEG: f64 = 2.0;
+/// … and this share of how far the direction swings beside it: a mean over a little more than three periods leaves up to 1/(3π) of a
+/// motion, and a wide swing presses the phone down along with gravity, by half the square of its angle.
+const SHARE: f64 = 0.15;
 
 /// The largest lasting change of gravity's direction in the phone, if there is one: when, s, and by how much, degrees.
 /// `period_s` is that of the slowest motion.
@@ -25,7 +28,16 @@ pub(super) fn moved(accelerometer: &ChannelGroup, period_s: f64) -> Option<(f64,
     let inside = |i: &usize| t_s[*i] - t_s[0] >= window_s && t_s[t_s.len() - 1] - t_s[*i] >= window_s;
     let changes = (0..t_s.len()).filter(inside).filter_map(|i| angle(&i));
     let (tilt_deg, at_s) = changes.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (tilt_deg > MOVED_DEG).then_some((at_s, tilt_deg))
+    (tilt_deg > MOVED_DEG + SHARE * swing_deg(accelerometer, &sums)?).then_some((at_s, tilt_deg))
+}
+
+/// How far the direction of the force swings about its mean: √2 of its standard deviation, degrees.
+fn swing_deg(accelerometer: &ChannelGroup, sums: &Sums) -> Option<f64> {
+    let count = accelerometer.t_s.len();
+    let mean = sums.mean(0, count)?;
+    let force = |i: usize| Vector3::from_fn(|c, _| accelerometer.channels[c][i]);
+    let square: f64 = (0..count).map(|i| force(i).angle(&mean).powi(2)).sum();
+    Some((2.0 * square / count as f64).sqrt().to_degrees())
 }
 
 /// Running sums, so that every mean costs the same.

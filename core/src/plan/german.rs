@@ -7,13 +7,13 @@ pub const GERMAN: [(WarningKind, &str); 8] = [
     (
         WarningKind::YawNearInPhase,
         "Schwingung {swing}: Gieren ({yaw_period_s} s) und das gleichphasige Pendeln ({in_phase_period_s} s) liegen {apart_percent} % \
-         auseinander und regen einander an (Kane und Tseng): Gieren und Querpendeln einzeln anregen, oder Leinenlänge oder \
+         auseinander und regen einander an (Kane und Tseng): Gieren und Querschwingen einzeln anregen, oder Leinenlänge oder \
          Abstand ändern.",
     ),
     (
         WarningKind::NoBeat,
         "Schwingung {swing}: ein Abstand von {spacing_m} m liegt so nahe am doppelten Gierträgheitsradius ({twice_k_yaw_m} m), dass \
-         Gieren und Querpendeln in {duration_s} s keine Schwebung zeigen: hier keine Schwebungen zählen.",
+         Gieren und Querschwingen in {duration_s} s keine Schwebung zeigen: hier keine Schwebungen zählen.",
     ),
     (
         WarningKind::SlackLine,

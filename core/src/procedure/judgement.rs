@@ -181,8 +181,8 @@ pub(super) fn is_unwanted(line: &Line, planned: &PlannedSwing) -> bool {
     let asked = |wanted: &[Excitation]| planned.excited.iter().any(|one| wanted.contains(one));
     let turns = planned.excited.iter().filter(|one| one.turns());
     let fine = match line.kind {
-        LineKind::Sway => asked(&[Excitation::Sway, Excitation::Surge]),
-        // A hull that pitches or surges on two lines has two modes that turn about the same axis.
+        // A hull that pitches or surges on two lines has two modes that turn about the same axis, and one of them mostly swings along.
+        LineKind::Sway => asked(&[Excitation::Sway, Excitation::Surge, Excitation::Pitch, Excitation::Roll]),
         LineKind::SameTurn => {
             asked(&[Excitation::Pitch, Excitation::Roll, Excitation::Surge, Excitation::Sway])
         }
