@@ -51,7 +51,7 @@ test:
 lint: package
 	@$(STEP) fmt cargo fmt --all --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
-	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings
+	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings ios
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
 

@@ -41,17 +41,22 @@ final class AppModel {
 
   /// The practice on a simulated hull, from its beginning or from where it was left.
   func practise(afresh: Bool) async {
-    guard let folder = afresh ? sessions.practiceAfresh() : sessions.store.practice,
-      let rig = Bundle.main.url(forResource: "keelboat", withExtension: "toml"),
-      let rigText = try? String(contentsOf: rig, encoding: .utf8)
-    else { return }
+    guard let folder = afresh ? sessions.practiceAfresh() : sessions.store.practice else { return }
+    // It comes with the app.
+    let rigText = try! String(
+      contentsOf: Bundle.main.url(forResource: "keelboat", withExtension: "toml")!, encoding: .utf8)
     await begin { await $0.practise(in: folder, rigText: rigText, seed: 1) }
   }
 
   /// Leaves the procedure; it is kept.
   func leave() async {
     await procedure.leave()
-    await sessions.refresh()
+    await refresh()
+  }
+
+  /// Reads the list of sessions anew, unless one of them is under way: a procedure has one owner.
+  func refresh() async {
+    if !isUnderWay { await sessions.refresh() }
   }
 
   /// The session of the procedure under way, once it can be measured.

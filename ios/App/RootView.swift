@@ -41,7 +41,7 @@ struct RootView: View {
   /// iOS gives an app that is not on the screen neither time nor samples.
   private func follow(_ phase: ScenePhase) {
     switch phase {
-    case .active: app.procedure.goOnLooking()
+    case .active: if app.isUnderWay { app.procedure.goOnLooking() }
     case .background: Task { await app.procedure.pauseLooking() }
     default: break
     }

@@ -33,7 +33,7 @@ def main() -> None:
     if info["NSMotionUsageDescription"] != motion_usage():
         sys.exit("Info.plist and ios/words say different things of why the sensors are read")
     spec = (IOS / "project.yml").read_text(encoding="utf-8")
-    named = re.findall(r"(?<![A-Z_])(?:path|INFOPLIST_FILE): (\S+)|^ +- (App|UITests)$", spec, re.MULTILINE)
+    named = re.findall(r"(?<![A-Z_])(?:path|INFOPLIST_FILE): (\S+)|sources:\n +- (\w+)$", spec, re.MULTILINE)
     gone = [path for pair in named for path in pair if path and not (IOS / path).exists()]
     if gone:
         sys.exit(f"project.yml names what is not there: {', '.join(gone)}")

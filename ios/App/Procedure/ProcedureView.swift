@@ -97,7 +97,7 @@ private struct NowView: View {
   var body: some View {
     Text(instruction).font(.title2).onChange(of: instruction) { announce() }
     if let error = app.procedure.error { Advice(text: error, tone: .wrong) }
-    ForEach(app.procedure.recorder.silent.sorted { "\($0)" < "\($1)" }, id: \.self) { channel in
+    ForEach(Channel.all.filter(app.procedure.recorder.silent.contains), id: \.self) { channel in
       Advice(
         text: channel == .accelerometer ? Words.sensorStoppedAccelerometer : Words.sensorStoppedGyroscope, tone: .wrong)
     }

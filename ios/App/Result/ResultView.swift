@@ -23,7 +23,7 @@ struct ResultView: View {
       }
       .padding()
     }
-    .navigationTitle(measurable.title)
+    .navigationTitle(measurable.title.isEmpty ? Words.sessionUntitled : measurable.title)
     .toolbar {
       if model.result != nil {
         ShareLink(item: SharedReport(model: model), preview: SharePreview(Words.report)) {

@@ -18,7 +18,7 @@ struct SessionsView: View {
       Button(Words.about, systemImage: "info.circle") { path.append(.about) }
     }
     .safeAreaInset(edge: .bottom) { undoing }
-    .task { await app.sessions.refresh() }
+    .task { await app.refresh() }
     .fileImporter(isPresented: $isChoosing, allowedContentTypes: [.item]) { chosen in
       if case .success(let file) = chosen { take(file) }
     }

@@ -30,16 +30,17 @@ struct SharedSession: Transferable {
   /// What the system gives of a folder that is to be uploaded is a zip of it, gone when the reading ends.
   private func zipped() throws -> URL {
     let copy = FileManager.default.temporaryDirectory.appending(path: "\(name.isEmpty ? "session" : name).zip")
-    var failures: (reading: NSError?, copying: (any Error)?) = (nil, nil)
-    NSFileCoordinator().coordinate(readingItemAt: session, options: .forUploading, error: &failures.reading) { zip in
+    var unread: NSError?
+    var uncopied: (any Error)?
+    NSFileCoordinator().coordinate(readingItemAt: session, options: .forUploading, error: &unread) { zip in
       do {
         try? FileManager.default.removeItem(at: copy)
         try FileManager.default.copyItem(at: zip, to: copy)
       } catch {
-        failures.copying = error
+        uncopied = error
       }
     }
-    if let failure = failures.reading ?? failures.copying { throw failure }
+    if let failure = unread ?? uncopied { throw failure }
     return copy
   }
 }
