@@ -43,15 +43,12 @@ private struct BeginView: View {
   @Environment(AppModel.self) private var app
 
   var body: some View {
-    @Bindable var settings = app.settings
+    let settings = app.settings
     if !app.procedure.isPractice {
       SectionHead(title: Words.placement)
       PlacementSketch(isFlat: settings.isFlat)
-      Picker(Words.placement, selection: $settings.isFlat) {
-        Text(Words.placementFlat).tag(true)
-        Text(Words.placementAny).tag(false)
-      }
-      .pickerStyle(.inline)
+      Choice(title: Words.placementFlat, isChosen: settings.isFlat) { settings.isFlat = true }
+      Choice(title: Words.placementAny, isChosen: !settings.isFlat) { settings.isFlat = false }
     }
     WideButton(title: Words.actionBegin) { Task { await begin() } }
   }
@@ -62,6 +59,22 @@ private struct BeginView: View {
     } else {
       await app.procedure.start(phone: AppModel.phone, placement: app.settings.placement)
     }
+  }
+}
+
+/// One of several; its whole line can be touched.
+private struct Choice: View {
+  let title: String
+  let isChosen: Bool
+  let onChoice: @MainActor () -> Void
+
+  var body: some View {
+    Button(action: onChoice) {
+      Label(title, systemImage: isChosen ? "largecircle.fill.circle" : "circle")
+        .multilineTextAlignment(.leading)
+        .frame(maxWidth: .infinity, minHeight: 44, alignment: .leading)
+    }
+    .accessibilityAddTraits(isChosen ? .isSelected : [])
   }
 }
 

@@ -11,8 +11,11 @@ struct SetupForm: View {
     NumberField(Words.boatMass, $setup.massKg)
     NumberField(Words.boatLength, $setup.lengthM)
     NumberField(Words.boatBeam, $setup.beamM)
-    Picker(Words.type, selection: $setup.boatType) {
-      ForEach(boatTypes(), id: \.self) { Text(boatTypeName($0)).tag($0) }
+    // A picker shows its own name in lists alone.
+    LabeledContent(Words.type) {
+      Picker(Words.type, selection: $setup.boatType) {
+        ForEach(boatTypes(), id: \.self) { Text(boatTypeName($0)).tag($0) }
+      }
     }
     Fold(Words.knownCloser) { known }
     Fold(Words.atHand) { room }

@@ -24,7 +24,7 @@ open class CMAccelerometerData: CMLogItem {
 public typealias CMGyroHandler = @Sendable (CMGyroData?, (any Error)?) -> Void
 public typealias CMAccelerometerHandler = @Sendable (CMAccelerometerData?, (any Error)?) -> Void
 
-open class CMMotionManager: @unchecked Sendable {
+open class CMMotionManager {
   public init() {}
   open var isGyroAvailable: Bool { fatalError() }
   open var isAccelerometerAvailable: Bool { fatalError() }

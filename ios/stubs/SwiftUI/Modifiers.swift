@@ -13,12 +13,8 @@ extension PrimitiveButtonStyle where Self == BorderedProminentButtonStyle {
 }
 public protocol PickerStyle {}
 public struct SegmentedPickerStyle: PickerStyle {}
-public struct InlinePickerStyle: PickerStyle {}
 extension PickerStyle where Self == SegmentedPickerStyle {
   public static var segmented: SegmentedPickerStyle { fatalError() }
-}
-extension PickerStyle where Self == InlinePickerStyle {
-  public static var inline: InlinePickerStyle { fatalError() }
 }
 public protocol TextFieldStyle {}
 public struct RoundedBorderTextFieldStyle: TextFieldStyle {}
@@ -38,6 +34,7 @@ public struct AccessibilityTraits: OptionSet, Sendable {
   public init(rawValue: Int) { self.rawValue = rawValue }
   public static let isHeader = AccessibilityTraits(rawValue: 1)
   public static let isImage = AccessibilityTraits(rawValue: 2)
+  public static let isSelected = AccessibilityTraits(rawValue: 4)
 }
 public enum AccessibilityChildBehavior: Sendable { case ignore, contain, combine }
 

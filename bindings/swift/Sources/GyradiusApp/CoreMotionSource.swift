@@ -1,11 +1,17 @@
-#if canImport(CoreMotion)
+// Macs have the framework, and no such sensors.
+#if canImport(CoreMotion) && !os(macOS)
   import CoreMotion
   import GyradiusKit
 
   /// The phone's own sensors. The gyroscope is read raw, not from the device motion, whose bias iOS moves while a hull swings.
   public final class CoreMotionSource: MotionSource, @unchecked Sendable {
-    // One manager for an app: two slow each other down.
-    private static let manager = CMMotionManager()
+    /// One manager for an app: two slow each other down. It is told what to do by one procedure at a time.
+    private struct Shared: @unchecked Sendable {
+      let manager = CMMotionManager()
+    }
+
+    private static let shared = Shared()
+    private static var manager: CMMotionManager { shared.manager }
     /// As many samples per second as iPhones give.
     private static let intervalS = 0.01
 
