@@ -13,7 +13,7 @@ final class ScreensTests: XCTestCase {
     app.buttons["Practise on a simulated hull"].tap()
     app.buttons["60×"].tap()
     goThrough(app, until: app.navigationBars["Result"])
-    XCTAssertTrue(app.staticTexts["Yaw gyradius"].exists)
+    XCTAssertTrue(app.buttons["All of the result"].exists)
   }
 
   @MainActor
@@ -44,7 +44,7 @@ final class ScreensTests: XCTestCase {
   @MainActor
   func testThePhoneSpeaksGerman() {
     let app = launched(language: "de")
-    XCTAssertTrue(app.navigationBars["Sitzungen"].waitForExistence(timeout: 10))
+    XCTAssertTrue(app.navigationBars["Messungen"].waitForExistence(timeout: 10))
     app.buttons["Ein Boot messen"].tap()
     XCTAssertTrue(app.buttons["Schwünge planen"].waitForExistence(timeout: 10))
   }

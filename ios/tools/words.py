@@ -50,6 +50,12 @@ def asked_for() -> set[str]:
     return {name for path in sources for name in re.findall(r"\bWords\.(\w+)", path.read_text(encoding="utf-8"))}
 
 
+def touched() -> set[str]:
+    """What the UI tests look for on the screen; numbers are no words."""
+    tests = "".join(path.read_text(encoding="utf-8") for path in (IOS / "UITests").glob("*.swift"))
+    return {text for text in re.findall(r'\[\"([^\"]+)\"\]', tests) if text[0].isalpha()}
+
+
 def chosen(all_words: dict[str, Words]) -> list[str]:
     """The keys to write, in the order of their names."""
     by_name = {camel(key): key for key in all_words["en"]}
@@ -123,6 +129,9 @@ def written() -> dict[Path, str]:
     for key in keys:
         if kinds(all_words["en"][key]) != kinds(all_words["de"].get(key, "")):
             sys.exit(f"{key}: the languages differ in their places, or one lacks it")
+    shown = {words[key] for words in all_words.values() for key in keys}
+    if touched() - shown:
+        sys.exit(f"the UI tests look for {', '.join(sorted(touched() - shown))}, and nothing says so")
     said = {key: {language: for_apple(words[key]) for language, words in all_words.items()} for key in keys}
     asked = {plist: {language: words[key] for language, words in all_words.items()} for plist, key in INFO.items()}
     return {

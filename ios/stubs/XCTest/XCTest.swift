@@ -10,9 +10,7 @@ open class XCTestCase {
 @MainActor public protocol XCUIElementTypeQueryProvider {}
 extension XCUIElementTypeQueryProvider {
   public var buttons: XCUIElementQuery { fatalError() }
-  public var staticTexts: XCUIElementQuery { fatalError() }
   public var textFields: XCUIElementQuery { fatalError() }
-  public var switches: XCUIElementQuery { fatalError() }
   public var navigationBars: XCUIElementQuery { fatalError() }
 }
 
@@ -44,4 +42,3 @@ public struct XCUIAccessibilityAuditType: OptionSet, Sendable {
 }
 
 public func XCTAssertTrue(_ expression: @autoclosure () throws -> Bool, _ message: @autoclosure () -> String = "") {}
-public func XCTAssertFalse(_ expression: @autoclosure () throws -> Bool, _ message: @autoclosure () -> String = "") {}
