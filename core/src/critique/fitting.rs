@@ -10,8 +10,6 @@ use crate::inertia::samples::Own;
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
-/// Of a stiff motion, whose simulation takes long.
-const MOST_STIFF_STEPS: usize = 20;
 const MOST_DAMPING: f64 = 1e8;
 /// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones, as does
 /// one that had to be shortened.
@@ -103,6 +101,11 @@ impl Misfit {
 
     fn count(&self) -> usize {
         self.rows.iter().map(|rows| rows.len()).sum()
+    }
+
+    /// What a swing's readings did beyond their derivatives along a step from here to another misfit.
+    fn beyond(&self, to: &Self, s: usize, jacobian: &DMatrix<f64>, own: &DVector<f64>) -> DVector<f64> {
+        &self.rows[s] - &to.rows[s] - jacobian * own
     }
 
     fn rms(&self) -> f64 {
@@ -211,24 +214,19 @@ impl Model<'_> {
         let places = Places::of(self);
         for (s, jacobian) in jacobians.iter_mut().enumerate() {
             let at = places.of_swing(self, s);
-            let own = DVector::from_iterator(at.len(), at.iter().map(|place| delta[*place]));
-            let weighed = DVector::from_iterator(at.len(), at.iter().map(|p| matrix[(*p, *p)] * delta[*p]));
+            let own = delta.select_rows(&at);
+            let weighed = matrix.diagonal().select_rows(&at).component_mul(&own);
             let size = weighed.dot(&own);
             if size > 0.0 {
-                let beyond = &from.rows[s] - &to.rows[s] - &*jacobian * own;
+                let beyond = from.beyond(to, s, jacobian, &own);
                 jacobian.ger(1.0 / size, &beyond, &weighed, 1.0);
             }
         }
     }
 
     fn most_steps(&self) -> usize {
-        if matches!(self.part, Part::First(_)) && !self.causes.is_empty() {
-            EARLY_STEPS
-        } else if self.causes.iter().any(|c| c.stiff) {
-            MOST_STIFF_STEPS
-        } else {
-            MOST_STEPS
-        }
+        let is_early = matches!(self.part, Part::First(_)) && !self.causes.is_empty();
+        if is_early { EARLY_STEPS } else { MOST_STEPS }
     }
 
     fn jacobians(&self, point: &Point) -> Result<Vec<DMatrix<f64>>> {
@@ -357,8 +355,7 @@ impl Model<'_> {
         let mut all = DVector::zeros(places.all());
         let parts = self.each(|s| {
             let at = places.of_swing(self, s);
-            let own = DVector::from_iterator(at.len(), at.iter().map(|place| delta[*place]));
-            let beyond = &from.rows[s] - &to.rows[s] - &jacobians[s] * own;
+            let beyond = from.beyond(to, s, &jacobians[s], &delta.select_rows(&at));
             (at, jacobians[s].tr_mul(&beyond))
         });
         for (at, part) in parts {

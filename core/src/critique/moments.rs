@@ -14,10 +14,10 @@ use super::point::{Cause, OWN};
 const COARSE: usize = 24;
 const FINE: usize = 9;
 /// What a slip itself turns and jolts shows best when it was: so far to both sides of where the lasting change puts it, and of where
-/// most is left, it is looked for in steps of [`STEP_S`], s, with lengths like these, s.
+/// most is left, it is looked for in steps of [`STEP_S`], s, then with other lengths, s.
 const REACH_S: f64 = 0.4;
 const STEP_S: f64 = 0.05;
-const LENGTHS_S: [f64; 3] = [0.05, SLIP_S, 0.5];
+const OTHER_LENGTHS_S: [f64; 2] = [0.05, 0.5];
 /// From this gain of the logarithm of the evidence on a slip is looked at so closely.
 const WORTH_IT: f64 = 5.0;
 
@@ -83,8 +83,8 @@ impl Scan<'_> {
         let at = |t_s: f64, over_s: f64| self.slip(&later, (s, t_s), over_s);
         let best = in_parallel(moments.len(), |k| at(moments[k], SLIP_S)).into_iter().flatten();
         let best = best.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
-        let lengths = LENGTHS_S.into_iter().filter_map(|over_s| at(best.t_s, over_s));
-        lengths.max_by(|a, b| a.gain.total_cmp(&b.gain))
+        let others = OTHER_LENGTHS_S.map(|over_s| at(best.t_s, over_s));
+        others.into_iter().flatten().chain([best]).max_by(|a, b| a.gain.total_cmp(&b.gain))
     }
 
     /// The evidence for a slip of a length, with what is known of the swings after it.

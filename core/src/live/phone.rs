@@ -28,7 +28,9 @@ pub(super) fn moved(accelerometer: &ChannelGroup, period_s: f64) -> Option<(f64,
     let inside = |i: &usize| t_s[*i] - t_s[0] >= window_s && t_s[t_s.len() - 1] - t_s[*i] >= window_s;
     let changes = (0..t_s.len()).filter(inside).filter_map(|i| angle(&i));
     let (tilt_deg, at_s) = changes.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (tilt_deg > MOVED_DEG + SHARE * swing_deg(accelerometer, &sums)?).then_some((at_s, tilt_deg))
+    // How far it swings is asked for only where it counts.
+    let is_moved = tilt_deg > MOVED_DEG && tilt_deg > MOVED_DEG + SHARE * swing_deg(accelerometer, &sums)?;
+    is_moved.then_some((at_s, tilt_deg))
 }
 
 /// How far the direction of the force swings about its mean: √2 of its standard deviation, degrees.
