@@ -1,9 +1,7 @@
 # The one task runner: people and CI call these recipes only.
 #
-# Needs Rust, Python >= 3.10, for Kotlin a JDK and Maven, for Swift root and Debian's apt; everything else comes from crates.io
-# and PyPI into `target/` and `.venv/`, from Maven Central into Maven's own store, and Swift from Debian into a cache.
-# Needs Rust, Python >= 3.10 and, for Kotlin and the Android app, a JDK and Maven; everything else comes from crates.io and PyPI into `target/`
-# and `.venv/`, and from Maven Central into Maven's own store.
+# Needs Rust, Python >= 3.10, for Kotlin and the Android app a JDK and Maven, for Swift root and Debian's apt; everything else comes
+# from crates.io and PyPI into `target/` and `.venv/`, from Maven Central into Maven's own store, and Swift from Debian into a cache.
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -14,7 +12,7 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python test-kotlin test-swift test-ios test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python generated faces test-kotlin test-swift test-ios test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -40,8 +38,7 @@ test:
 	@$(MAKE) --no-print-directory test-rust
 	@$(MAKE) --no-print-directory test-vectors
 	@$(MAKE) --no-print-directory test-python
-	@$(MAKE) --no-print-directory test-kotlin
-	@$(MAKE) --no-print-directory test-swift
+	@$(MAKE) --no-print-directory test-kotlin test-swift
 	@$(MAKE) --no-print-directory test-ios
 	@$(MAKE) --no-print-directory test-android
 	@$(MAKE) --no-print-directory test-blind
@@ -70,14 +67,20 @@ test-python: package
 bindings:
 	@cargo build --quiet $(CRATES) --all-targets
 
-# The Kotlin that is committed is what the facade gives; its tests on the JVM, the shared vectors bit by bit as Python's.
-test-kotlin: package bindings
+# The Kotlin and the Swift that are committed are what the facade gives.
+generated: bindings
 	@$(STEP) generated bindings/check-generated
+
+# What Python gives, for the other faces to be held against.
+faces: package
+	@$(STEP) faces $(BIN)/python tests/faces/write_results.py build/faces
+
+# Kotlin's tests on the JVM, the shared vectors bit by bit as Python's.
+test-kotlin: generated faces
 	@$(STEP) kotlin bindings/kotlin/run-tests $(BIN)/python
 
 # The same of Swift. Debian's Swift 6 is unpacked into the user's cache at the first time: half a gigabyte to fetch.
-test-swift: package bindings
-	@$(STEP) generated bindings/check-generated
+test-swift: generated faces
 	@$(STEP) swift bindings/swift/run-tests $(BIN)/python
 
 # The iOS app: words, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
