@@ -6,7 +6,8 @@ use std::f64::consts::{LN_10, TAU};
 use gyradius_core::dynamics::effects::EffectValues;
 use gyradius_core::dynamics::sensors::catalogue;
 use gyradius_core::dynamics::{
-    Body, Dimensions, Draws, Experiment, Hanging, Phone, Record, RigidBody, Scene, Start, SuspensionAxis,
+    Body, Dimensions, Draws, Experiment, Fineness, Hanging, Phone, Record, RigidBody, Scene, Start,
+    SuspensionAxis,
 };
 use gyradius_core::frames::{Rotation, Vec3};
 
@@ -108,6 +109,16 @@ fn a_wrong_clock_and_a_delay_read_the_motion_at_another_time() {
     let t_s = times(200, 20.0);
     let slower: Vec<f64> = t_s.iter().map(|t| t / 1.001).collect();
     assert_alike(&read(&[("clock_scale", &[("error", 1e-3)])], &t_s), &read(&[], &slower), 1e-11);
+    // A slow clock's last samples are taken when a right one has stopped.
+    let t_s = times(1200, 20.0);
+    let faster: Vec<f64> = t_s.iter().map(|t| t / 0.98).collect();
+    let slow: &[(&str, &[(&str, f64)])] = &[("clock_scale", &[("error", -0.02)])];
+    assert_alike(&read(slow, &t_s), &read(&[], &faster), 1e-11);
+    let experiment = swing(lively(), slow);
+    let path = experiment.motion(Fineness::FULL, t_s[1199]).unwrap();
+    let on_path: Vec<[f64; 6]> =
+        experiment.readings_on(&path, &t_s).unwrap().iter().map(|reading| reading.six()).collect();
+    assert_alike(&on_path, &read(&[], &faster), 1e-11);
     let late = &t_s[1..];
     let ago = |d: f64| late.iter().map(|t| t - d).collect::<Vec<_>>();
     let (gyro, acc) = (read(&[], &ago(0.013)), read(&[], &ago(0.027)));

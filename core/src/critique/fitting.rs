@@ -244,6 +244,11 @@ impl Model<'_> {
         }
     }
 
+    /// χ² of samples and priors at a point.
+    pub fn cost(&self, point: &Point) -> Result<f64> {
+        Ok(self.misfit(point)?.cost)
+    }
+
     /// χ² of the samples at a point.
     pub fn chi2(&self, point: &Point) -> Result<f64> {
         Ok(self.misfit(point)?.chi2())

@@ -172,7 +172,7 @@ impl Model<'_> {
             there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.apart).map(|(v, _)| v).collect();
         pliant.causes.retain(|c| !c.apart);
         let experiment = pliant.experiment(&there, s)?;
-        let shared = swung.setup.shared_slopes(&point.x, &own, free)?;
+        let by_lane = swung.setup.lane_slopes(&point.x, &own, free)?;
         let damping = swung.setup.damping_slopes(&experiment.scene);
         let first_own = out.ncols() - OWN;
         let of_streams: Vec<(Vec<usize>, Vec<&Block>)> = (0..swung.samples.streams.len())
@@ -192,7 +192,7 @@ impl Model<'_> {
                     let scale = weight / sensor.noise[axis];
                     let lanes = &slopes[(6 * n + first + axis) * LANES.len()..][..LANES.len()];
                     for column in 0..free.len() {
-                        let sum: f64 = (0..SHARED_LANES).map(|l| lanes[l] * shared[(l, column)]).sum();
+                        let sum: f64 = (0..LANES.len()).map(|l| lanes[l] * by_lane[(l, column)]).sum();
                         out[(row, column)] = scale * sum;
                     }
                     for k in 0..BIAS {

@@ -346,10 +346,10 @@ impl Found<'_> {
             model.fit(&model.grown(&start).ok()?, &hopeless).ok()?
         } else {
             let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
-            let costs = starts.iter().map(|start| (model.chi2(start).unwrap_or(f64::INFINITY), start));
+            let costs = starts.iter().map(|start| (model.cost(start).unwrap_or(f64::INFINITY), start));
             let (cost, start) =
                 costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
-            if cost > self.fitted.chi2 {
+            if cost > self.fitted.cost {
                 // So far from linear that the way there leads over short parts of the recordings.
                 model.fit(&model.grown(&starts[0]).ok()?, &hopeless).ok()?
             } else {

@@ -119,7 +119,16 @@ impl Experiment {
     /// The motion over the times asked for and a step beyond, for [`Experiment::readings_on`].
     pub fn motion(&self, fineness: Fineness, last_s: f64) -> Result<Path<f64>> {
         let step_s = self.scene.step_s(fineness.steps_per_period)?;
-        self.scene.run(self.scene.values(), (last_s + step_s - self.held_s).max(step_s), step_s, fineness)
+        let laws: Laws<f64> = self.laws(&mut self.sensor_values())?;
+        let duration_s = self.duration_s(&laws, &[last_s], &Draws::new(), step_s);
+        self.scene.run(self.scene.values(), duration_s, step_s, fineness)
+    }
+
+    /// So long the hull moves until the last of these times on the phone's clock, and a step beyond.
+    fn duration_s<S: Real>(&self, laws: &Laws<S>, t_s: &[f64], draws: &Draws, step_s: f64) -> f64 {
+        let drawn = Drawn::new(laws, draws);
+        let true_s = t_s.iter().enumerate().map(|(n, t_s)| drawn.true_s(laws, n, *t_s).value());
+        (true_s.fold(0.0, f64::max) + step_s - self.held_s).max(step_s)
     }
 
     /// What phone and sensors, without chance, make of a motion at these times: a reading for each, none is lost.
@@ -134,8 +143,8 @@ impl Experiment {
     pub fn slopes_of_motion(&self, wanted: &[usize], fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
         let mut out = vec![0.0; t_s.len() * 6 * wanted.len()];
         let step_s = self.scene.step_s(fineness.steps_per_period)?;
-        let last_s = t_s.iter().fold(0.0, |last: f64, t| last.max(*t)) + step_s;
-        let duration_s = (last_s - self.held_s).max(step_s);
+        let laws: Laws<f64> = self.laws(&mut self.sensor_values())?;
+        let duration_s = self.duration_s(&laws, t_s, &Draws::new(), step_s);
         for (chunk, lanes) in wanted.chunks(LANES).enumerate() {
             let values: Vec<Dual<LANES>> = seeded(&self.scene.values(), lanes)?;
             let path = self.scene.run(values, duration_s, step_s, fineness)?;
@@ -160,7 +169,7 @@ impl Experiment {
     ) -> Result<Vec<Reading<S>>> {
         let bends = laws.iter().any(|law| law.bends_time());
         let hull = |t_s: S| self.hull_at(path, bends, t_s);
-        let ride = Ride { hull: &hull, mounted, from_s: self.held_s, to_s: path.duration_s() };
+        let ride = Ride { hull: &hull, mounted, from_s: self.held_s, to_s: self.held_s + path.duration_s() };
         let all: Vec<(usize, f64)> = t_s.iter().copied().enumerate().collect();
         let none = Draws::new();
         Ok(Sampler::new(laws, &ride, &none)?.sample(&all).readings)
@@ -201,13 +210,14 @@ impl Experiment {
         let phone = Phone::from_numbers(&mut rest).ok_or_else(|| too_few(values.len()))?;
         let laws = self.laws(&mut rest)?;
         let step_s = self.scene.step_s(fineness.steps_per_period)?;
-        let last_s = t_s.iter().fold(0.0, |last: f64, t| last.max(*t)) + step_s;
-        let path = self.scene.run(values, (last_s - self.held_s).max(step_s), step_s, fineness)?;
+        let duration_s = self.duration_s(&laws, t_s, draws, step_s);
+        let path = self.scene.run(values, duration_s, step_s, fineness)?;
         let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
         let bends = laws.iter().any(|law| law.bends_time());
         let sampled = {
             let hull = |t_s: S| self.hull_at(&path, bends, t_s);
-            let ride = Ride { hull: &hull, mounted: &mounted, from_s: self.held_s, to_s: last_s };
+            let ride =
+                Ride { hull: &hull, mounted: &mounted, from_s: self.held_s, to_s: self.held_s + duration_s };
             Sampler::new(&laws, &ride, draws)?.sample(&self.kept(&laws, t_s, draws))
         };
         Ok((path, sampled))
@@ -260,6 +270,13 @@ impl<'a> Drawn<'a> {
         let drawn = self.draws.get(law).and_then(|all| all.get(sample * count..(sample + 1) * count));
         drawn.unwrap_or(&self.none[..count])
     }
+
+    /// When a sample was really taken.
+    fn true_s<S: Real>(&self, laws: &Laws<S>, sample: usize, clock_s: f64) -> S {
+        let mut true_s = S::constant(clock_s);
+        laws.iter().enumerate().for_each(|(i, law)| law.bend(&mut true_s, self.of(i, sample)));
+        true_s
+    }
 }
 
 /// Reads the phone sample by sample.
@@ -289,11 +306,10 @@ impl<'a, S: Real> Sampler<'a, S> {
         let mut before_s = None;
         for &(n, clock_s) in samples {
             let mut stamp_s = clock_s;
-            let mut true_s = S::constant(clock_s);
             for (i, law) in self.laws.iter().enumerate() {
                 stamp_s += law.stamp_error_s(self.drawn.of(i, n));
-                law.bend(&mut true_s, self.drawn.of(i, n));
             }
+            let true_s = self.drawn.true_s(self.laws, n, clock_s);
             let mut reading = self.remembered(true_s);
             let since_s = before_s.map(|before_s| clock_s - before_s);
             self.spoil((n, clock_s, since_s), &mut states, &mut reading);

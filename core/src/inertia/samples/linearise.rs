@@ -51,15 +51,10 @@ pub struct Simulated {
 impl Simulated {
     pub fn new(setup: &SwingSetup, x: &[f64], own: &Own, horizon_s: f64, whole_s: f64) -> Result<Self> {
         let own = own.clone().folded();
-        let path = setup.scene(x, &own)?.motion_as(Fineness::OF_FITS, horizon_s)?;
+        let clock = setup.layout.clock_error(x, setup.index);
+        let path = setup.scene(x, &own)?.motion_as(Fineness::OF_FITS, horizon_s / (1.0 + clock))?;
         let mounted = own.phone().mounted(&own.nominal, &path.cm_m, path.gravity_m_s2);
-        Ok(Self {
-            path,
-            mounted,
-            own,
-            clock: setup.layout.clock_error(x, setup.index),
-            middle_s: 0.5 * whole_s,
-        })
+        Ok(Self { path, mounted, own, clock, middle_s: 0.5 * whole_s })
     }
 
     /// The reading at a time of the phone's clock.
@@ -130,7 +125,8 @@ impl Linearised {
         let horizon_s = horizon_s.min(samples.duration_s);
         let scene = setup.scene(x, own)?;
         let simulated = Simulated::new(setup, x, own, horizon_s, samples.duration_s)?;
-        let paths = scene.motion_and_derivatives(&LANES, Fineness::OF_FITS, horizon_s)?;
+        let until_s = horizon_s / (1.0 + simulated.clock);
+        let paths = scene.motion_and_derivatives(&LANES, Fineness::OF_FITS, until_s)?;
         let phone = own.phone().map(Dual::constant);
         let mounted: Vec<Mounted<Dual<{ dynamics::LANES }>>> =
             paths.iter().map(|p| phone.mounted(&own.nominal, &p.cm_m, p.gravity_m_s2)).collect();
@@ -224,7 +220,7 @@ fn combination(
     scene: &dynamics::Scene,
 ) -> Result<DMatrix<f64>> {
     let mut combine = DMatrix::zeros(COLUMNS, free.len() + OWN);
-    combine.view_mut((0, 0), (SHARED_LANES, free.len())).copy_from(&setup.shared_slopes(x, own, free)?);
+    combine.view_mut((0, 0), (LANES.len(), free.len())).copy_from(&setup.lane_slopes(x, own, free)?);
     let is_clock = |i: &usize| *i == setup.layout.clock || Some(*i) == setup.index.clock;
     for (column, _) in free.iter().enumerate().filter(|(_, i)| is_clock(i)) {
         combine[(RAW_CLOCK, column)] = 1.0;

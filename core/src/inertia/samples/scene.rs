@@ -84,9 +84,9 @@ impl SwingSetup<'_> {
         Vec3::new(0.0, 0.0, -x[self.index.log_depth].exp())
     }
 
-    /// Derivatives of the scene's shared numbers ([`LANES`], the first [`SHARED_LANES`]) by the parameters at `free`.
-    pub fn shared_slopes(&self, x: &[f64], own: &Own, free: &[usize]) -> Result<DMatrix<f64>> {
-        let mut slopes = DMatrix::zeros(SHARED_LANES, free.len());
+    /// Derivatives of the scene's numbers ([`LANES`]) by the parameters at `free`: damping rates stay, and their numbers go with the body.
+    pub fn lane_slopes(&self, x: &[f64], own: &Own, free: &[usize]) -> Result<DMatrix<f64>> {
+        let mut slopes = DMatrix::zeros(LANES.len(), free.len());
         for (column, i) in free.iter().enumerate() {
             let step = self.layout.parameters[*i].step;
             let shifted = |sign: f64| -> Result<Vec<f64>> {
@@ -95,7 +95,7 @@ impl SwingSetup<'_> {
                 Ok(self.scene(&moved, own)?.values())
             };
             let (up, down) = (shifted(1.0)?, shifted(-1.0)?);
-            for (row, lane) in LANES[..SHARED_LANES].iter().enumerate() {
+            for (row, lane) in LANES.iter().enumerate() {
                 slopes[(row, column)] = (up[*lane] - down[*lane]) / (2.0 * step);
             }
         }
@@ -171,5 +171,46 @@ impl Own {
         u[DRIFT..DRIFT + 3].fill(1e-3); // rad/s per s
         u[DRIFT + 3..].fill(1e-3); // m/s² per s
         u
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{Orientation, Quantity, Session, Suspension, SuspensionKind, SwingData};
+    use approx::assert_relative_eq;
+
+    /// A damping rate γ of the yaw is the number γ I/M = γ k²: by ln k it changes by 2 γ k².
+    #[test]
+    fn damping_numbers_go_with_the_body() {
+        let suspension = Suspension {
+            kind: SuspensionKind::Bifilar,
+            orientation: Orientation::Athwartships,
+            line_length_m: Some(Quantity::exact(2.0)),
+            spacing_m: Some(Quantity::exact(0.8)),
+            top_spacing_m: None,
+            hull_pitch_deg: None,
+            points_moved_m: None,
+            axis_height_m: None,
+        };
+        let swing = Swing {
+            id: "yaw".into(),
+            data: SwingData::PeriodsS(Default::default()),
+            excited: vec![],
+            added_masses: vec![],
+            amplitude_deg: Default::default(),
+            suspension,
+        };
+        let session = Session { swings: vec![swing], ..Session::default() };
+        let layout = Layout::of(&session, Quantity::exact(9.8), &[None], &[None]);
+        let setup = SwingSetup { layout: &layout, swing: &session.swings[0], index: &layout.swings[0] };
+        let mut x = layout.start();
+        let (k_m, rate_per_s) = (0.7f64, 0.03);
+        let yaw = layout.log_gyradii[2];
+        x[yaw] = k_m.ln();
+        let mut own = Own::at_rest(Rotation::identity());
+        own.values[DAMPING + 4] = rate_per_s;
+        let slopes = setup.lane_slopes(&x, &own, &[yaw]).unwrap();
+        assert_relative_eq!(slopes[(LANES.len() - 1, 0)], 2.0 * rate_per_s * k_m * k_m, max_relative = 1e-6);
     }
 }
