@@ -64,6 +64,7 @@ HULL: list[tuple[str, Numbers, Numbers, str]] = [
     ),
     ("buoyancy", {"displaced_air_kg": 0.8}, SWAY, "Slower by half of the air's part of the mass."),
     ("knock", {"at_s": 30.0, "over_s": 0.1, "turn_z_n_m_s": 1.0}, YAW, "From one moment on it is another swing."),
+    ("line_slip", {"at_s": 30.0, "over_s": 0.3, "positive_m": 0.01}, YAW, "From one moment on the hull hangs aslant."),
     (
         "learned_force",
         {"coordinate": 3.0, "scale_of_position": 0.1, "scale_of_rate": 0.1, "xxx": 0.3},

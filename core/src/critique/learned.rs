@@ -19,6 +19,7 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
     match cause.form {
         Form::Force(coordinate) => force(found, coordinate, heldout_rms),
         Form::Knock(swing) => knock(found, swing, heldout_rms),
+        Form::LineSlip(swing) => line_slip(found, swing, heldout_rms),
         Form::Second => second(found, heldout_rms),
         Form::Law | Form::Gust => None,
     }
@@ -69,6 +70,28 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
         equation: format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", ")),
         text: format!(
             "{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed"
+        ),
+        heldout_rms_over_noise: Some(heldout_rms),
+        closed_heldout_rms_over_noise: Some(heldout_rms),
+    })
+}
+
+/// Lines that are longer from a moment on: no force of its own, but the lines'.
+fn line_slip(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
+    let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
+    let [positive, negative, at_s, ..] = values[..] else { return None };
+    let line_mm = 1e3 * cause.parameters.first()?.factor;
+    let id = &found.model.swing(swing).setup.swing.id;
+    let more = format!("{:+.2} mm and {:+.2} mm", positive * line_mm, negative * line_mm);
+    Some(LearnedForce {
+        coordinate: "all".into(),
+        unit: "N".into(),
+        points: vec![],
+        equation: format!(
+            "l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)"
+        ),
+        text: format!(
+            "{id}: {at_s:.2} s after the start of the part that was analysed a line gave way: the lines are longer by {more} from then on"
         ),
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some(heldout_rms),

@@ -1,18 +1,22 @@
-//! Things that happen at a moment: the phone slips, the hull is knocked. What a session shows of them is the response to a
-//! change of pose or of motion from that moment on, so no simulation is needed to look for the moment.
+//! Things that happen at a moment: the phone slips, the hull is knocked, a line gives way. What a session shows of the first two is the
+//! response to a change of pose or of motion from that moment on, so no simulation is needed to look for the moment. A line that
+//! gives way turns the hull for good as a phone slips: it is simulated about the moments at which a slip is seen.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::error::Result;
 use crate::inertia::by_samples::in_parallel;
 
-use super::causes::{SLIP_S, Scales, knock_at, slip_at};
+use super::causes::{GIVES_S, SLIP_S, Scales, knock_at, line_slip_at, slip_at};
 use super::look::{Equations, Look, Part, Solved, Standing, columns, laid_out};
 use super::point::{Cause, OWN};
 
 /// Moments tried in each swing, first coarse, then about the best.
 const COARSE: usize = 24;
 const FINE: usize = 9;
+/// How far lines give way, shares of their length.
+const GIVES_U: [f64; 2] = [2e-3; 2];
+
 /// What a slip itself turns and jolts shows best when it was: so far to both sides of where the lasting change puts it, and of where
 /// most is left, it is looked for in steps of [`STEP_S`], s, then with other lengths, s.
 const REACH_S: f64 = 0.4;
@@ -29,6 +33,18 @@ const SLIP_U: [f64; 6] = [0.02, 0.02, 0.02, 0.01, 0.01, 0.01];
 enum Event {
     Slip,
     Knock,
+    LineSlip,
+}
+
+impl Event {
+    /// Standard deviations of what is sought before anything is seen.
+    fn strength_u(self) -> DVector<f64> {
+        match self {
+            Event::Slip => DVector::from_row_slice(&SLIP_U),
+            Event::Knock => DVector::repeat(8, 0.03),
+            Event::LineSlip => DVector::from_row_slice(&GIVES_U),
+        }
+    }
 }
 
 /// First looks at what may have happened, each at its best moment.
@@ -38,7 +54,13 @@ pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
         (0..standing.residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
     let scales = Scales::of(model.base, &standing.fitted.point)?;
     let scan = Scan { standing, times, scales };
-    Ok([Event::Slip, Event::Knock].into_iter().filter_map(|event| scan.best(event)).collect())
+    let slip = scan.best(Event::Slip);
+    let closer =
+        |event| slip.as_ref().filter(|slip| slip.gain > WORTH_IT).and_then(|slip| scan.closer(event, slip));
+    let gives = closer(Event::LineSlip).map(|seen| scan.look(Event::LineSlip, seen));
+    let slips = closer(Event::Slip).or(slip).map(|seen| scan.look(Event::Slip, seen));
+    let knock = scan.best(Event::Knock).map(|seen| scan.look(Event::Knock, seen));
+    Ok(slips.into_iter().chain(knock).chain(gives).collect())
 }
 
 struct Scan<'a> {
@@ -48,7 +70,8 @@ struct Scan<'a> {
 }
 
 impl Scan<'_> {
-    fn best(&self, event: Event) -> Option<Look> {
+    /// An event's best moment, by what is known of the response.
+    fn best(&self, event: Event) -> Option<Seen> {
         let tried = in_parallel(self.times.len(), |s| {
             let duration_s = self.standing.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
@@ -64,39 +87,58 @@ impl Scan<'_> {
                 seen.max_by(|a, b| a.gain.total_cmp(&b.gain))
             })
         });
-        let best = tried.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))?;
-        let closer = if event == Event::Slip && best.gain > WORTH_IT { self.closer(&best) } else { None };
-        Some(self.look(event, closer.unwrap_or(best)))
+        tried.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
     }
 
     /// A slip with what is felt of it while it lasts, at its best moment and length.
-    fn closer(&self, roughly: &Seen) -> Option<Seen> {
+    fn closer(&self, event: Event, roughly: &Seen) -> Option<Seen> {
         let s = roughly.s;
-        let later: Vec<(usize, Part)> = (s + 1..self.times.len())
-            .filter(|later| self.has_phone_of(s, *later))
-            .map(|later| (later, self.part(later, &self.columns(Event::Slip, later, f64::NEG_INFINITY))))
-            .collect();
+        let later = self.later(event, roughly)?;
         let steps = (REACH_S / STEP_S) as i32;
         let near = |t_s: f64| (-steps..=steps).map(move |k| t_s + STEP_S * f64::from(k));
         let moments: Vec<f64> =
             near(roughly.t_s).chain(self.loudest_s(s).into_iter().flat_map(near)).collect();
-        let at = |t_s: f64, over_s: f64| self.slip(&later, (s, t_s), over_s);
-        let best = in_parallel(moments.len(), |k| at(moments[k], SLIP_S)).into_iter().flatten();
+        let at = |t_s: f64, over_s: f64| self.slip(event, &later, (s, t_s), over_s);
+        let over_s = if event == Event::Slip { SLIP_S } else { GIVES_S };
+        let best = in_parallel(moments.len(), |k| at(moments[k], over_s)).into_iter().flatten();
         let best = best.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
         let others = OTHER_LENGTHS_S.map(|over_s| at(best.t_s, over_s));
         others.into_iter().flatten().chain([best]).max_by(|a, b| a.gain.total_cmp(&b.gain))
     }
 
-    /// The evidence for a slip of a length, with what is known of the swings after it.
-    fn slip(&self, later: &[(usize, Part)], (s, t_s): (usize, f64), over_s: f64) -> Option<Seen> {
-        let standing = self.standing;
-        let cause = slip_at(s, t_s);
-        let mut at = standing.fitted.point.clone();
+    /// What the swings after a slip add.
+    fn later(&self, event: Event, slip: &Seen) -> Option<Vec<(usize, Part)>> {
+        let part = |later: usize| match event {
+            Event::LineSlip => self.simulated(event, (slip.s, slip.t_s), GIVES_S, later),
+            _ => Some(self.part(later, &self.columns(event, later, f64::NEG_INFINITY))),
+        };
+        (slip.s + 1..self.times.len())
+            .filter(|later| event == Event::LineSlip || self.has_phone_of(slip.s, *later))
+            .map(|later| Some((later, part(later)?)))
+            .collect()
+    }
+
+    /// What a swing adds for a slip of a length in that or an earlier one, by simulations.
+    fn simulated(&self, event: Event, (s, t_s): (usize, f64), over_s: f64, swing: usize) -> Option<Part> {
+        let cause = self.cause(event, (s, t_s));
+        let mut at = self.standing.fitted.point.clone();
         at.causes.push(cause.start(self.times.len()));
         *at.causes.last_mut()?.last_mut()? = over_s.ln();
-        let extended = standing.model.with(&cause);
-        let mut equations = Equations::new(standing, DVector::from_row_slice(&SLIP_U));
-        equations.add(s, &columns(standing, &extended, &at, s, &[0, 1, 2, 3, 4, 5]).ok()?);
+        let extended = self.standing.model.with(&cause);
+        let strengths: Vec<usize> = (0..event.strength_u().len()).collect();
+        columns(self.standing, &extended, &at, swing, &strengths).ok()
+    }
+
+    /// The evidence for a slip of a length, with what is known of the swings after it.
+    fn slip(
+        &self,
+        event: Event,
+        later: &[(usize, Part)],
+        (s, t_s): (usize, f64),
+        over_s: f64,
+    ) -> Option<Seen> {
+        let mut equations = Equations::new(self.standing, event.strength_u());
+        equations.add(s, &self.simulated(event, (s, t_s), over_s, s)?);
         later.iter().for_each(|(later, part)| equations.add(*later, part));
         let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
         Some(Seen { s, t_s, over_s, gain, chi2, strength, rest })
@@ -121,11 +163,7 @@ impl Scan<'_> {
 
     /// The evidence for an event at a moment of a swing.
     fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
-        let u = match event {
-            Event::Slip => DVector::from_row_slice(&SLIP_U),
-            Event::Knock => DVector::repeat(8, 0.03),
-        };
-        let mut equations = Equations::new(self.standing, u);
+        let mut equations = Equations::new(self.standing, event.strength_u());
         let last = if event == Event::Slip { self.standing.residuals.len() } else { s + 1 };
         for swing in s..last {
             let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
@@ -145,7 +183,7 @@ impl Scan<'_> {
         let places: Vec<usize> = match event {
             // Turn first, then place.
             Event::Slip => (free + 3..free + 6).chain(free..free + 3).collect(),
-            Event::Knock => (own..own + 8).collect(),
+            Event::Knock | Event::LineSlip => (own..own + 8).collect(),
         };
         let mut columns = jacobian.select_columns(&places);
         for (block, t_s) in self.times[swing].iter().enumerate() {
@@ -156,15 +194,22 @@ impl Scan<'_> {
         columns
     }
 
+    fn cause(&self, event: Event, (s, t_s): (usize, f64)) -> Cause {
+        match event {
+            Event::Slip => slip_at(s, t_s),
+            Event::Knock => knock_at(&self.scales, s, t_s),
+            Event::LineSlip => line_slip_at(&self.scales, s, t_s),
+        }
+    }
+
     fn look(&self, event: Event, seen: Seen) -> Look {
-        let cause: Cause = match event {
-            Event::Slip => slip_at(seen.s, seen.t_s),
-            Event::Knock => knock_at(&self.scales, seen.s, seen.t_s),
-        };
+        let cause = self.cause(event, (seen.s, seen.t_s));
         let mut values = vec![0.0; cause.size(self.standing.residuals.len())];
-        if event == Event::Slip {
-            values[..6].copy_from_slice(seen.strength.as_slice());
-            values[7] = (seen.over_s / SLIP_S).ln();
+        // Strengths first, then the moment and the logarithm of the length. A knock's are not those that were seen.
+        if event != Event::Knock {
+            let count = seen.strength.len();
+            values[..count].copy_from_slice(seen.strength.as_slice());
+            values[count + 1] = seen.over_s.ln() - cause.start(self.times.len())[count + 1];
         }
         let delta = laid_out(&self.standing.model, &seen.rest, &values);
         Look { cause, gain: seen.gain, chi2: seen.chi2, delta }

@@ -102,6 +102,8 @@ pub enum Form {
     Force(usize),
     /// A knock in a swing.
     Knock(usize),
+    /// A line that gives way in a swing.
+    LineSlip(usize),
     /// Another thing that moves inside the hull, beside one that was taken before.
     Second,
     /// What a wind that was taken before does beside blowing steadily: part of that cause.

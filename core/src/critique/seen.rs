@@ -12,6 +12,8 @@ use crate::signal::{ChannelGroup, Pole, WindowPoint, WindowedMode, against_ampli
 const TOLD: f64 = 4.0;
 /// A rate above this share of the highest within a swing is that of its middle: half of the time is spent there, 1/√2.
 const MIDDLE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Fewer samples at either place say nothing of how much is left there.
+const FEWEST: f64 = 30.0;
 
 /// A motion in one channel.
 pub struct Seen<'a> {
@@ -119,9 +121,12 @@ impl Seen<'_> {
             }
             from = to;
         }
-        let [ends, middle] = [0, 1].map(|k| sums[k] / f64::max(counts[k], 1.0));
+        if counts.iter().any(|count| *count < FEWEST) {
+            return None;
+        }
+        let [ends, middle] = [0, 1].map(|k| sums[k] / counts[k]);
         // The variance of a squared normal variable is twice the square of its mean.
-        let u = [0, 1].map(|k| 2f64.sqrt() * [ends, middle][k] / f64::max(counts[k], 1.0).sqrt());
+        let u = [0, 1].map(|k| [ends, middle][k] * (2.0 / counts[k]).sqrt());
         let sigma = (ends - middle).abs() / u[0].hypot(u[1]);
         let (more, less) =
             if ends > middle { ("turns round", "its middle") } else { ("passes its middle", "its ends") };
@@ -235,6 +240,25 @@ mod tests {
     fn nothing_is_told_of_what_is_simulated() {
         let all = findings(1.0 / 16.0, 1.0 / 16.0);
         assert!(all.is_empty(), "{all:?}");
+    }
+
+    /// A motion faster than the samples shows its middle alone.
+    #[test]
+    fn nothing_is_told_of_a_place_that_no_sample_shows() {
+        let t_s: Vec<f64> = (0..1000).map(|i| 0.01 * f64::from(i)).collect();
+        let measured: Vec<f64> = (0..1000).map(|i| if i % 2 == 0 { NOISE } else { -NOISE }).collect();
+        let seen = Seen {
+            swing: "s",
+            motion: "pitch",
+            t_s: &t_s,
+            measured_rad_s: &measured,
+            simulated_rad_s: &vec![1.0; 1000],
+            noise_rad_s: NOISE,
+            duration_s: 10.0,
+            mode: Pole { omega_rad_s: 500.0, alpha_per_s: ALPHA },
+            others: &[],
+        };
+        assert!(seen.against_phase().is_none());
     }
 
     #[test]

@@ -91,6 +91,8 @@ pub(super) struct Equations<S: Real> {
     effects: Vec<(Box<dyn Effect<S>>, Range<usize>)>,
     /// Lower ends from the centre of mass, hull axes.
     points: Vec<V3<S>>,
+    /// Where the lines take hold along the axis, −1 or 1.
+    sides: Vec<f64>,
     inverse_mass: S,
     inverse_inertia: M3<S>,
     size: usize,
@@ -137,6 +139,7 @@ impl<S: Real> Equations<S> {
         for effect in &effects {
             effect.set_up(&mut system);
         }
+        let axis = system.axis();
         let mut size = MEMORY;
         let has_added_mass = effects.iter().any(|effect| effect.adds_mass());
         let placed = |effect: Box<dyn Effect<S>>| {
@@ -147,6 +150,7 @@ impl<S: Real> Equations<S> {
         Self {
             effects: effects.into_iter().map(placed).collect(),
             points: system.cords.iter().map(|cord| cord.point_m - system.cm_m).collect(),
+            sides: system.cords.iter().map(|cord| cord.side(&axis)).collect(),
             inverse_mass: S::one() / system.mass_kg,
             inverse_inertia: inverse(&system.inertia_kg_m2),
             system,
@@ -315,7 +319,7 @@ impl<S: Real> Equations<S> {
     pub fn length(&self, t_s: S, i: usize) -> [S; 3] {
         let mut law = [self.system.cords[i].length_m, S::zero(), S::zero()];
         for (effect, _) in &self.effects {
-            effect.lengthen(t_s, &self.system.cords[i], &mut law);
+            effect.lengthen(t_s, &self.system.cords[i], self.sides[i], &mut law);
         }
         law
     }

@@ -34,6 +34,7 @@ fn every_effect_of_the_body_that_was_asked_for_is_there() {
         "buoyancy",
         // Those that show what has no name.
         "knock",
+        "line_slip",
         "learned_force",
     ];
     let kinds = catalogue();

@@ -120,6 +120,33 @@ fn dimensions_that_are_not_the_stated_ones() {
     assert_close(of("stated_spacing", "excess_m", -0.02), yaw(d - 0.01, d - 0.01, l), 1e-8);
 }
 
+/// Each line is as long as its law says: before, half way (s(½) = ½ by symmetry) and after. Both alike, the hull hangs lower by as
+/// much, and swings as on lines of that length from the start.
+#[test]
+fn a_line_that_slips_is_longer_from_then_on() {
+    let more = [-0.004, 0.02];
+    let numbers = [("at_s", 10.0), ("over_s", 0.5), ("negative_m", more[0]), ("positive_m", more[1])];
+    let scene = with(keelboat(swayed(0.05)), "line_slip", &numbers);
+    let path = scene.motion(30.0).unwrap();
+    for (t_s, share) in [(9.0, 0.0), (10.25, 0.5), (11.0, 1.0), (29.0, 1.0)] {
+        let moment = path.at(t_s);
+        for (side, more) in [-HALF_SPACING_M, HALF_SPACING_M].into_iter().zip(more) {
+            let arm = moment.turn() * (Vec3::new(0.0, side, 0.0) - scene.body.cm());
+            let line = moment.position + arm - Vec3::new(0.0, side, 0.0);
+            let expected = LINE_M + share * more;
+            assert!((line.norm() - expected).abs() < 1e-9, "{t_s} s: {} m, not {expected} m", line.norm());
+        }
+    }
+    let alike = [("at_s", 1.0), ("over_s", 0.5), ("negative_m", 0.1), ("positive_m", 0.1)];
+    let still = with(keelboat(Start::default()), "line_slip", &alike).motion(5.0).unwrap();
+    assert!((still.at(0.5).position.z - still.at(4.0).position.z - 0.1).abs() < 1e-9);
+    assert!(still.at(4.0).velocity.norm() < 1e-9);
+    let slipped =
+        with(keelboat(yawed(1e-4)), "line_slip", &[("at_s", -9.0), ("over_s", 0.5), alike[2], alike[3]]);
+    let longer = with(keelboat(yawed(1e-4)), "stated_length", &[("excess_m", 0.1)]);
+    assert_close(yaw_s(&slipped), yaw_s(&longer), 1e-9);
+}
+
 /// Frequencies that the turn of the hull and its displacement show, by small modes of a rig made apart.
 #[test]
 fn unequal_lines_and_a_centre_of_mass_off_the_middle() {

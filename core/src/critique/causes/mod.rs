@@ -22,7 +22,7 @@ use super::point::{Cause, CauseParameter, Form, Point, Put};
 
 pub use aboard::{INTERNAL_MOTION, seconds};
 pub use friction::{GUSTS, WIND, gust};
-pub use outside::{TERMS, UNKNOWN, knock_at, learned_force, reach};
+pub use outside::{GIVES_S, TERMS, UNKNOWN, knock_at, learned_force, line_slip_at, reach};
 pub use phone::{SLIP_S, mounts, slip_at};
 
 /// What scales everyday strengths, from the fitted base.

@@ -40,6 +40,38 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     Cause { stiff: true, apart: true, form: Form::Knock(swing), ..cause(UNKNOWN, parameters, law) }
 }
 
+/// Length of a line's slip, s, and standard deviation of its logarithm.
+pub const GIVES_S: f64 = 0.2;
+const GIVES_LOG_U: f64 = 0.7;
+/// Shortest and longest that are told from none and from creep, s.
+const GIVES_WITHIN_S: [f64; 2] = [0.05, 3.0];
+
+/// Lines that give way at a moment of a swing, and stay so in all that follow. The moment is the middle.
+pub fn line_slip_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
+    let line_m = scales.line_m;
+    let parameters = vec![
+        strength("positive_m", "m", line_m, 2e-3),
+        strength("negative_m", "m", line_m, 2e-3),
+        CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) },
+        CauseParameter { step: 0.05, ..logarithm("over_s", "s", GIVES_S, GIVES_LOG_U) },
+    ];
+    let law = put(move |q, s, e| {
+        if s < swing {
+            return Ok(());
+        }
+        let over_s = q[3].exp().clamp(GIVES_WITHIN_S[0], GIVES_WITHIN_S[1]);
+        let at_s = if s == swing { q[2] - 0.5 * over_s } else { -10.0 };
+        let numbers = [
+            ("at_s", at_s),
+            ("over_s", over_s),
+            ("positive_m", q[0] * line_m),
+            ("negative_m", q[1] * line_m),
+        ];
+        add(e, "line_slip", &numbers)
+    });
+    Cause { apart: true, form: Form::LineSlip(swing), ..cause(UNKNOWN, parameters, law) }
+}
+
 /// Terms of a learned force, as the effect names them.
 pub const TERMS: [&str; 9] = ["xx", "xv", "vv", "xxx", "xxv", "xvv", "vvv", "xt", "vt"];
 

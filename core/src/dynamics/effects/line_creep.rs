@@ -25,7 +25,7 @@ impl<S> Described for LineCreep<S> {
 }
 
 impl<S: Real> Effect<S> for LineCreep<S> {
-    fn lengthen(&self, t_s: S, cord: &Cord<S>, law: &mut [S; 3]) {
+    fn lengthen(&self, t_s: S, cord: &Cord<S>, _side: f64, law: &mut [S; 3]) {
         let growth = cord.length_m * self.strain_per_decade.scale(std::f64::consts::LOG10_E);
         let age_s = self.loaded_before_s + t_s;
         law[0] += growth * (age_s / self.loaded_before_s).ln();

@@ -26,6 +26,7 @@ mod knock;
 mod learned_force;
 mod line_creep;
 mod line_mass;
+mod line_slip;
 mod line_stretch;
 mod line_torsion;
 mod linear_damping;
@@ -49,6 +50,7 @@ pub use knock::Knock;
 pub use learned_force::LearnedForce;
 pub use line_creep::LineCreep;
 pub use line_mass::LineMass;
+pub use line_slip::LineSlip;
 pub use line_stretch::LineStretch;
 pub use line_torsion::LineTorsion;
 pub use linear_damping::LinearDamping;
@@ -259,8 +261,8 @@ pub trait Effect<S: Real>: Debug {
     }
     /// Mass, and the forces that belong to it.
     fn add_mass(&self, _now: &Now<S>, _memory: &[S], _system: &Suspended<S>, _mass: &mut AddedMass<S>) {}
-    /// Adds to a line's length and its first two derivatives in time.
-    fn lengthen(&self, _t_s: S, _cord: &Cord<S>, _law: &mut [S; 3]) {}
+    /// Adds to a line's length and its first two derivatives in time; `side` is where it takes hold of the body, −1 or 1.
+    fn lengthen(&self, _t_s: S, _cord: &Cord<S>, _side: f64, _law: &mut [S; 3]) {}
     /// The moving support, where the effect is one.
     fn support(&self, _now: &Now<S>, _memory: &[S]) -> Option<Support<S>> {
         None
@@ -407,5 +409,6 @@ registry! {
     Wind,
     Buoyancy,
     Knock,
+    LineSlip,
     LearnedForce,
 }
