@@ -293,20 +293,16 @@ impl Found<'_> {
         // What else moves inside follows the law of what was found to move there: little may then be left, and still be seen.
         let much = left > UNNAMED_FROM * self.base_left.excess();
         let named_gain = tried.first().map_or(0.0, |best| best.gain);
-        let may_be = |look: &Look| match look.cause.form {
-            Form::Second => true,
-            Form::LineSlip(_) => look.gain > named_gain,
-            _ => false,
-        };
+        let may_be = |look: &Look| look.cause.form == Form::Second || look.gain > named_gain;
         let unnamed: Vec<Look> = unnamed.into_iter().filter(|look| much || may_be(look)).take(2).collect();
         let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
         let found = in_parallel(unnamed.len(), |k| self.fit(&unnamed[k], limit, true));
         for unknown in found.into_iter().flatten() {
             let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
             let takes_all = unknown.left.excess() < UNNAMED_LEAVES * left;
-            // A line's slip is a law as sharp as those that have names.
-            let is_sharp = matches!(unknown.cause.form, Form::LineSlip(_));
-            let is_clear = is_sharp && unknown.gain > named_gain + LEAST_GAIN;
+            // A line's slip is a law as sharp as those that have names; others may bend to what a name leaves.
+            let is_as_good = matches!(unknown.cause.form, Form::LineSlip(_)) || unknown.left.excess() <= left;
+            let is_clear = is_as_good && unknown.gain > named_gain + LEAST_GAIN;
             let place = if is_clear || (beats && takes_all) { 0 } else { tried.len() };
             tried.insert(place, unknown);
         }

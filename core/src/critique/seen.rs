@@ -12,6 +12,8 @@ use crate::signal::{ChannelGroup, Pole, WindowPoint, WindowedMode, against_ampli
 const TOLD: f64 = 4.0;
 /// A rate above this share of the highest within a swing is that of its middle: half of the time is spent there, 1/√2.
 const MIDDLE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Amplitudes nearer to each other than by this factor say nothing of how the period goes with them.
+const GROWN: f64 = 1.1;
 /// Fewer samples at either place say nothing of how much is left there.
 const FEWEST: f64 = 30.0;
 
@@ -72,6 +74,9 @@ impl Seen<'_> {
 
     fn period(&self, thirds: &[Third; 3]) -> Option<Discrepancy> {
         let (wide, narrow, sigma) = most_unlike(thirds)?;
+        if wide.amplitude_deg < GROWN * narrow.amplitude_deg {
+            return None;
+        }
         let growth = |of: &dyn Fn(&Third) -> f64| 100.0 * (of(wide) / of(narrow) - 1.0);
         let (measured, simulated) = (growth(&|t| t.measured), growth(&|t| t.simulated));
         let u = 100.0 * wide.u.hypot(narrow.u) / narrow.measured;
