@@ -1,7 +1,8 @@
 # The one task runner: people and CI call these recipes only.
 #
-# Needs Rust, Python >= 3.10, for Kotlin and the Android app a JDK and Maven, for Swift root and Debian's apt; everything else comes
-# from crates.io and PyPI into `target/` and `.venv/`, from Maven Central into Maven's own store, and Swift from Debian into a cache.
+# Needs Rust, Python >= 3.10, for Kotlin and the Android app a JDK and Maven, for Swift and the builds for phones root and Debian's apt;
+# everything else comes from crates.io and PyPI into `target/` and `.venv/`, from Maven Central into Maven's own store, and from Debian
+# Swift and a Rust for other targets into caches.
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -12,13 +13,14 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python generated faces test-kotlin test-swift test-ios test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
 	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its words and formatting"
+	@echo "make test-targets  the library for iPhones (built) and Android (checked), no SDK needed"
 	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
@@ -40,6 +42,7 @@ test:
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-kotlin test-swift
 	@$(MAKE) --no-print-directory test-ios
+	@$(MAKE) --no-print-directory test-targets
 	@$(MAKE) --no-print-directory test-android
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
@@ -86,6 +89,11 @@ test-swift: generated faces
 # The iOS app: words, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
 test-ios:
 	@$(STEP) ios ios/check
+
+# The library for iPhones, built but never linked, and its code checked for Android. Debian's Rust is unpacked into the user's cache
+# at the first time: a quarter of a gigabyte to fetch.
+test-targets:
+	@$(STEP) targets bindings/check-targets
 
 # The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
 test-android: bindings
