@@ -42,8 +42,7 @@ test:
 	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-kotlin test-swift
 	@$(MAKE) --no-print-directory test-ios
-	@$(MAKE) --no-print-directory test-targets
-	@$(MAKE) --no-print-directory test-android
+	@tests/side-by-side test-targets test-android
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
