@@ -77,16 +77,20 @@ pub fn fit(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement], early: 
     });
     // Horizons differ: what counts is the cost of each second.
     let per_s = |(point, slowest_s): &(Point, f64)| point.cost / slowest_s;
-    let best = begun.flatten().min_by(|a: &(Point, f64), b| per_s(a).total_cmp(&per_s(b)));
-    let (point, slowest_s) = best.ok_or_else(no_start)?;
-    let grown = |point: Point| model.grown(&fitting, point, slowest_s, early);
-    if !model.tells_bow_from_stern() {
-        return grown(point);
-    }
-    // Over a short horizon a tilted hull looks much the same from its other end.
-    let turned = Point::new(&point.x, point.owns.iter().map(Own::turned_round).collect());
-    let ends = [point, turned].map(grown).into_iter().flatten();
-    ends.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
+    let mut begun: Vec<(Point, f64)> = begun.flatten().collect();
+    begun.sort_by(|a, b| per_s(a).total_cmp(&per_s(b)));
+    let grown = |(point, slowest_s): (Point, f64)| {
+        let grown = |point: Point| model.grown(&fitting, point, slowest_s, early);
+        if !model.tells_bow_from_stern() {
+            return grown(point);
+        }
+        // Over a short horizon a tilted hull looks much the same from its other end.
+        let turned = Point::new(&point.x, point.owns.iter().map(Own::turned_round).collect());
+        let ends = [point, turned].map(grown).into_iter().flatten();
+        ends.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
+    };
+    // One that leads to a body that cannot be simulated leads nowhere; the next may.
+    begun.into_iter().find_map(|start| grown(start).ok()).ok_or_else(no_start)
 }
 
 /// Fits several swings together from parameters of the session and what each swing had for its own. Bow and stern look alike
