@@ -13,7 +13,7 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -39,10 +39,7 @@ test:
 	@$(MAKE) --no-print-directory doc
 	@$(MAKE) --no-print-directory test-rust
 	@$(MAKE) --no-print-directory test-vectors
-	@$(MAKE) --no-print-directory test-python
-	@$(MAKE) --no-print-directory test-kotlin test-swift
-	@$(MAKE) --no-print-directory test-ios
-	@tests/side-by-side test-targets test-android
+	@tests/side-by-side test-targets test-faces
 	@$(MAKE) --no-print-directory test-blind
 	@$(MAKE) --no-print-directory test-hidden
 	@$(MAKE) --no-print-directory skips
@@ -60,6 +57,13 @@ test-rust:
 # The expected values themselves, computed anew at 30 digits by code that shares nothing with the core.
 test-vectors: blind-tools
 	@$(STEP) vectors $(BIN)/python tests/oracles/check_vectors.py
+
+# All that stands on the core.
+test-faces:
+	@$(MAKE) --no-print-directory test-python
+	@$(MAKE) --no-print-directory test-kotlin test-swift
+	@$(MAKE) --no-print-directory test-ios
+	@$(MAKE) --no-print-directory test-android
 
 # Python's half: vectors, API and command (pytest), and the stubs against the module (a test among them).
 test-python: package
