@@ -25,25 +25,32 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
     }
 }
 
+/// A shape that is its own closed form, and acts on more than one coordinate.
+fn of_all(equation: String, text: String, heldout_rms: f64) -> LearnedForce {
+    LearnedForce {
+        coordinate: "all".into(),
+        unit: "N".into(),
+        points: vec![],
+        equation,
+        text,
+        heldout_rms_over_noise: Some(heldout_rms),
+        closed_heldout_rms_over_noise: Some(heldout_rms),
+    }
+}
+
 /// Something more that moves inside: a mass m on a spring along a level way in the hull.
 fn second(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
     let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
     let [mass, log_frequency, log_damping, ..] = values[..] else { return None };
     let (mass_kg, frequency_hz) = (mass * cause.parameters.first()?.factor, log_frequency.exp());
-    Some(LearnedForce {
-        coordinate: "all".into(),
-        unit: "N".into(),
-        points: vec![],
-        equation: format!(
-            "F(t) = −m s̈, s̈ + 2 ζ ω ṡ + ω² s = −a; m = {mass_kg:.3} kg, ω = 2π · {frequency_hz:.3} Hz, ζ = {:.3}",
-            log_damping.exp()
-        ),
-        text: format!(
-            "What is missing looks most like something more that moves inside the hull, with a frequency of its own of {frequency_hz:.2} Hz"
-        ),
-        heldout_rms_over_noise: Some(heldout_rms),
-        closed_heldout_rms_over_noise: Some(heldout_rms),
-    })
+    let equation = format!(
+        "F(t) = −m s̈, s̈ + 2 ζ ω ṡ + ω² s = −a; m = {mass_kg:.3} kg, ω = 2π · {frequency_hz:.3} Hz, ζ = {:.3}",
+        log_damping.exp()
+    );
+    let text = format!(
+        "What is missing looks most like something more that moves inside the hull, with a frequency of its own of {frequency_hz:.2} Hz"
+    );
+    Some(of_all(equation, text, heldout_rms))
 }
 
 fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
@@ -63,17 +70,10 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
         })
         .collect();
     let at_s = values[4];
-    Some(LearnedForce {
-        coordinate: "all".into(),
-        unit: "N".into(),
-        points: vec![],
-        equation: format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", ")),
-        text: format!(
-            "{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed"
-        ),
-        heldout_rms_over_noise: Some(heldout_rms),
-        closed_heldout_rms_over_noise: Some(heldout_rms),
-    })
+    let equation = format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", "));
+    let text =
+        format!("{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed");
+    Some(of_all(equation, text, heldout_rms))
 }
 
 /// Lines that are longer from a moment on: no force of its own, but the lines'.
@@ -83,19 +83,12 @@ fn line_slip(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedFor
     let line_mm = 1e3 * cause.parameters.first()?.factor;
     let id = &found.model.swing(swing).setup.swing.id;
     let more = format!("{:+.2} mm and {:+.2} mm", positive * line_mm, negative * line_mm);
-    Some(LearnedForce {
-        coordinate: "all".into(),
-        unit: "N".into(),
-        points: vec![],
-        equation: format!(
-            "l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)"
-        ),
-        text: format!(
-            "{id}: {at_s:.2} s after the start of the part that was analysed a line gave way: the lines are longer by {more} from then on"
-        ),
-        heldout_rms_over_noise: Some(heldout_rms),
-        closed_heldout_rms_over_noise: Some(heldout_rms),
-    })
+    let equation =
+        format!("l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)");
+    let text = format!(
+        "{id}: {at_s:.2} s after the start of the part that was analysed a line gave way: the lines are longer by {more} from then on"
+    );
+    Some(of_all(equation, text, heldout_rms))
 }
 
 fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedForce> {

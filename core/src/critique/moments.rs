@@ -14,9 +14,6 @@ use super::point::{Cause, OWN};
 /// Moments tried in each swing, first coarse, then about the best.
 const COARSE: usize = 24;
 const FINE: usize = 9;
-/// How far lines give way, shares of their length.
-const GIVES_U: [f64; 2] = [2e-3; 2];
-
 /// What a slip itself turns and jolts shows best when it was: so far to both sides of where the lasting change puts it, and of where
 /// most is left, it is looked for in steps of [`STEP_S`], s, then with other lengths, s.
 const REACH_S: f64 = 0.4;
@@ -25,26 +22,12 @@ const OTHER_LENGTHS_S: [f64; 2] = [0.05, 0.5];
 /// From this gain of the logarithm of the evidence on a slip is looked at so closely.
 const WORTH_IT: f64 = 5.0;
 
-/// How far a phone slips: turn, rad, and shift, m.
-const SLIP_U: [f64; 6] = [0.02, 0.02, 0.02, 0.01, 0.01, 0.01];
-
 /// What happens.
 #[derive(Clone, Copy, PartialEq)]
 enum Event {
     Slip,
     Knock,
     LineSlip,
-}
-
-impl Event {
-    /// Standard deviations of what is sought before anything is seen.
-    fn strength_u(self) -> DVector<f64> {
-        match self {
-            Event::Slip => DVector::from_row_slice(&SLIP_U),
-            Event::Knock => DVector::repeat(8, 0.03),
-            Event::LineSlip => DVector::from_row_slice(&GIVES_U),
-        }
-    }
 }
 
 /// First looks at what may have happened, each at its best moment.
@@ -125,7 +108,7 @@ impl Scan<'_> {
         at.causes.push(cause.start(self.times.len()));
         *at.causes.last_mut()?.last_mut()? = over_s.ln();
         let extended = self.standing.model.with(&cause);
-        let strengths: Vec<usize> = (0..event.strength_u().len()).collect();
+        let strengths: Vec<usize> = (0..self.strength_u(event).len()).collect();
         columns(self.standing, &extended, &at, swing, &strengths).ok()
     }
 
@@ -137,7 +120,7 @@ impl Scan<'_> {
         (s, t_s): (usize, f64),
         over_s: f64,
     ) -> Option<Seen> {
-        let mut equations = Equations::new(self.standing, event.strength_u());
+        let mut equations = Equations::new(self.standing, self.strength_u(event));
         equations.add(s, &self.simulated(event, (s, t_s), over_s, s)?);
         later.iter().for_each(|(later, part)| equations.add(*later, part));
         let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
@@ -163,7 +146,7 @@ impl Scan<'_> {
 
     /// The evidence for an event at a moment of a swing.
     fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
-        let mut equations = Equations::new(self.standing, event.strength_u());
+        let mut equations = Equations::new(self.standing, self.strength_u(event));
         let last = if event == Event::Slip { self.standing.residuals.len() } else { s + 1 };
         for swing in s..last {
             let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
@@ -192,6 +175,16 @@ impl Scan<'_> {
             }
         }
         columns
+    }
+
+    /// Standard deviations of what is sought before anything is seen. Of a knock the change of motion is, not its impulses.
+    fn strength_u(&self, event: Event) -> DVector<f64> {
+        if event == Event::Knock {
+            return DVector::repeat(8, 0.03);
+        }
+        let cause = self.cause(event, (0, 0.0));
+        let strengths = cause.parameters.iter().filter(|p| p.is_strength);
+        DVector::from_vec(strengths.map(|p| p.prior.1).collect())
     }
 
     fn cause(&self, event: Event, (s, t_s): (usize, f64)) -> Cause {

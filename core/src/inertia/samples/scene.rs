@@ -177,31 +177,28 @@ impl Own {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::{Orientation, Quantity, Session, Suspension, SuspensionKind, SwingData};
+    use crate::recording::{Quantity, read_session};
     use approx::assert_relative_eq;
+
+    const SESSION: &str = r#"
+format = "gyradius-session/1"
+title = "t"
+[body]
+name = "b"
+[[swing]]
+id = "yaw"
+periods_s = { yaw = 4.0 }
+[swing.suspension]
+kind = "bifilar"
+orientation = "athwartships"
+line_length = { value = 2.0, u = 0.0 }
+spacing = { value = 0.8, u = 0.0 }
+"#;
 
     /// A damping rate γ of the yaw is the number γ I/M = γ k²: by ln k it changes by 2 γ k².
     #[test]
     fn damping_numbers_go_with_the_body() {
-        let suspension = Suspension {
-            kind: SuspensionKind::Bifilar,
-            orientation: Orientation::Athwartships,
-            line_length_m: Some(Quantity::exact(2.0)),
-            spacing_m: Some(Quantity::exact(0.8)),
-            top_spacing_m: None,
-            hull_pitch_deg: None,
-            points_moved_m: None,
-            axis_height_m: None,
-        };
-        let swing = Swing {
-            id: "yaw".into(),
-            data: SwingData::PeriodsS(Default::default()),
-            excited: vec![],
-            added_masses: vec![],
-            amplitude_deg: Default::default(),
-            suspension,
-        };
-        let session = Session { swings: vec![swing], ..Session::default() };
+        let session = read_session(SESSION, "session.toml").unwrap();
         let layout = Layout::of(&session, Quantity::exact(9.8), &[None], &[None]);
         let setup = SwingSetup { layout: &layout, swing: &session.swings[0], index: &layout.swings[0] };
         let mut x = layout.start();
