@@ -30,8 +30,9 @@ let package = Package(
     core,
     .target(name: "GyradiusKit", dependencies: ["GyradiusFFI"], linkerSettings: linked),
     .target(name: "GyradiusApp", dependencies: ["GyradiusKit"], linkerSettings: observed),
-    .testTarget(name: "GyradiusKitTests", dependencies: ["GyradiusKit"]),
-    .testTarget(name: "GyradiusAppTests", dependencies: ["GyradiusApp"]),
+    .target(name: "TestSupport", path: "Tests/Support"),
+    .testTarget(name: "GyradiusKitTests", dependencies: ["GyradiusKit", "TestSupport"]),
+    .testTarget(name: "GyradiusAppTests", dependencies: ["GyradiusApp", "TestSupport"]),
   ],
   swiftLanguageModes: [.v6]
 )

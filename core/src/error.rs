@@ -3,6 +3,9 @@
 //! Variants are rich because a facade must be able to decide how a phone shows each of them. Conversion to
 //! a smaller public error happens once, in the facade, without a catch-all arm.
 
+use std::fmt::Display;
+use std::io;
+
 use thiserror::Error;
 
 /// Result of everything in the core that can fail.
@@ -28,6 +31,12 @@ pub enum Error {
         file: String,
         /// The operating system's reason, or that it exists already.
         reason: String,
+    },
+    /// A file cannot be written because the disk has no room left.
+    #[error("{file}: cannot be written: the disk is full")]
+    DiskFull {
+        /// The file as the user knows it.
+        file: String,
     },
     /// A file can be read but is not what its place requires (syntax, header, value, missing key …).
     #[error("{file}{}: expected {expected}, found {found}", at_line(*.line))]
@@ -99,6 +108,7 @@ impl Error {
         match self {
             Error::Unreadable { .. }
             | Error::Unwritable { .. }
+            | Error::DiskFull { .. }
             | Error::Malformed { .. }
             | Error::UnknownKey { .. }
             | Error::UnsafeArchive { .. }
@@ -112,6 +122,7 @@ impl Error {
         match self {
             Error::Unreadable { file, .. }
             | Error::Unwritable { file, .. }
+            | Error::DiskFull { file }
             | Error::Malformed { file, .. }
             | Error::UnknownKey { file, .. }
             | Error::UnsafeArchive { file, .. } => Some(file),
@@ -125,10 +136,25 @@ impl Error {
             Error::Malformed { line, .. } | Error::UnknownKey { line, .. } => *line,
             Error::Unreadable { .. }
             | Error::Unwritable { .. }
+            | Error::DiskFull { .. }
             | Error::UnsafeArchive { .. }
             | Error::NoResult { .. }
             | Error::Cancelled
             | Error::Argument { .. } => None,
+        }
+    }
+
+    /// What the system says of a file that cannot be written: [`Error::DiskFull`] or [`Error::Unwritable`]. `doing` stands before
+    /// the system's reason, where it is not empty.
+    pub fn unwritable(file: impl Display, doing: &str, error: &io::Error) -> Self {
+        let file = file.to_string();
+        match error.kind() {
+            // A file that may grow no further leaves the writer in the same place, and asks for the same of the user.
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
+                Error::DiskFull { file }
+            }
+            _ if doing.is_empty() => Error::Unwritable { file, reason: error.to_string() },
+            _ => Error::Unwritable { file, reason: format!("{doing}: {error}") },
         }
     }
 

@@ -1,5 +1,7 @@
 //! Languages in which sentences are told.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 /// A language of the sentences that an operator reads or hears.
@@ -31,4 +33,89 @@ impl Language {
             Self::German => " und ",
         }
     }
+}
+
+/// A sentence: its key, what it names, and the English of both.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Text {
+    /// Key for translation.
+    pub key: String,
+    /// What it names, by the name that stands in it.
+    pub arguments: BTreeMap<String, Argument>,
+    /// The sentence in English.
+    pub english: String,
+}
+
+/// Something that a sentence names.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Argument {
+    /// A number with the decimals that it is shown with.
+    Number(f64, u8),
+    /// A figure as it is written with a decimal point: `1.20 ± 0.03 m`.
+    Figure(String),
+    /// A word with a key of its own, e.g. `gyroscope` or `yaw`.
+    Word(String),
+    /// The id of a step or a swing, such as `yaw-sway`: its words with keys of their own, hyphens between them.
+    Id(String),
+    /// Text as it stands: a file, a reason.
+    Plain(String),
+    /// Sentences of their own, in a row.
+    Texts(Vec<Text>),
+}
+
+/// The sentence or word of a key in a language, where there is one.
+pub(crate) type Lookup = fn(&str, Language) -> Option<String>;
+
+impl Text {
+    /// The sentence of a key with what it names. `{name}` stands for an argument, `{^name}` for one that begins a sentence.
+    pub(crate) fn of(key: String, arguments: BTreeMap<String, Argument>, lookup: Lookup) -> Self {
+        let text = Self { key, arguments, english: String::new() };
+        Self { english: text.told(Language::English, lookup), ..text }
+    }
+
+    /// The sentence in a language, with what it names.
+    pub(crate) fn told(&self, language: Language, lookup: Lookup) -> String {
+        let mut text = lookup(&self.key, language).unwrap_or_default();
+        for (name, argument) in &self.arguments {
+            let shown = argument.shown(language, lookup);
+            text = text.replace(&format!("{{^{name}}}"), &capital(&shown));
+            text = text.replace(&format!("{{{name}}}"), &shown);
+        }
+        text
+    }
+}
+
+impl Argument {
+    fn shown(&self, language: Language, lookup: Lookup) -> String {
+        let word = |key: &str| lookup(key, language).unwrap_or_else(|| key.to_owned());
+        match self {
+            Argument::Number(value, decimals) => {
+                language.number(&format!("{value:.*}", usize::from(*decimals)))
+            }
+            Argument::Figure(written) => language.number(written),
+            // Several words stand with spaces between their keys.
+            Argument::Word(keys) => keys.split(' ').map(word).collect::<Vec<_>>().join(language.and()),
+            Argument::Id(id) => id_in(id, language, lookup),
+            Argument::Plain(text) => text.clone(),
+            Argument::Texts(texts) => {
+                texts.iter().map(|text| text.told(language, lookup)).collect::<Vec<_>>().join(", ")
+            }
+        }
+    }
+}
+
+/// An id in a language: what of it is a word with a key is that word, anything else stays. In English it stays whole.
+pub(crate) fn id_in(id: &str, language: Language, lookup: Lookup) -> String {
+    if language == Language::English {
+        return id.to_owned();
+    }
+    let word = |part: &str| lookup(part, language).unwrap_or_else(|| part.to_owned());
+    id.split('-').map(word).collect::<Vec<_>>().join("-")
+}
+
+/// With a capital letter at its beginning.
+pub(crate) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used)]
 
 mod common;
+#[path = "common/told.rs"]
+mod told;
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -21,10 +23,13 @@ use gyradius_core::signal::gate_periods;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
+use told::told_in_every_language;
 
 fn criticised(loaded: &LoadedSession) -> Critique {
     let analysis = analyse(loaded, &MeasureOptions::default()).unwrap();
-    criticise_periods(loaded, &analysis).unwrap().critique
+    let critique = criticise_periods(loaded, &analysis).unwrap().critique;
+    told_in_every_language(&critique);
+    critique
 }
 
 fn show(critique: &Critique) {

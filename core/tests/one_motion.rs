@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod common;
+#[path = "common/told.rs"]
+mod told;
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -19,6 +21,7 @@ use gyradius_core::recording::{
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
+use told::told_in_every_language;
 
 /// What brakes a drawn pendulum, as shares of critical damping at its fastest rate.
 #[derive(Debug, Clone, Copy)]
@@ -102,6 +105,7 @@ fn session(recording: Recording, suspension: Suspension, excited: Vec<Excitation
     };
     let session = Session {
         title: "one motion".into(),
+        measured_on: String::new(),
         body: Body::default(),
         site: Site::default(),
         attachments: vec![],
@@ -121,6 +125,7 @@ fn criticised(loaded: &LoadedSession) -> Critique {
         println!("  {} {:.1} {:?}", cause.id, cause.log_evidence_gain, cause.parameters);
     }
     critique.discrepancies.iter().for_each(|d| println!("  {:.1} {}", d.sigma, d.text));
+    told_in_every_language(&critique);
     critique
 }
 

@@ -7,12 +7,14 @@ use std::fs;
 use std::path::Path;
 
 use gyradius_core::Error;
+use gyradius_core::critique::{Criticism, Critique, SwingTrace};
 use gyradius_core::plan::{PlannedIncline, Step};
 use gyradius_core::practice::{RigFile, read_rig};
 use gyradius_core::procedure::{
     Action, Batch, Channel, Event, Judgement, Measured, Outcome, Phase, PhoneInfo, Placement, Procedure,
-    Recommend, Rehearsal, State, Task, practice_task,
+    Recommend, Rehearsal, State, Task, keep_criticism, kept_criticism, practice_task,
 };
+use gyradius_core::recorder::{Piece, Reader};
 use gyradius_core::recording::{End, Excitation, Quantity, Sensor, load_session};
 use proptest::prelude::*;
 use rand::{Rng, RngExt, SeedableRng};
@@ -169,6 +171,7 @@ fn an_operator_is_led_to_the_right_inertia_whatever_goes_wrong() {
         assert_eq!(loaded.session.swings.len(), 3);
         assert_eq!(loaded.session.recorded.len(), 3);
         assert_eq!(loaded.session.inclines.len(), 1);
+        assert_eq!(loaded.session.measured_on, UTC[..10]);
         let result = state.result.unwrap();
         for name in ["k_yaw_m", "k_pitch_m", "cm_depth_m"] {
             let quantity = &result.quantities[name];
@@ -189,6 +192,7 @@ fn a_further_swing(procedure: &mut Procedure) -> Phase {
     };
     swing.id = "extra-1".into();
     let suggested = Step::Swing(swing);
+    assert_eq!(kept_criticism(procedure.folder()).unwrap().map(|kept| kept.critique.title), None);
     let outcome = Outcome::Criticised(Box::default(), Some(Box::new(suggested.clone())));
     procedure.finish(outcome.clone()).unwrap();
     assert!(procedure.finish(outcome).unwrap_err().to_string().contains("work that is wanted"));
@@ -206,6 +210,31 @@ fn a_further_swing(procedure: &mut Procedure) -> Phase {
     assert!(state.result.is_none());
     declined.handle(Event::Skip).unwrap();
     declined.state().phase
+}
+
+/// What is kept of a criticism is read again whole, curves included; what cannot be drawn is left out.
+#[test]
+fn a_criticism_is_kept_with_what_its_pictures_are_drawn_from() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(kept_criticism(folder.path()).unwrap().is_none());
+    let curve = |values: [f64; 2]| SwingTrace {
+        swing: "yaw".into(),
+        t_s: vec![0.0, 0.1],
+        measured: values.to_vec(),
+        base: vec![1.0 / 3.0, 2.0],
+        extended: vec![0.1, 0.2],
+        ..SwingTrace::default()
+    };
+    let critique = Critique { title: "boat".into(), ..Critique::default() };
+    let traces = vec![curve([0.25, -1e-17]), curve([f64::NAN, 0.0])];
+    keep_criticism(folder.path(), &Criticism { critique: critique.clone(), traces }).unwrap();
+    let kept = kept_criticism(folder.path()).unwrap().unwrap();
+    assert_eq!((kept.critique, kept.traces), (critique, vec![curve([0.25, -1e-17])]));
+    // One from before curves were kept.
+    fs::remove_file(folder.path().join("critique-traces.json")).unwrap();
+    assert!(kept_criticism(folder.path()).unwrap().unwrap().traces.is_empty());
+    fs::write(folder.path().join("critique.json"), "{").unwrap();
+    assert!(matches!(kept_criticism(folder.path()), Err(Error::Malformed { line: Some(1), .. })));
 }
 
 /// Lengths of the append-only files of a folder.
@@ -403,7 +432,8 @@ fn begun(folder: &Path) -> Procedure {
     let rig = read_rig(SHIPPED, "rig.toml").unwrap();
     let mut procedure = Procedure::create(folder, practice_task(&rig)).unwrap();
     let phone = PhoneInfo { model: "test".into(), sensors: vec![] };
-    let begin = Event::Begin { at_utc: UTC.into(), phone, placement: Placement::FlatTopToBow };
+    let (at_utc, placement) = (UTC.into(), Placement::FlatTopToBow);
+    let begin = Event::Begin { at_utc, measured_on: None, phone, placement };
     procedure.handle(begin).unwrap();
     procedure
 }
@@ -483,6 +513,8 @@ fn a_full_disk_and_a_stopped_sensor_are_told_and_what_was_recorded_can_be_kept()
     assert!((seen.released_deg.unwrap() - 5.73).abs() < 0.2, "{seen:?}");
     assert!((seen.left_s.unwrap() - (120.0 - 34.0)).abs() < 1.0, "{seen:?}");
     procedure.handle(Event::SensorStopped { sensor: Sensor::Gyroscope, stamp_ns: 40_000_000_000 }).unwrap();
+    // Told by somebody who never heard a sample.
+    procedure.handle(Event::SensorStopped { sensor: Sensor::Accelerometer, stamp_ns: 0 }).unwrap();
     procedure.handle(Event::DiskFull).unwrap();
     let state = procedure.state();
     assert_eq!(state.phase, Phase::Interrupted);
@@ -491,7 +523,20 @@ fn a_full_disk_and_a_stopped_sensor_are_told_and_what_was_recorded_can_be_kept()
     procedure.handle(Event::Keep).unwrap();
     let judgement = procedure.state().judgement.unwrap();
     assert_eq!(judgement.recommend, Recommend::Repeat);
-    assert!(judgement.reasons.iter().any(|reason| reason.key == "reason_silent"), "{judgement:?}");
+    let silent = judgement.reasons.iter().filter(|reason| reason.key == "reason_silent").count();
+    assert_eq!(silent, 2, "{judgement:?}");
+    let takes = fs::read_dir(folder.path().join("takes")).unwrap().flatten().next().unwrap().path();
+    let mut reader = Reader::open(&takes).unwrap();
+    let mut marks = Vec::new();
+    while let Some(piece) = reader.next_piece().unwrap() {
+        if let Piece::Event(mark) = piece {
+            marks.push((mark.key, mark.stamp_ns / 1_000_000_000));
+        }
+    }
+    for sensor in ["gyroscope", "accelerometer"] {
+        let at_s = marks.iter().find(|mark| mark.0 == format!("sensor stopped {sensor}")).unwrap().1;
+        assert!((39..=40).contains(&at_s), "{marks:?}");
+    }
     // 36.98 s were given, of which at most half a second of samples waited.
     assert!(judgement.recorded_s > 36.4, "{}", judgement.recorded_s);
     procedure.handle(Event::Repeat).unwrap();
@@ -537,6 +582,7 @@ fn any_event() -> impl Strategy<Value = Event> {
     };
     let begin = any_number().prop_map(move |scale| Event::Begin {
         at_utc: String::new(),
+        measured_on: None,
         phone: phone(scale),
         placement: Placement::AnyWay,
     });

@@ -174,13 +174,13 @@ prop_compose! {
 }
 
 prop_compose! {
-    fn session()(title in text(), body in body(), site in site(), attachments in vec(attachment(), 0..3),
+    fn session()(title in text(), measured_on in text(), body in body(), site in site(), attachments in vec(attachment(), 0..3),
         mut swings in vec(swing(), 1..4), inclines in vec(incline(), 0..3), recorded in vec(recorded(), 0..2)) -> Session
     {
         for (index, swing) in swings.iter_mut().enumerate() {
             swing.id.push_str(&index.to_string());
         }
-        Session { title, body, site, attachments, swings, inclines, recorded }
+        Session { title, measured_on, body, site, attachments, swings, inclines, recorded }
     }
 }
 

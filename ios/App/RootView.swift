@@ -21,7 +21,7 @@ struct RootView: View {
       SessionsView(path: $path)
         .navigationDestination(for: Place.self) { place in
           switch place {
-          case .setup: SetupView(onBegin: begin)
+          case .setup: SetupView(usualLimits: app.sessions.store.usualLimits, onBegin: begin)
           case .about: AboutView()
           case .result(let measurable): ResultView(measurable: measurable)
           }

@@ -49,7 +49,7 @@ impl Analysis {
     }
 
     /// The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-    /// as the operator writes it; the report leaves a blank where it is absent.
+    /// as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
     pub fn report_html_blocking(
         &self,
         criticism: Option<Arc<Criticism>>,
@@ -57,7 +57,9 @@ impl Analysis {
         listener: Listener,
     ) -> Result<String> {
         announced(&listener, "writing the report", || {
-            Ok(report::html(&ReportSource { measured_on, ..self.source(criticism) }))
+            let source = self.source(criticism);
+            let measured_on = measured_on.or(source.measured_on);
+            Ok(report::html(&ReportSource { measured_on, ..source }))
         })
     }
 

@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use gyradius_core::Error;
 use gyradius_core::critique::{self, Critique, SwingTrace};
+use gyradius_core::procedure::{self, keep_criticism};
 use gyradius_core::report::{Curve, thinned};
 
 use crate::as_json;
+use crate::data::sentence::Sentence;
 use crate::error::Result;
 
 /// A swing's most telling channel against both simulations, thinned for plots.
@@ -16,6 +18,8 @@ pub struct ComparedSwing {
     pub swing: String,
     /// The channel, in words.
     pub channel: String,
+    /// The same for every language.
+    pub said: Sentence,
     /// Unit of the readings.
     pub unit: String,
     /// Standard deviation of the noise.
@@ -30,10 +34,10 @@ pub struct ComparedSwing {
 
 impl From<&SwingTrace> for ComparedSwing {
     fn from(trace: &SwingTrace) -> Self {
-        let SwingTrace { swing, channel, unit, noise, t_s, measured, base, extended } = trace;
+        let SwingTrace { swing, channel, said, unit, noise, t_s, measured, base, extended } = trace;
         let [measured, base, extended] = [measured, base, extended].map(|y| thinned(t_s, y));
-        let (swing, channel, unit) = (swing.clone(), channel.clone(), unit.clone());
-        Self { swing, channel, unit, noise: *noise, measured, base, extended }
+        let (swing, channel, said, unit) = (swing.clone(), channel.clone(), said.clone(), unit.clone());
+        Self { swing, channel, said, unit, noise: *noise, measured, base, extended }
     }
 }
 
@@ -65,6 +69,11 @@ impl Criticism {
         Ok(Self::new(critique::Criticism { critique, traces: Vec::new() }))
     }
 
+    /// Keeps it in a folder with what pictures are drawn from, in the place of an earlier one.
+    pub fn keep(&self, folder: &str) -> Result<()> {
+        Ok(keep_criticism(folder, &self.inner)?)
+    }
+
     /// The result.
     pub fn result(&self) -> Critique {
         self.inner.critique.clone()
@@ -79,4 +88,10 @@ impl Criticism {
     pub fn compared(&self) -> Vec<ComparedSwing> {
         self.inner.traces.iter().map(ComparedSwing::from).collect()
     }
+}
+
+/// The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told; absent where it keeps none.
+#[uniffi::export]
+pub fn kept_criticism(folder: &str) -> Result<Option<Arc<Criticism>>> {
+    Ok(procedure::kept_criticism(folder)?.map(Criticism::new))
 }

@@ -17,8 +17,15 @@ pub enum GyradiusError {
         /// The line, from 1, where one is known.
         line: Option<u32>,
     },
-    /// A file or folder cannot be written: the disk is full, it is there already, it may not be written.
+    /// A file or folder cannot be written: it is there already, it may not be written.
     Unwritable {
+        /// What is wrong, file included.
+        text: String,
+        /// The file as the user knows it.
+        file: String,
+    },
+    /// A file cannot be written because the disk has no room left.
+    DiskFull {
         /// What is wrong, file included.
         text: String,
         /// The file as the user knows it.
@@ -59,6 +66,7 @@ impl From<Error> for GyradiusError {
                 Self::BadFile { text, file, line: line.and_then(|line| line.try_into().ok()) }
             }
             Error::Unwritable { file, .. } => Self::Unwritable { text, file },
+            Error::DiskFull { file } => Self::DiskFull { text, file },
             Error::NoResult { what, .. } => Self::NoResult { text, what },
             Error::Argument { name, .. } => Self::BadArgument { text, name },
             Error::Cancelled => Self::Cancelled { text },
@@ -71,6 +79,7 @@ impl fmt::Display for GyradiusError {
         match self {
             Self::BadFile { text, .. }
             | Self::Unwritable { text, .. }
+            | Self::DiskFull { text, .. }
             | Self::NoResult { text, .. }
             | Self::BadArgument { text, .. }
             | Self::Cancelled { text } => out.write_str(text),
@@ -106,6 +115,7 @@ mod tests {
             match public {
                 GyradiusError::BadFile { file, line, .. } => format!("{file} {line:?}"),
                 GyradiusError::Unwritable { file, .. } => format!("to {file}"),
+                GyradiusError::DiskFull { file, .. } => format!("no room for {file}"),
                 GyradiusError::NoResult { what, .. } => format!("of {what}"),
                 GyradiusError::BadArgument { name, .. } => format!("`{name}`"),
                 GyradiusError::Cancelled { .. } => "stopped".into(),

@@ -3,7 +3,7 @@
 use gyradius_core::language::Language;
 use gyradius_core::plan::Warning;
 use gyradius_core::procedure::Text;
-use gyradius_core::{live, plan, procedure};
+use gyradius_core::{critique, inertia, live, plan, procedure};
 
 use crate::data::NamedText;
 
@@ -16,16 +16,17 @@ pub enum Language {
     German,
 }
 
-/// Every sentence and word by its key; `{name}` stands for an argument. Keys of the live estimator begin with `live.`, those
-/// of the plan's warnings with `plan.`.
+/// Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
+/// estimator begin with `live.`, those of the plan's warnings with `plan.`, those of the criticism with `critique.`.
 #[uniffi::export]
 pub fn texts(language: Language) -> Vec<NamedText> {
     let of_live = live::sentences(language).iter().map(|(key, text)| (format!("live.{key}"), *text));
     let of_procedure = procedure::sentences(language).iter().map(|(key, text)| ((*key).to_owned(), *text));
     let of_plan =
         plan::sentences(language).iter().map(|(kind, text)| (format!("plan.{}", key_of(kind)), *text));
-    let all = of_procedure.chain(of_live).chain(of_plan);
-    all.map(|(name, text)| NamedText { name, text: text.into() }).collect()
+    let of_critique = critique::sentences(language).into_iter();
+    let all = of_procedure.chain(of_live).chain(of_plan).map(|(name, text)| (name, text.to_owned()));
+    all.chain(of_critique).map(|(name, text)| NamedText { name, text }).collect()
 }
 
 /// A sentence in a language, with what it names.
@@ -38,6 +39,36 @@ pub fn sentence_in(sentence: &Text, language: Language) -> String {
 #[uniffi::export]
 pub fn warning_in(warning: &Warning, language: Language) -> String {
     warning.in_language(language)
+}
+
+/// The id of a step or a swing in a language; in English it stands as it is.
+#[uniffi::export]
+pub fn id_in(id: &str, language: Language) -> String {
+    procedure::id_in(id, language)
+}
+
+/// A quantity by its key, without its unit, in a language.
+#[uniffi::export]
+pub fn quantity_in(name: &str, language: Language) -> String {
+    inertia::quantity_in(name, language)
+}
+
+/// A single route to a quantity by its method, in a language.
+#[uniffi::export]
+pub fn route_in(method: &str, language: Language) -> String {
+    inertia::route_in(method, language)
+}
+
+/// The short name of a cause that the criticism tries, in a language.
+#[uniffi::export]
+pub fn cause_in(id: &str, language: Language) -> String {
+    critique::cause_name(id, language)
+}
+
+/// The unit that a quantity's key ends in, as it is printed.
+#[uniffi::export]
+pub fn unit_of(name: &str) -> String {
+    inertia::unit_of(name).into()
 }
 
 /// The name that a kind of warning has in JSON.

@@ -6,7 +6,6 @@ use crate::error::Result;
 use crate::frames::Vec3;
 use crate::inertia::parameters::Role;
 use crate::inertia::samples::Sensor;
-use crate::inertia::words::mode_text;
 use crate::recording::{ModeName, RepairKind};
 use crate::signal::{FittedMode, Pole};
 
@@ -17,6 +16,8 @@ use super::result::Discrepancy;
 use super::seen::Seen;
 use super::shape::{direction, energy, shape};
 use super::white::{Band, Left};
+use super::words;
+use crate::language::{Argument, Text};
 
 /// A stated dimension that is pulled by more standard uncertainties is told of.
 const PULLED: f64 = 3.0;
@@ -51,8 +52,8 @@ fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepanc
         let id = &swung.setup.swing.id;
         let record = Record { id, rows: &rows, times_s: &times, duration_s: swung.samples.duration_s };
         all.extend(structure_of(&record, 6, bands, &|channel| {
-            let sensor = if channel < 3 { "gyroscope" } else { "accelerometer" };
-            format!("the {sensor}'s {} axis", AXES[channel % 3])
+            let key = if channel < 3 { "line_gyroscope" } else { "line_accelerometer" };
+            words::said(key, [("axis", words::written(AXES[channel % 3]))])
         }));
     }
     Ok(all)
@@ -79,7 +80,7 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
         let others: Vec<Pole> = (0..poles.len()).filter(|o| *o != m).map(|o| poles[o]).collect();
         let seen = Seen {
             swing: &swung.setup.swing.id,
-            motion: mode_text(evidence.named.get(m).map_or(ModeName::Other, |named| named.name)),
+            motion: evidence.named.get(m).map_or(ModeName::Other, |named| named.name),
             t_s: &samples.t_s,
             measured_rad_s: &along(&samples.values),
             simulated_rad_s: &along(&readings[stream]),
@@ -110,43 +111,35 @@ pub fn structure_of(
     record: &Record,
     channels: usize,
     mut bands: Vec<&Band>,
-    name: &dyn Fn(usize) -> String,
+    name: &dyn Fn(usize) -> Text,
 ) -> Vec<Discrepancy> {
     let Record { id, rows, .. } = *record;
     let excess: f64 = bands.iter().map(|b| b.excess).sum();
     let rms = (rows.iter().map(|r| r * r).sum::<f64>() / rows.len().max(1) as f64).sqrt();
-    let mut all = vec![Discrepancy {
-        swing: id.into(),
-        what: "structure".into(),
-        size: rms,
-        unit: "1".into(),
-        sigma: excess.sqrt(),
-        text: format!(
-            "{id}: the simulation leaves {rms:.2} times the noise, and what it leaves is not noise"
-        ),
-    }];
+    let said = words::said("structure", [("swing", words::id(id)), ("rms", words::number(rms, 2))]);
+    let mut all = vec![Discrepancy::of(id, "structure", (rms, "1"), excess.sqrt(), said)];
     all.extend(against_time(record));
     bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));
     all.extend(
-        bands.iter().take(LINES).map(|band| line(id, band, rows.len() / channels, &name(band.channel))),
+        bands.iter().take(LINES).map(|band| line(id, band, rows.len() / channels, name(band.channel))),
     );
     all
 }
 
-fn line(id: &str, band: &Band, rows_of_channel: usize, channel: &str) -> Discrepancy {
+fn line(id: &str, band: &Band, rows_of_channel: usize, channel: Text) -> Discrepancy {
     let middle_hz = 0.5 * (band.from_hz + band.to_hz);
     // A sinusoid of amplitude a (in noise) adds n a²/2 to χ² of n samples.
     let size = (2.0 * band.excess / rows_of_channel as f64).sqrt();
-    Discrepancy {
-        swing: id.into(),
-        what: "line_in_spectrum".into(),
-        size,
-        unit: "1".into(),
-        sigma: band.sigma,
-        text: format!(
-            "{id}: about {middle_hz:.3} Hz {channel} moves by {size:.2} times its noise more than simulated"
-        ),
-    }
+    let said = words::said(
+        "line",
+        [
+            ("swing", words::id(id)),
+            ("middle_hz", words::number(middle_hz, 3)),
+            ("channel", words::part(Some(channel))),
+            ("size", words::number(size, 2)),
+        ],
+    );
+    Discrepancy::of(id, "line_in_spectrum", (size, "1"), band.sigma, said)
 }
 
 /// Whether more is left at the beginning or at the end: by the halves of the record.
@@ -161,18 +154,16 @@ fn against_time(record: &Record) -> Option<Discrepancy> {
     }
     let [early, late] = [0, 1].map(|k| sums[k] / f64::max(counts[k], 1.0));
     let sigma = (early - late).abs() / (2.0 / counts[0].max(1.0) + 2.0 / counts[1].max(1.0)).sqrt();
-    let (more, less) = if early > late { ("first", "second") } else { ("second", "first") };
-    (sigma > 5.0).then(|| Discrepancy {
-        swing: id.into(),
-        what: "residual_vs_time".into(),
-        size: early.sqrt() - late.sqrt(),
-        unit: "1".into(),
-        sigma,
-        text: format!(
-            "{id}: the {more} half of the recording is further from the simulation than the {less}: {:.2} against {:.2} times the noise",
-            early.max(late).sqrt(),
-            early.min(late).sqrt()
-        ),
+    (sigma > 5.0).then(|| {
+        let said = words::said(
+            if early > late { "first_half" } else { "second_half" },
+            [
+                ("swing", words::id(id)),
+                ("more", words::number(early.max(late).sqrt(), 2)),
+                ("less", words::number(early.min(late).sqrt(), 2)),
+            ],
+        );
+        Discrepancy::of(id, "residual_vs_time", (early.sqrt() - late.sqrt(), "1"), sigma, said)
     })
 }
 
@@ -185,23 +176,25 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
         if parameter.role != Role::Stated || sigma.abs() < PULLED {
             continue;
         }
-        let name = parameter.name.replace('_', " ");
         let change = point.x[*i] - parameter.prior.value;
         let unit = unit_of(&parameter.name);
         let stated = parameter.prior.value;
-        let claim = if parameter.name == "phone_clock" {
-            format!("the swings want the phone's clock {:+.0} ppm off", 1e6 * change)
+        let times = ("sigma", words::number(sigma.abs(), 1));
+        let said = if parameter.name == "phone_clock" {
+            words::said("clock", [("ppm", words::written(format!("{:+.0}", 1e6 * change))), times])
         } else {
-            format!("{name}: stated as {stated:.5} {unit}, the swings want {change:+.5} {unit}")
+            words::said(
+                "pulled",
+                [
+                    ("name", words::word(&format!("parameter.{}", parameter.name))),
+                    ("stated", words::number(stated, 5)),
+                    ("unit", Argument::Plain(unit.into())),
+                    ("change", words::written(format!("{change:+.5}"))),
+                    times,
+                ],
+            )
         };
-        all.push(Discrepancy {
-            swing: String::new(),
-            what: "dimension".into(),
-            size: change,
-            unit: unit.into(),
-            sigma: sigma.abs(),
-            text: format!("{claim}: {:.1} times its stated uncertainty", sigma.abs()),
-        });
+        all.push(Discrepancy::of("", "dimension", (change, unit), sigma.abs(), said));
     }
     all
 }
@@ -223,14 +216,12 @@ fn saturated(base: &Base) -> Vec<Discrepancy> {
         let id = &swung.setup.swing.id;
         let samples: usize = swung.samples.streams.iter().map(|s| s.t_s.len()).max().unwrap_or(0);
         for repair in swung.evidence.repairs.iter().filter(|r| r.kind == RepairKind::Saturation) {
-            all.push(Discrepancy {
-                swing: id.clone(),
-                what: "saturated".into(),
-                size: repair.count as f64 / (samples + repair.count).max(1) as f64,
-                unit: "1".into(),
-                sigma: (repair.count as f64).sqrt(),
-                text: format!("{id}: {}", repair.text),
-            });
+            let size = repair.count as f64 / (samples + repair.count).max(1) as f64;
+            let said = words::said(
+                "saturated",
+                [("swing", words::id(id)), ("repair", Argument::Plain(repair.text.clone()))],
+            );
+            all.push(Discrepancy::of(id, "saturated", (size, "1"), (repair.count as f64).sqrt(), said));
         }
     }
     all

@@ -9,6 +9,7 @@ mod closed_form;
 mod evidence;
 mod findings;
 mod fitting;
+mod german;
 mod learned;
 mod linear;
 mod look;
@@ -25,6 +26,7 @@ mod tell_apart;
 mod traces;
 mod verdict;
 mod white;
+mod words;
 
 pub use by_periods::criticise_periods;
 pub use result::{
@@ -32,6 +34,8 @@ pub use result::{
     ParameterResult, Progress, SwingTrace,
 };
 pub use tell_apart::tell_apart;
+pub(crate) use words::sentence;
+pub use words::{cause_name, sentences};
 
 use std::collections::BTreeMap;
 

@@ -13,6 +13,8 @@ use super::fitting::Places;
 use super::linear::Reader;
 use super::point::{Model, Point};
 use super::result::NextSwing;
+use super::words;
+use crate::language::{Argument, Text};
 
 /// Changes of line length and spacing that are thought of, and angles of release, degrees.
 const LENGTHS: [f64; 4] = [0.5, 0.75, 1.0, 1.5];
@@ -115,21 +117,30 @@ pub fn longer(mut swing: NextSwing) -> NextSwing {
     swing
 }
 
-fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {
+fn in_words(swing: NextSwing, one: &str, other: &str) -> NextSwing {
     let hull = match swing.hull_pitch_deg {
-        pitch if pitch.abs() < 1.0 => String::new(),
-        pitch => format!(" with the bow {:.0}° {}", pitch.abs(), if pitch > 0.0 { "up" } else { "down" }),
+        pitch if pitch.abs() < 1.0 => None,
+        pitch => {
+            let key = if pitch > 0.0 { "next_bow_up" } else { "next_bow_down" };
+            Some(words::said(key, [("pitch_deg", words::number(pitch.abs(), 0))]))
+        }
     };
-    swing.text = format!(
-        "swing {}{hull} at {:.0}° on lines of {:.2} m, {:.2} m apart, for {:.0} s: {one} and {other} then differ by {:.0} standard deviations",
-        swing.excited.iter().map(|one| one.name()).collect::<Vec<_>>().join(" and "),
-        swing.amplitude_deg,
-        swing.line_length_m,
-        swing.spacing_m,
-        swing.duration_s,
-        swing.sigma
+    let excited = swing.excited.iter().map(|one| one.name()).collect::<Vec<_>>().join(" ");
+    let said = words::said(
+        "next_lines",
+        [
+            ("excited", Argument::Word(excited)),
+            ("hull", words::part(hull)),
+            ("amplitude_deg", words::number(swing.amplitude_deg, 0)),
+            ("line_length_m", words::number(swing.line_length_m, 2)),
+            ("spacing_m", words::number(swing.spacing_m, 2)),
+            ("duration_s", words::number(swing.duration_s, 0)),
+            ("one", words::word(&format!("id.{one}"))),
+            ("other", words::word(&format!("id.{other}"))),
+            ("sigma", words::number(swing.sigma, 0)),
+        ],
     );
-    swing
+    swing.told(said)
 }
 
 struct Design<'a> {
@@ -194,6 +205,7 @@ impl Design<'_> {
             hull_pitch_deg: mine.x[index.pitch_deg],
             sigma,
             text: String::new(),
+            said: Text::default(),
         })
     }
 

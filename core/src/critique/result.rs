@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::inertia::QuantityResult;
+use crate::language::Text;
 use crate::recording::Excitation;
 
 /// The criticism of a session.
@@ -63,6 +64,24 @@ pub struct Discrepancy {
     pub sigma: f64,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    #[serde(default)]
+    pub said: Text,
+}
+
+impl Discrepancy {
+    /// One of a swing: what it is, its size with the unit, its significance, and in words.
+    pub(super) fn of(swing: &str, what: &str, (size, unit): (f64, &str), sigma: f64, said: Text) -> Self {
+        let text = said.english.clone();
+        Self { swing: swing.into(), what: what.into(), size, unit: unit.into(), sigma, text, said }
+    }
+}
+
+impl NextSwing {
+    /// With its words.
+    pub(super) fn told(self, said: Text) -> Self {
+        Self { text: said.english.clone(), said, ..self }
+    }
 }
 
 /// A cause that was tried.
@@ -79,6 +98,9 @@ pub struct CauseResult {
     /// What it is and how strong, in words.
     #[serde(default)]
     pub text: String,
+    /// The same for every language.
+    #[serde(default)]
+    pub said: Text,
     /// Whether the extended model has it.
     #[serde(default)]
     pub taken: bool,
@@ -109,6 +131,9 @@ pub struct CauseVerdict {
     /// In words.
     #[serde(default)]
     pub text: String,
+    /// The same for every language.
+    #[serde(default)]
+    pub said: Text,
 }
 
 /// A swing worth making.
@@ -133,6 +158,9 @@ pub struct NextSwing {
     pub sigma: f64,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    #[serde(default)]
+    pub said: Text,
 }
 
 /// What the extension gained.
@@ -184,6 +212,9 @@ pub struct SwingTrace {
     pub swing: String,
     /// The channel, in words.
     pub channel: String,
+    /// The same for every language.
+    #[serde(default)]
+    pub said: Text,
     /// Unit of the readings.
     pub unit: String,
     /// Standard deviation of the noise.

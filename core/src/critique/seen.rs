@@ -6,6 +6,9 @@
 use num_complex::Complex64;
 
 use super::result::Discrepancy;
+use super::words;
+use crate::language::Argument;
+use crate::recording::ModeName;
 use crate::signal::{ChannelGroup, Pole, WindowPoint, WindowedMode, against_amplitude};
 
 /// Differences of more standard uncertainties are told of.
@@ -20,8 +23,7 @@ const FEWEST: f64 = 30.0;
 /// A motion in one channel.
 pub struct Seen<'a> {
     pub swing: &'a str,
-    /// Name of the motion.
-    pub motion: &'a str,
+    pub motion: ModeName,
     pub t_s: &'a [f64],
     pub measured_rad_s: &'a [f64],
     pub simulated_rad_s: &'a [f64],
@@ -80,35 +82,48 @@ impl Seen<'_> {
         let growth = |of: &dyn Fn(&Third) -> f64| 100.0 * (of(wide) / of(narrow) - 1.0);
         let (measured, simulated) = (growth(&|t| t.measured), growth(&|t| t.simulated));
         let u = 100.0 * wide.u.hypot(narrow.u) / narrow.measured;
-        let [size, its_u, other] = with_digits_of(u, [measured, u, simulated]);
-        Some(Discrepancy {
-            swing: self.swing.into(),
-            what: "period_vs_amplitude".into(),
-            size: measured - simulated,
-            unit: "%".into(),
-            sigma,
-            text: format!(
-                "{}: from {:.1}° to {:.1}° the {} period grows by {size} ± {its_u} %, the simulation says {other} %",
-                self.swing, narrow.amplitude_deg, wide.amplitude_deg, self.motion
-            ),
-        })
+        let [size, its_u, other] = with_digits_of(u, [measured, u, simulated]).map(words::written);
+        let said = words::said(
+            "growth",
+            [
+                ("swing", words::id(self.swing)),
+                ("from_deg", words::number(narrow.amplitude_deg, 1)),
+                ("to_deg", words::number(wide.amplitude_deg, 1)),
+                ("motion", words::motion(self.motion)),
+                ("measured", size),
+                ("u", its_u),
+                ("simulated", other),
+            ],
+        );
+        Some(Discrepancy::of(self.swing, "period_vs_amplitude", (measured - simulated, "%"), sigma, said))
     }
 
     fn decay(&self, thirds: &[Third; 3]) -> Option<Discrepancy> {
         let (wide, narrow, sigma) = most_unlike(thirds)?;
         let loss = |t: &Third| {
-            let [measured, u, simulated] = with_digits_of(t.u, [t.measured, t.u, t.simulated]);
-            format!("{measured} ± {u} % at {:.1}° (simulated {simulated} %)", t.amplitude_deg)
+            let written = with_digits_of(t.u, [t.measured, t.u, t.simulated]).map(words::written);
+            let [measured, u, simulated] = written;
+            let amplitude_deg = words::number(t.amplitude_deg, 1);
+            words::said(
+                "loss",
+                [
+                    ("measured", measured),
+                    ("u", u),
+                    ("simulated", simulated),
+                    ("amplitude_deg", amplitude_deg),
+                ],
+            )
         };
-        let losses = thirds.each_ref().map(loss);
-        Some(Discrepancy {
-            swing: self.swing.into(),
-            what: "decay_vs_amplitude".into(),
-            size: (wide.measured - wide.simulated) - (narrow.measured - narrow.simulated),
-            unit: "%".into(),
-            sigma,
-            text: format!("{}: in {} each swing loses {}", self.swing, self.motion, losses.join(", ")),
-        })
+        let size = (wide.measured - wide.simulated) - (narrow.measured - narrow.simulated);
+        let said = words::said(
+            "decay",
+            [
+                ("swing", words::id(self.swing)),
+                ("motion", words::motion(self.motion)),
+                ("losses", Argument::Texts(thirds.iter().map(loss).collect())),
+            ],
+        );
+        Some(Discrepancy::of(self.swing, "decay_vs_amplitude", (size, "%"), sigma, said))
     }
 
     /// Whether more is left where the body passes its middle, or where it turns round.
@@ -133,21 +148,17 @@ impl Seen<'_> {
         // The variance of a squared normal variable is twice the square of its mean.
         let u = [0, 1].map(|k| [ends, middle][k] * (2.0 / counts[k]).sqrt());
         let sigma = (ends - middle).abs() / u[0].hypot(u[1]);
-        let (more, less) =
-            if ends > middle { ("turns round", "its middle") } else { ("passes its middle", "its ends") };
-        (sigma > TOLD).then(|| Discrepancy {
-            swing: self.swing.into(),
-            what: "residual_vs_phase".into(),
-            size: ends.sqrt() - middle.sqrt(),
-            unit: "1".into(),
-            sigma,
-            text: format!(
-                "{}: more is left where the {} {more} than at {less}: {:.2} against {:.2} times the noise",
-                self.swing,
-                self.motion,
-                ends.max(middle).sqrt(),
-                ends.min(middle).sqrt()
-            ),
+        (sigma > TOLD).then(|| {
+            let said = words::said(
+                if ends > middle { "at_ends" } else { "at_middle" },
+                [
+                    ("swing", words::id(self.swing)),
+                    ("motion", words::motion(self.motion)),
+                    ("more", words::number(ends.max(middle).sqrt(), 2)),
+                    ("less", words::number(ends.min(middle).sqrt(), 2)),
+                ],
+            );
+            Discrepancy::of(self.swing, "residual_vs_phase", (ends.sqrt() - middle.sqrt(), "1"), sigma, said)
         })
     }
 }
@@ -213,7 +224,7 @@ mod tests {
         let t_s: Vec<f64> = (0..12000).map(|i| 0.01 * f64::from(i)).collect();
         let seen = Seen {
             swing: "s",
-            motion: "yaw",
+            motion: ModeName::Yaw,
             t_s: &t_s,
             measured_rad_s: &rates(softening, NOISE, &t_s),
             simulated_rad_s: &rates(simulated, 0.0, &t_s),

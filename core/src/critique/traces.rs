@@ -7,6 +7,7 @@ use crate::inertia::samples::Sensor;
 use super::point::{Model, first_settled};
 use super::result::SwingTrace;
 use super::search::Found;
+use super::words;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -20,13 +21,15 @@ pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
         let samples = &swung.samples.streams[stream];
         let first = first_settled(&samples.t_s);
         let part = |readings: &[Vec3]| readings[first..].iter().map(|r| r[axis]).collect();
-        let (what, unit) = match samples.sensor {
-            Sensor::Gyroscope => ("turn rate about", "rad/s"),
-            Sensor::Accelerometer => ("acceleration along", "m/s²"),
+        let (key, unit) = match samples.sensor {
+            Sensor::Gyroscope => ("channel_turn", "rad/s"),
+            Sensor::Accelerometer => ("channel_force", "m/s²"),
         };
+        let said = words::said(key, [("axis", words::written(AXES[axis]))]);
         Ok(SwingTrace {
             swing: swung.setup.swing.id.clone(),
-            channel: format!("{what} the phone's {}", AXES[axis]),
+            channel: said.english.clone(),
+            said,
             unit: unit.into(),
             noise: samples.noise[axis],
             t_s: samples.t_s[first..].to_vec(),

@@ -11,6 +11,8 @@ use super::fitting::Fitted;
 use super::point::{Cause, Form, Model};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::search::{Found, Round, Tried};
+use super::words;
+use crate::language::{Argument, Text};
 
 /// Causes within this of the best, natural logarithm of the evidence, are not told from it: odds of 100 to 1.
 pub const NOT_TOLD: f64 = 4.6;
@@ -106,14 +108,16 @@ pub fn judged(mut causes: Vec<String>, rivals: Vec<String>, unexplained: bool) -
     let indistinguishable_from = if status == "ambiguous" { rivals } else { vec![] };
     let mut verdict =
         CauseVerdict { status: status.into(), causes, indistinguishable_from, ..Default::default() };
-    verdict.text = in_words(&verdict);
+    verdict.said = in_words(&verdict);
+    verdict.text = verdict.said.english.clone();
     verdict
 }
 
 /// A cause that was tried, not ranked yet.
 pub fn result(id: &str, gain: f64, parameters: BTreeMap<String, ParameterResult>) -> CauseResult {
-    let (probability, taken) = (1.0, false);
-    CauseResult { id: id.into(), probability, log_evidence_gain: gain, parameters, text: sentence(id), taken }
+    let said = words::said("cause", [("cause", named(id))]);
+    let (id, text) = (id.into(), said.english.clone());
+    CauseResult { id, probability: 1.0, log_evidence_gain: gain, parameters, text, said, taken: false }
 }
 
 /// Every cause of the rounds (whether their first was taken; what was tried, the best first) with its probability in its round, what
@@ -147,30 +151,28 @@ pub fn ranked(
 }
 
 /// A verdict as a sentence.
-fn in_words(verdict: &CauseVerdict) -> String {
-    let known: Vec<&str> = verdict.causes.iter().filter(|id| *id != UNKNOWN).map(|id| named_of(id)).collect();
-    let named = known.join(", and ");
+fn in_words(verdict: &CauseVerdict) -> Text {
+    let all = |ids: &[&String], join: &str| words::row(ids.iter().map(|id| named(id)).collect(), join, join);
+    let known: Vec<&String> = verdict.causes.iter().filter(|id| *id != UNKNOWN).collect();
+    let causes = || ("causes", all(&known, "and_also"));
     match &*verdict.status {
-        "adequate" => "The simulation accounts for everything that the recordings show.".into(),
-        "explained" => format!("What the simulation left out: {named}."),
+        "adequate" => words::said("adequate", []),
+        "explained" => words::said("explained", [causes()]),
         "ambiguous" => {
-            let others: Vec<&str> = verdict.indistinguishable_from.iter().map(|id| named_of(id)).collect();
-            format!(
-                "What the simulation left out: {named}; but these recordings cannot tell that from: {}.",
-                others.join("; or: ")
-            )
+            let others: Vec<&String> = verdict.indistinguishable_from.iter().collect();
+            words::said("ambiguous", [causes(), ("others", all(&others, "or_also"))])
         }
-        _ if named.is_empty() => {
-            "Something acts on the hull or the phone that no known cause accounts for.".into()
+        _ if known.is_empty() => words::said("unexplained", []),
+        _ if known.len() > MOST_NAMED => {
+            words::said("many", [("count", words::number(known.len() as f64, 0)), causes()])
         }
-        _ if known.len() > MOST_NAMED => format!(
-            "It takes {} causes together to account for what the recordings show ({named}): more likely something acts that is not known.",
-            known.len()
-        ),
-        _ => format!(
-            "The simulation left out that {named}; and something remains that no known cause accounts for."
-        ),
+        _ => words::said("remains", [causes()]),
     }
+}
+
+/// What a cause is, as a part of a sentence.
+fn named(id: &str) -> Argument {
+    words::word(&format!("cause.{id}"))
 }
 
 /// Fewer readings at a sensor's limit than this are no matter.
@@ -233,23 +235,4 @@ fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
         found.insert(name, ParameterResult { value, u, unit: parameter.unit.into() });
     }
     found
-}
-
-/// What a cause is, as a sentence.
-pub fn sentence(id: &str) -> String {
-    let text = named_of(id);
-    let mut letters = text.chars();
-    letters
-        .next()
-        .map_or_else(String::new, |first| first.to_uppercase().chain(letters).chain(['.']).collect())
-}
-
-/// What a cause is, in words.
-pub fn named_of(id: &str) -> &'static str {
-    if id == UNKNOWN {
-        return "something that no known cause accounts for";
-    }
-    let hull = crate::dynamics::effects::catalogue().into_iter();
-    let known = hull.chain(crate::dynamics::sensors::catalogue()).find(|kind| kind.id == id);
-    known.map_or("a cause without a description", |kind| kind.sentence)
 }

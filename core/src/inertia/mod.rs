@@ -8,6 +8,7 @@ pub(crate) mod by_samples;
 mod court;
 pub(crate) mod estimate;
 pub(crate) mod expected;
+mod german;
 pub(crate) mod measure;
 mod measurement;
 mod observe;
@@ -27,3 +28,4 @@ pub use measurement::{
 };
 pub use observe::Evidence;
 pub(crate) use outputs::COVERAGE_95;
+pub use words::{quantity_in, route_in, routes as routes_in, unit_of};

@@ -1,5 +1,7 @@
 //! Words for the names that the result's format uses.
 
+use super::german;
+use crate::language::Language;
 use crate::recording::ModeName;
 
 /// How a quantity is called and printed.
@@ -34,10 +36,12 @@ pub fn quantity_name(key: &str) -> String {
     }
 }
 
+/// Units by the ending of a key; what ends another stands after it.
+const ENDINGS: [(&str, &str); 6] =
+    [("_kg_m2", "kg m²"), ("_m_s2", "m/s²"), ("_deg", "°"), ("_kg", "kg"), ("_m", "m"), ("_s", "s")];
+
 /// A quantity's unit, as its key tells it.
 pub fn unit_of(key: &str) -> &'static str {
-    const ENDINGS: [(&str, &str); 5] =
-        [("_kg_m2", "kg m²"), ("_m_s2", "m/s²"), ("_deg", "°"), ("_kg", "kg"), ("_m", "m")];
     ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("", |(_, unit)| unit)
 }
 
@@ -78,27 +82,53 @@ pub fn mode_text(mode: ModeName) -> &'static str {
     }
 }
 
+/// Single routes to a quantity by their method.
+const ROUTES: [(&str, &str); 16] = [
+    ("yaw_period", "yaw period with line length and spacing"),
+    ("period_ratio", "yaw period over sway period, times half the spacing"),
+    ("beat_count", "oscillations per beat of yaw and sway"),
+    ("double_pendulum", "both periods of the double pendulum, sway period as clock"),
+    ("double_pendulum_and_line_length", "both periods of the double pendulum, with the line length"),
+    ("compound", "compound pendulum"),
+    ("compound_pendulum", "compound pendulum"),
+    ("lamboley", "compound pendulum at two heights (Lamboley)"),
+    ("incline", "inclining by a weight"),
+    ("tilted_yaw", "yaw level and at two tilts"),
+    ("tilted_yaw_right_angle", "yaw level and at two tilts a right angle apart"),
+    ("one_tilt", "roll, yaw and one tilted yaw"),
+    ("tilt_fit", "yaw at all tilts by least squares"),
+    ("points_moved", "moving the suspension points and the tilt that follows"),
+    ("incline_both_ends", "inclining at bow and stern"),
+    ("joint_estimate", "joint estimate from everything in the session"),
+];
+
 /// A single route to a quantity, in words.
 pub fn route(method: &str) -> String {
-    let known = match method {
-        "yaw_period" => "yaw period with line length and spacing",
-        "period_ratio" => "yaw period over sway period, times half the spacing",
-        "beat_count" => "oscillations per beat of yaw and sway",
-        "double_pendulum" => "both periods of the double pendulum, sway period as clock",
-        "double_pendulum_and_line_length" => "both periods of the double pendulum, with the line length",
-        "compound" | "compound_pendulum" => "compound pendulum",
-        "lamboley" => "compound pendulum at two heights (Lamboley)",
-        "incline" => "inclining by a weight",
-        "tilted_yaw" => "yaw level and at two tilts",
-        "tilted_yaw_right_angle" => "yaw level and at two tilts a right angle apart",
-        "one_tilt" => "roll, yaw and one tilted yaw",
-        "tilt_fit" => "yaw at all tilts by least squares",
-        "points_moved" => "moving the suspension points and the tilt that follows",
-        "incline_both_ends" => "inclining at bow and stern",
-        "joint_estimate" => "joint estimate from everything in the session",
-        other => return spaced(other),
+    route_in(method, Language::English)
+}
+
+/// The same in a language.
+pub fn route_in(method: &str, language: Language) -> String {
+    let known = routes(language).iter().find(|(known, _)| *known == method);
+    known.map_or_else(|| spaced(method), |(_, text)| (*text).to_owned())
+}
+
+/// A quantity in words in a language, without its unit.
+pub fn quantity_in(key: &str, language: Language) -> String {
+    let known = match language {
+        Language::English => quantity(key).map(|words| words.name),
+        Language::German => german::QUANTITIES.iter().find(|(name, _)| *name == key).map(|(_, text)| *text),
     };
-    known.into()
+    let bare = ENDINGS.iter().find_map(|(ending, _)| key.strip_suffix(ending)).unwrap_or(key);
+    known.map_or_else(|| spaced(bare), str::to_owned)
+}
+
+/// Routes by their method in a language.
+pub fn routes(language: Language) -> &'static [(&'static str, &'static str)] {
+    match language {
+        Language::English => &ROUTES,
+        Language::German => &german::ROUTES,
+    }
 }
 
 /// A key of the format as words.

@@ -127,13 +127,15 @@ fn save_draft(
 ) -> Result<()> {
     let text = format!("# To be filled in: {}.\n{}", missing.join(", "), write_session(session));
     files.push((SESSION_FILE.into(), text.into_bytes()));
-    fs::create_dir_all(folder).map_err(|error| unwritable(folder, error))?;
+    fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder.display(), "", &error))?;
     let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
     if let (Overwrite::Refuse, Some(path)) = (overwrite, paths.iter().find(|path| path.exists())) {
         return Err(unwritable(path, "it exists already and is not overwritten"));
     }
     let mut pairs = paths.iter().zip(&files);
-    pairs.try_for_each(|(path, (_, bytes))| fs::write(path, bytes).map_err(|error| unwritable(path, error)))
+    pairs.try_for_each(|(path, (_, bytes))| {
+        fs::write(path, bytes).map_err(|error| Error::unwritable(path.display(), "", &error))
+    })
 }
 
 fn unwritable(path: &Path, reason: impl ToString) -> Error {

@@ -110,7 +110,7 @@ pub fn save_practised(
     let refuse = |reason: &str| {
         Err(Error::Unwritable { file: truth_file.display().to_string(), reason: reason.into() })
     };
-    fs::create_dir_all(folder).map_err(|e| unwritable(folder, &e))?;
+    fs::create_dir_all(folder).map_err(|e| Error::unwritable(folder.display(), "", &e))?;
     if lies_inside(truth_file, folder) {
         return refuse("the session would give the truth away");
     }
@@ -118,7 +118,7 @@ pub fn save_practised(
         return refuse("it exists already and is not overwritten");
     }
     save_session(folder, &practised.session, &practised.recordings, overwrite)?;
-    fs::write(truth_file, &practised.truth).map_err(|e| unwritable(truth_file, &e))
+    fs::write(truth_file, &practised.truth).map_err(|e| Error::unwritable(truth_file.display(), "", &e))
 }
 
 fn lies_inside(file: &Path, folder: &Path) -> bool {
@@ -130,8 +130,4 @@ fn lies_inside(file: &Path, folder: &Path) -> bool {
         (Ok(parent), Ok(folder)) => parent.starts_with(folder),
         _ => false,
     }
-}
-
-fn unwritable(path: &Path, reason: &std::io::Error) -> Error {
-    Error::Unwritable { file: path.display().to_string(), reason: reason.to_string() }
 }

@@ -23,6 +23,8 @@ pub(super) enum Entry {
     },
     Begun {
         at_utc: String,
+        #[serde(default)]
+        measured_on: String,
         phone: PhoneInfo,
         placement: Placement,
     },

@@ -13,6 +13,10 @@ pub enum Event {
     Begin {
         /// Wall clock, UTC, as text (`2026-05-04T09:30:00Z`); kept, never computed with.
         at_utc: String,
+        /// The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
+        /// absent.
+        #[serde(default)]
+        measured_on: Option<String>,
         /// The phone.
         phone: PhoneInfo,
         /// How it is fixed to the hull.

@@ -1,7 +1,7 @@
 //! Sentences by key, in German: the same keys as in English.
 
 /// Sentences by key; `{name}` stands for an argument.
-pub const GERMAN: [(&str, &str); 81] = [
+pub const GERMAN: [(&str, &str); 85] = [
     (
         "start",
         "{title} vermessen: {steps} Schritte, etwa {minutes} Minuten Aufnahme. Das Telefon so am Rumpf festkleben, dass es nicht rutschen kann, und bis zum Ende nicht bewegen. Dann beginnen.",
@@ -157,7 +157,7 @@ pub const GERMAN: [(&str, &str); 81] = [
     ("warn_sensor_stopped", "Das System des Telefons hat den {sensor} angehalten."),
     (
         "warn_disk",
-        "Der Speicher ist voll: Platz schaffen, dann behalten, was aufgenommen ist, oder wiederholen.",
+        "Der Speicher ist voll. Was bisher aufgenommen ist, bleibt erhalten: Platz schaffen, dann weitermachen, behalten, was da ist, oder wiederholen.",
     ),
     ("warn_unwritable", "Die Aufnahme kann nicht geschrieben werden: {reason}"),
     (
@@ -178,6 +178,10 @@ pub const GERMAN: [(&str, &str); 81] = [
     ("turn", "eine andere Drehung"),
     ("bow", "Bug"),
     ("stern", "Heck"),
+    ("incline", "Neigungsversuch"),
+    ("extra", "Zusatz"),
+    ("up", "hoch"),
+    ("down", "tief"),
     ("athwartships", "querschiffs"),
     ("fore_and_aft", "längsschiffs"),
     ("gyroscope", "Drehratensensor"),

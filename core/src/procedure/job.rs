@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::entry::Entry;
 use super::event::Measured;
+use super::kept::{forget_criticism, keep_criticism, write_json};
 use super::memory::{Memory, StepMemory};
 use super::state::{CritiqueView, ResultView, Work};
 use super::take::file_of;
@@ -14,15 +15,13 @@ use crate::plan::{PlannedIncline, PlannedSwing, Step, suggested};
 use crate::progress::{Progress, tell};
 use crate::recorder::convert;
 use crate::recording::{
-    Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session, replace_file,
-    save_session,
+    Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session, save_session,
 };
 
 /// Folder of the session inside the procedure's.
 pub(super) const SESSION: &str = "session";
 /// Files of the results beside it.
 const MEASUREMENT: &str = "measurement.json";
-const CRITIQUE: &str = "critique.json";
 
 /// Work that knows all it needs: it may be moved to another thread.
 #[derive(Debug, Clone)]
@@ -47,8 +46,9 @@ pub enum Outcome {
 
 impl Job {
     pub(super) fn of(work: Work, folder: &Path, memory: &Memory) -> Self {
-        let mut job =
-            Self { work, folder: folder.to_owned(), session: memory.task.head(), takes: Vec::new() };
+        let measured_on = memory.begun.as_ref().map(|begun| begun.measured_on.clone()).unwrap_or_default();
+        let session = Session { measured_on, ..memory.task.head() };
+        let mut job = Self { work, folder: folder.to_owned(), session, takes: Vec::new() };
         for (index, step) in memory.steps.iter().enumerate().filter(|(_, step)| !step.skipped) {
             job.add(index, step);
         }
@@ -108,13 +108,15 @@ impl Job {
         let options = MeasureOptions::default();
         let measurement = analyse_watched(&load_session(&folder)?, &options, &measuring)?.measurement;
         write_json(&self.folder.join(MEASUREMENT), &measurement)?;
+        // Of a session that is no more.
+        forget_criticism(&self.folder)?;
         Ok(Outcome::Measured(Box::new(measurement)))
     }
 
     fn criticised(&self, progress: &Progress) -> Result<Outcome> {
         let loaded = load_session(self.folder.join(SESSION))?;
         let criticism = criticise(&loaded, progress)?;
-        write_json(&self.folder.join(CRITIQUE), &criticism.critique)?;
+        keep_criticism(&self.folder, &criticism)?;
         let step = next_step(&criticism.critique, &self.session).map(Box::new);
         Ok(Outcome::Criticised(Box::new(criticism), step))
     }
@@ -152,6 +154,7 @@ impl Outcome {
                         causes: doubtful(&critique.verdict),
                         status: critique.verdict.status,
                         text: critique.verdict.text,
+                        said: critique.verdict.said,
                         quantities: critique.extended.quantities,
                     },
                     suggestion: suggestion.map(|step| *step),
@@ -190,10 +193,4 @@ fn incline(step: &StepMemory, planned: &PlannedIncline, angle_deg: Quantity) -> 
     let Measured { mass_kg, arm_m, depth_m, .. } = step.measured?;
     let angle = InclineAngle::Stated(angle_deg);
     Some(Incline { end: planned.end, mass_kg: mass_kg?, arm_m: arm_m?, depth_m: depth_m?, angle })
-}
-
-fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<()> {
-    let fail = |reason: String| Error::Unwritable { file: path.display().to_string(), reason };
-    let text = serde_json::to_string_pretty(value).map_err(|error| fail(error.to_string()))?;
-    replace_file(path, text.as_bytes()).map_err(|error| fail(error.to_string()))
 }

@@ -36,7 +36,7 @@ impl Journal {
     pub fn create(folder: &Path, first: &Entry) -> Result<Self> {
         let path = folder.join(JOURNAL);
         let name = path.display().to_string();
-        let fail = |doing: &str, error: &std::io::Error| unwritable(&name, doing, error);
+        let fail = |doing: &str, error: &std::io::Error| Error::unwritable(&name, doing, error);
         fs::create_dir_all(folder).map_err(|error| fail("making the folder", &error))?;
         if fs::read(&path).is_ok_and(|bytes| !read(&bytes).0.is_empty()) {
             let reason = "a procedure has begun there already".to_owned();
@@ -65,7 +65,7 @@ impl Journal {
                 found: "no whole line".into(),
             });
         }
-        let fail = |doing: &str, error: &std::io::Error| unwritable(&name, doing, error);
+        let fail = |doing: &str, error: &std::io::Error| Error::unwritable(&name, doing, error);
         let opened = OpenOptions::new().append(true).open(&path);
         let file = opened.map_err(|error| fail("opening it", &error))?;
         file.set_len(whole as u64).map_err(|error| fail("cutting off an incomplete line", &error))?;
@@ -73,7 +73,8 @@ impl Journal {
         Ok(Opened { journal, entries, cut_bytes: bytes.len() - whole })
     }
 
-    /// Appends an entry and syncs it. Fails with [`Error::Unwritable`]; half a line is taken back.
+    /// Appends an entry and syncs it. Fails with [`Error::Unwritable`] or [`Error::DiskFull`]; half a line is taken
+    /// back.
     pub fn append(&mut self, entry: &Entry) -> Result<()> {
         let bytes = line(self.lines, entry, &self.name)?;
         let before = self.file.metadata().map(|meta| meta.len());
@@ -83,7 +84,7 @@ impl Journal {
                 // Where this fails too, opening cuts the half line off.
                 let _ = self.file.set_len(length);
             }
-            return Err(unwritable(&self.name, "appending a line", &error));
+            return Err(Error::unwritable(&self.name, "appending a line", &error));
         }
         self.lines += 1;
         Ok(())
@@ -119,8 +120,4 @@ fn parsed(line: &[u8], number: usize) -> Option<Entry> {
         return None;
     }
     serde_json::from_str(entry).ok()
-}
-
-fn unwritable(file: &str, doing: &str, error: &std::io::Error) -> Error {
-    Error::Unwritable { file: file.to_owned(), reason: format!("{doing}: {error}") }
 }

@@ -3,9 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::rest::RestReader;
-use super::words::{self, Text, number, words};
+use super::words::{self, number, words};
 use crate::frames::Vec3;
 use crate::inertia::measure::PHONE_TILT_U_DEG;
+use crate::language::Text;
 use crate::live::{Advice, Estimate, Line, LineKind, SwingState, TimeLeft};
 use crate::plan::{PlannedIncline, PlannedSwing};
 use crate::recording::{Excitation, Sensor};

@@ -16,9 +16,10 @@ use super::state::{Action, Phase, Work};
 use super::take::{Before, Extent, Follow, Running, TAKES, extent, file_of};
 use super::task::Task;
 use super::tilt::TiltReader;
-use super::words::{self, Text, number, plain};
+use super::words::{self, number};
 use crate::error::{Error, Result};
 use crate::frames::Vec3;
+use crate::language::Text;
 
 /// Stillness that a rest is taken over, s: the mean of white noise of 0.005 rad/s at 100 Hz is then known to 0.13 mrad/s.
 const REST_S: f64 = 15.0;
@@ -54,10 +55,7 @@ impl Procedure {
         let first = Entry::Created { format: FORMAT.to_owned(), task };
         let journal = Journal::create(&folder, &first)?;
         let takes = folder.join(TAKES);
-        fs::create_dir_all(&takes).map_err(|error| Error::Unwritable {
-            file: takes.display().to_string(),
-            reason: error.to_string(),
-        })?;
+        fs::create_dir_all(&takes).map_err(|error| Error::unwritable(takes.display(), "", &error))?;
         Self::from(folder, journal, vec![first], Vec::new())
     }
 
@@ -125,8 +123,9 @@ impl Procedure {
     /// Takes what happened. What is not offered in the present phase is an [`Error::Argument`] that says what is;
     /// nothing has changed then. Samples, ticks and the phone's reports are taken in every phase.
     ///
-    /// Fails with [`Error::Unwritable`] where something cannot be written: a recording is then interrupted, and what was
-    /// written before stays.
+    /// A recording that cannot be written is interrupted, and [`State::warnings`](super::State::warnings) says why; what was
+    /// written before stays. Fails with [`Error::Unwritable`] or [`Error::DiskFull`] where a decision cannot be: then it was not
+    /// taken.
     pub fn handle(&mut self, event: Event) -> Result<()> {
         if let Some(action) = action_of(&event) {
             let offered = self.actions();
@@ -161,9 +160,10 @@ impl Procedure {
     fn decide(&mut self, event: Event) -> Result<()> {
         let phase = self.phase();
         match event {
-            Event::Begin { at_utc, phone, placement } => {
+            Event::Begin { at_utc, measured_on, phone, placement } => {
                 check::phone(&phone)?;
-                self.write(Entry::Begun { at_utc, phone, placement })
+                let measured_on = measured_on.or_else(|| day_of(&at_utc)).unwrap_or_default();
+                self.write(Entry::Begun { at_utc, measured_on, phone, placement })
             }
             Event::SetReference => {
                 self.reference = Some(self.up()?);
@@ -261,13 +261,14 @@ impl Procedure {
     fn stop(&mut self) -> Result<()> {
         let Some(running) = self.running.take() else { return Ok(()) };
         let (follow, ended) = running.end();
-        // A missing end mark is told by whoever reads the file; what was recorded is judged all the same.
-        if let Err(error) = ended {
-            self.tell(Text::new("warn_unwritable", [("reason", plain(error.to_string()))]));
-        }
         self.cut_off =
             Extent { recorded_s: follow.recorded_s(), ended: true, newest_ns: Some(follow.last_ns()) };
-        self.judge(&follow)
+        self.judge(&follow)?;
+        // A missing end mark is told by whoever reads the file; what was recorded is judged all the same.
+        if let Err(error) = ended {
+            self.tell(words::not_written(&error));
+        }
+        Ok(())
     }
 
     fn judge(&mut self, follow: &Follow) -> Result<()> {
@@ -320,12 +321,16 @@ impl Procedure {
         if self.running.as_ref().is_some_and(Running::is_over) { self.stop() } else { Ok(()) }
     }
 
-    /// Does something with the recording that runs; where that fails, it is interrupted.
+    /// Does something with the recording that runs. Where that fails, it is interrupted; a file that cannot be written is told
+    /// among the warnings, and no error beside them.
     fn of_running(&mut self, act: impl FnOnce(&mut Running) -> Result<()>) -> Result<()> {
         let Some(running) = &mut self.running else { return Ok(()) };
-        act(running).inspect_err(|error| {
-            self.interrupt(Text::new("warn_unwritable", [("reason", plain(error.to_string()))]));
-        })
+        let Err(error) = act(running) else { return Ok(()) };
+        self.interrupt(words::not_written(&error));
+        match error {
+            Error::Unwritable { .. } | Error::DiskFull { .. } => Ok(()),
+            other => Err(other),
+        }
     }
 
     /// Told until the next recording.
@@ -493,7 +498,7 @@ impl Procedure {
     }
 
     fn before(&self) -> Before {
-        let phone = self.memory.begun.clone().map(|begun| begun.0).unwrap_or_default();
+        let phone = self.memory.begun.clone().map(|begun| begun.phone).unwrap_or_default();
         Before { phone, rest: self.memory.rest.clone().flatten() }
     }
 
@@ -503,6 +508,11 @@ impl Procedure {
         self.memory.take(entry);
         Ok(())
     }
+}
+
+/// The day of a wall clock's `2026-05-04T09:30:00Z`.
+fn day_of(at_utc: &str) -> Option<String> {
+    at_utc.split_once('T').map(|(day, _)| day.to_owned())
 }
 
 /// Figures that are no numbers cannot be kept as JSON: a swing that has them tells nothing.

@@ -14,7 +14,7 @@ use crate::recording::{End, Quantity, Suspension};
 #[derive(Debug, Clone, Default)]
 pub(super) struct Memory {
     pub task: Task,
-    pub begun: Option<(PhoneInfo, Placement)>,
+    pub begun: Option<Begun>,
     pub level: Option<Vec3>,
     /// Taken, or done without.
     pub rest: Option<Option<Rest>>,
@@ -25,6 +25,14 @@ pub(super) struct Memory {
     pub critique: Option<Option<CritiqueView>>,
     pub critique_failed: Option<String>,
     pub suggestion: Option<Step>,
+}
+
+/// What was told at the beginning.
+#[derive(Debug, Clone)]
+pub(super) struct Begun {
+    pub measured_on: String,
+    pub phone: PhoneInfo,
+    pub placement: Placement,
 }
 
 /// One step and what came of it.
@@ -126,7 +134,9 @@ impl Memory {
                 self.steps = task.steps.iter().cloned().map(StepMemory::new).collect();
                 self.task = task;
             }
-            Entry::Begun { phone, placement, .. } => self.begun = Some((phone, placement)),
+            Entry::Begun { measured_on, phone, placement, .. } => {
+                self.begun = Some(Begun { measured_on, phone, placement });
+            }
             Entry::Levelled { up } => self.level = Some(Vec3::from(up)),
             Entry::Rested { rest } => self.rest = Some(Some(rest)),
             Entry::RestSkipped => self.rest = Some(None),

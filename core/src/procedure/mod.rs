@@ -19,6 +19,7 @@ mod german;
 mod job;
 mod journal;
 mod judgement;
+mod kept;
 mod machine;
 mod memory;
 mod rehearsal;
@@ -34,6 +35,7 @@ mod words;
 pub use event::{Batch, Channel, Event, Measured, PhoneInfo, PhoneSensor, Placement};
 pub use job::{Job, Outcome};
 pub use judgement::{InclineReading, Judgement, Recommend};
+pub use kept::{keep_criticism, kept_criticism};
 pub use machine::Procedure;
 pub use rehearsal::{Mishap, Rehearsal, practice_task};
 pub use rest::{Moving, Rest, SensorRest};
@@ -42,4 +44,6 @@ pub use state::{
 };
 pub use task::Task;
 pub use tilt::{Against, Tilt};
-pub use words::{Argument, Text, sentences};
+pub use words::{id_in, sentences};
+
+pub use crate::language::{Argument, Text};

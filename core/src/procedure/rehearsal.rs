@@ -201,7 +201,12 @@ impl Rehearsal {
         Ok(match state.phase {
             Phase::Start => {
                 let phone = PhoneInfo { model: PHONE.to_owned(), sensors: Vec::new() };
-                Some(Event::Begin { at_utc: at_utc.to_owned(), phone, placement: Placement::AnyWay })
+                Some(Event::Begin {
+                    at_utc: at_utc.to_owned(),
+                    measured_on: None,
+                    phone,
+                    placement: Placement::AnyWay,
+                })
             }
             Phase::Level => offered(Action::Accept).then_some(Event::Accept),
             Phase::Rest if offered(Action::Accept) => Some(Event::Accept),

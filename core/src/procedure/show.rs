@@ -6,8 +6,9 @@ use super::memory::StepMemory;
 use super::state::{Action, Phase, Progress, RecordingView, RestView, State, StepView, Work};
 use super::take::{Follow, INCLINE_STILL_S, file_of};
 use super::tilt::{Against, Tilt};
-use super::words::{Argument, Text, number, plain, words};
+use super::words::{id, number, plain, words};
 use crate::frames::Vec3;
+use crate::language::{Argument, Text};
 use crate::live::Advice;
 use crate::plan::{PlannedIncline, PlannedSwing, Step};
 use crate::recording::{End, Orientation, Quantity, SuspensionKind};
@@ -47,7 +48,7 @@ impl Procedure {
 
     fn tilt_now(&self, phase: Phase) -> Option<Tilt> {
         let of_use = matches!(phase, Phase::Level | Phase::Rest | Phase::Hang | Phase::Ready);
-        let placement = self.memory.begun.as_ref().map(|begun| begun.1).unwrap_or_default();
+        let placement = self.memory.begun.as_ref().map(|begun| begun.placement).unwrap_or_default();
         let reference: Option<Vec3> = if phase == Phase::Level { self.reference } else { self.level() };
         self.tilt.tilt(placement, reference).filter(|_| of_use)
     }
@@ -148,7 +149,7 @@ impl Procedure {
         rest: Option<&RestView>,
         recording: Option<&RecordingView>,
     ) -> Text {
-        let id = || plain(self.shown_step().map(|step| step.1.id()).unwrap_or_default());
+        let id = || id(self.shown_step().map(|step| step.1.id()).unwrap_or_default());
         match phase {
             Phase::Start => self.start_text(),
             Phase::Level => level_text(tilt),
@@ -313,7 +314,7 @@ fn hang_text(step: &StepMemory) -> Text {
                 Orientation::ForeAndAft => "fore_and_aft",
             };
             let common = [
-                ("id", plain(&swing.id)),
+                ("id", id(&swing.id)),
                 ("orientation", words(std::iter::once(orientation))),
                 ("extras", extras(swing)),
             ];
@@ -344,7 +345,7 @@ fn hang_incline_text(step: &StepMemory, incline: &PlannedIncline) -> Text {
         End::Stern => "stern",
     };
     let arguments = [
-        ("id", plain(step.id())),
+        ("id", id(step.id())),
         ("end", words(std::iter::once(end))),
         ("mass_kg", number(incline.mass_kg, 3)),
         ("arm_m", number(incline.arm_m, 3)),

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::judgement::Judgement;
 use super::rest::{Moving, Rest};
 use super::tilt::Tilt;
-use super::words::Text;
 use crate::inertia::QuantityResult;
+use crate::language::Text;
 use crate::live::Estimate;
 use crate::plan::Step;
 use crate::recording::Suspension;
@@ -195,6 +195,9 @@ pub struct CritiqueView {
     pub status: String,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    #[serde(default)]
+    pub said: Text,
     /// How many causes these swings cannot tell apart; 0 where none is in doubt.
     pub causes: usize,
     /// The figures by the simulation with the causes that were found in it.

@@ -234,7 +234,9 @@ impl Running {
         self.mark(stamp_ns, SLIP_SEEN.to_owned())
     }
 
+    /// Never before what was recorded: whoever tells of it may not have heard a sample yet.
     pub fn sensor_stopped(&mut self, stamp_ns: i64, sensor: Sensor) -> Result<()> {
+        let stamp_ns = stamp_ns.max(self.follow.last_ns());
         self.mark(stamp_ns, format!("{SENSOR_STOPPED} {}", sensor.name()))
     }
 

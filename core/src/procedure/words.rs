@@ -2,45 +2,18 @@
 //!
 //! What the live estimator says has its own sentences (`live::sentences`); their keys begin with `live.` here.
 
-use std::collections::BTreeMap;
-
-use serde::{Deserialize, Serialize};
-
 use super::german::GERMAN;
-use crate::language::Language;
+use crate::critique;
+use crate::error::Error;
+use crate::language::{self, Argument, Language, Text};
 use crate::live::{self, Advice, Parameter};
 use crate::recording::Sensor;
-
-/// A sentence: its key, what it names, and the English of both.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Text {
-    /// Key for translation.
-    pub key: String,
-    /// What it names, by the name that stands in it.
-    pub arguments: BTreeMap<String, Argument>,
-    /// The sentence in English.
-    pub english: String,
-}
-
-/// Something that a sentence names.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Argument {
-    /// A number with the decimals that it is shown with.
-    Number(f64, u8),
-    /// A word with a key of its own, e.g. `gyroscope` or `yaw`.
-    Word(String),
-    /// Text as it stands: an id, a file, a reason.
-    Plain(String),
-    /// Sentences of their own, in a row.
-    Texts(Vec<Text>),
-}
 
 /// What the keys of the live estimator begin with.
 const OF_LIVE: &str = "live.";
 
 /// Sentences by key; `{name}` stands for an argument.
-const ENGLISH: [(&str, &str); 81] = [
+const ENGLISH: [(&str, &str); 85] = [
     (
         "start",
         "Measure {title}: {steps} steps, about {minutes} minutes of recording. Tape the phone to the hull where it cannot slip, and do not move it until the end. Then begin.",
@@ -173,7 +146,10 @@ const ENGLISH: [(&str, &str); 81] = [
     ("advice_moving", "The hull still moves: wait, or steady it slowly."),
     ("warn_silent", "No samples have come for {silent_s} s: keep the app on the screen."),
     ("warn_sensor_stopped", "The phone's system stopped the {sensor}."),
-    ("warn_disk", "The disk is full: make room, then keep what was recorded or repeat it."),
+    (
+        "warn_disk",
+        "The disk is full. What was recorded so far is kept: free some space, then go on with it, keep it as it is, or repeat it.",
+    ),
     ("warn_unwritable", "The recording cannot be written: {reason}"),
     (
         "warn_journal_cut",
@@ -190,6 +166,10 @@ const ENGLISH: [(&str, &str); 81] = [
     ("turn", "another turn"),
     ("bow", "bow"),
     ("stern", "stern"),
+    ("incline", "incline"),
+    ("extra", "extra"),
+    ("up", "up"),
+    ("down", "down"),
     ("athwartships", "athwartships"),
     ("fore_and_aft", "fore and aft"),
     ("gyroscope", "gyroscope"),
@@ -203,18 +183,19 @@ const ENGLISH: [(&str, &str); 81] = [
 impl Text {
     /// The sentence of a key with what it names.
     pub(super) fn new<'a>(key: &str, arguments: impl IntoIterator<Item = (&'a str, Argument)>) -> Self {
-        Self::of(key, arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
-    }
-
-    fn of(key: &str, arguments: BTreeMap<String, Argument>) -> Self {
-        let english = filled(key, &arguments, Language::English);
-        Self { key: key.to_owned(), arguments, english }
+        let arguments = arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+        Self::of(key.to_owned(), arguments, sentence)
     }
 
     /// The sentence in a language, with what it names.
     pub fn in_language(&self, language: Language) -> String {
-        filled(&self.key, &self.arguments, language)
+        self.told(language, sentence)
     }
+}
+
+/// The id of a step or a swing in a language; in English it stands as it is.
+pub fn id_in(id: &str, language: Language) -> String {
+    language::id_in(id, language, sentence)
 }
 
 impl From<&Advice> for Text {
@@ -227,7 +208,15 @@ impl From<&Advice> for Text {
             (name.to_owned(), value)
         };
         let arguments = advice.parameters().into_iter().map(argument).collect();
-        Self::of(&format!("{OF_LIVE}{}", advice.key()), arguments)
+        Self::of(format!("{OF_LIVE}{}", advice.key()), arguments, sentence)
+    }
+}
+
+/// Why a recording cannot be written.
+pub(super) fn not_written(error: &Error) -> Text {
+    match error {
+        Error::DiskFull { .. } => Text::new("warn_disk", []),
+        other => Text::new("warn_unwritable", [("reason", plain(other.to_string()))]),
     }
 }
 
@@ -247,6 +236,11 @@ pub(super) fn words<'a>(keys: impl Iterator<Item = &'a str>) -> Argument {
     Argument::Word(keys.join(" "))
 }
 
+/// The id of a step or a swing.
+pub(super) fn id(id: impl Into<String>) -> Argument {
+    Argument::Id(id.into())
+}
+
 pub(super) fn plain(text: impl Into<String>) -> Argument {
     Argument::Plain(text.into())
 }
@@ -259,32 +253,14 @@ pub fn sentences(language: Language) -> &'static [(&'static str, &'static str)] 
     }
 }
 
-/// The sentence of a key, where there is one.
-fn sentence(key: &str, language: Language) -> Option<&'static str> {
+/// The sentence of a key, where there is one: the procedure's own, the live estimator's or the criticism's.
+fn sentence(key: &str, language: Language) -> Option<String> {
+    if let Some(found) = critique::sentence(key, language) {
+        return Some(found);
+    }
     let (all, key) = match key.strip_prefix(OF_LIVE) {
         Some(key) => (live::sentences(language), key),
         None => (sentences(language), key),
     };
-    Some(all.iter().find(|(known, _)| *known == key)?.1)
-}
-
-fn filled(key: &str, arguments: &BTreeMap<String, Argument>, language: Language) -> String {
-    arguments.iter().fold(sentence(key, language).unwrap_or_default().to_owned(), |text, (name, value)| {
-        text.replace(&format!("{{{name}}}"), &shown(value, language))
-    })
-}
-
-fn shown(argument: &Argument, language: Language) -> String {
-    match argument {
-        Argument::Number(value, decimals) => language.number(&format!("{value:.*}", usize::from(*decimals))),
-        // Several words stand with spaces between their keys.
-        Argument::Word(keys) => {
-            let words = keys.split(' ').map(|key| sentence(key, language).unwrap_or(key));
-            words.collect::<Vec<_>>().join(language.and())
-        }
-        Argument::Plain(text) => text.clone(),
-        Argument::Texts(texts) => {
-            texts.iter().map(|text| text.in_language(language)).collect::<Vec<_>>().join(", ")
-        }
-    }
+    all.iter().find(|(known, _)| *known == key).map(|(_, text)| (*text).to_owned())
 }

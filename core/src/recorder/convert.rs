@@ -104,10 +104,8 @@ impl Contents {
 /// One CSV table of some of the streams; replaced by renaming, so that nobody sees half of it.
 fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &str)]) -> Result<()> {
     let partial = partial_of(path);
-    let fail = |error: std::io::Error| Error::Unwritable {
-        file: path.display().to_string(),
-        reason: format!("converting `{}`: {error}", file.display()),
-    };
+    let doing = format!("converting `{}`", file.display());
+    let fail = |error: std::io::Error| Error::unwritable(path.display(), &doing, &error);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(fail)?;
     }

@@ -58,7 +58,7 @@ impl Writer {
     pub fn create(path: impl AsRef<Path>, header: &Header) -> Result<Self> {
         let file = path.as_ref().display().to_string();
         let opened = OpenOptions::new().write(true).create_new(true).open(path);
-        let sink = opened.map_err(|error| unwritable(&file, "making the file", &error))?;
+        let sink = opened.map_err(|error| Error::unwritable(&file, "making the file", &error))?;
         let mut blocks = Blocks::new(sink, file, 0, 0);
         blocks.write(&[(payload::HEADER, payload::header(header))])?;
         Ok(Self { blocks })
@@ -73,7 +73,7 @@ impl Writer {
         let mut reader = Reader::open(&path)?;
         while reader.next_piece()?.is_some() {}
         let (whole, sequence) = (reader.whole_bytes(), reader.expected());
-        let fail = |doing: &str, error: &io::Error| unwritable(&file, doing, error);
+        let fail = |doing: &str, error: &io::Error| Error::unwritable(&file, doing, error);
         let opened = OpenOptions::new().write(true).open(&path);
         let mut sink = opened.map_err(|error| fail("opening it again", &error))?;
         let length = sink.seek(SeekFrom::End(0)).map_err(|error| fail("finding its end", &error))?;
@@ -178,7 +178,7 @@ impl<S: Sink> Blocks<S> {
         let synced =
             appended.and_then(|()| self.sink.sync().map_err(|error| ("syncing it to the disk", error)));
         if let Err((doing, error)) = synced {
-            self.failed = Some(unwritable(&self.file, doing, &error));
+            self.failed = Some(Error::unwritable(&self.file, doing, &error));
         }
         self.refuse_failed()?;
         self.length += bytes.len() as u64;
@@ -198,10 +198,6 @@ impl<S: Sink> Blocks<S> {
 fn is_due(stamps_ns: &[i64], next_ns: i64) -> bool {
     let Some(first) = stamps_ns.first() else { return false };
     next_ns.abs_diff(*first) >= LONGEST_WAIT_NS || stamps_ns.len() >= MOST_WAITING
-}
-
-fn unwritable(file: &str, doing: &str, error: &io::Error) -> Error {
-    Error::Unwritable { file: file.to_owned(), reason: format!("{doing}: {error}") }
 }
 
 #[cfg(test)]
@@ -239,9 +235,9 @@ mod tests {
             }
             None
         });
-        let text = error.unwrap().to_string();
-        assert!(text.starts_with("swing.gyr: cannot be written: appending a block: "), "{text}");
-        assert_eq!(blocks.mark(&Event { stamp_ns: 0, key: "end".into() }).unwrap_err().to_string(), text);
+        let full = Some(Error::DiskFull { file: "swing.gyr".into() });
+        assert_eq!(error, full);
+        assert_eq!(blocks.mark(&Event { stamp_ns: 0, key: "end".into() }).err(), full);
         assert_eq!(blocks.sink.bytes.len(), 20_000);
         let mut reader = Reader::new(&blocks.sink.bytes[..], "swing.gyr");
         let mut read = 0;

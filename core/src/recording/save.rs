@@ -108,7 +108,7 @@ fn refuse_existing(path: &Path) -> Result<()> {
 
 fn write_file(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<()> {
     let shown = path.display().to_string();
-    let fail = |e: std::io::Error| unwritable(&shown, e);
+    let fail = |e: std::io::Error| Error::unwritable(&shown, "", &e);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(fail)?;
     }

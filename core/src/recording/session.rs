@@ -14,6 +14,9 @@ use super::toml_write::name_of;
 pub struct Session {
     /// Title, free text.
     pub title: String,
+    /// When it was measured, as people write it (`2026-05-04`); empty where nobody said.
+    #[serde(default)]
+    pub measured_on: String,
     /// The body that swings.
     pub body: Body,
     /// Where it swings.

@@ -15,7 +15,7 @@ use crate::error::Result;
 pub(crate) const FORMAT: &str = "gyradius-session/1";
 
 pub(crate) const ROOT: &[&str] =
-    &["format", "title", "body", "site", "attachment", "swing", "incline", "recorded"];
+    &["format", "title", "measured_on", "body", "site", "attachment", "swing", "incline", "recorded"];
 const BODY: &[&str] = &["name", "mass", "length_overall", "density"];
 const SITE: &[&str] = &["gravity", "latitude_deg", "altitude", "air_density"];
 const ATTACHMENT: &[&str] = &["name", "mass", "position", "gyradii"];
@@ -98,8 +98,8 @@ pub(crate) fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Res
     let attachments = root.tables("attachment", ATTACHMENT)?;
     let attachments = attachments.iter().map(attachment).collect::<Result<Vec<_>>>()?;
     refuse_heavier_than_body(root, &body, &attachments)?;
-    let mut session =
-        Session { title: root.text_or_empty("title")?, body, site, attachments, ..Session::default() };
+    let (title, measured_on) = (root.text_or_empty("title")?, root.text_or_empty("measured_on")?);
+    let mut session = Session { title, measured_on, body, site, attachments, ..Session::default() };
     for table in root.tables("swing", of_swing)? {
         let next = swing(&table, &session.swings, &mut files)?;
         session.swings.push(next);

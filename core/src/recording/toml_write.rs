@@ -16,6 +16,7 @@ pub fn write_session(session: &Session) -> String {
     let mut text = Lines::default();
     text.key("format", quoted(FORMAT));
     text.key_unless_empty("title", &session.title);
+    text.key_unless_empty("measured_on", &session.measured_on);
     body(&mut text, &session.body);
     site(&mut text, &session.site);
     for one in &session.attachments {

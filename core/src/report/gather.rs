@@ -18,7 +18,7 @@ const CLOSE_UP_SHARE: f64 = 0.6;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl ReportSource {
-    /// Fills in everything that an analysis and its session tell; a date and a criticism are for the caller to add.
+    /// Fills in everything that an analysis and its session tell; a criticism, and a date where the session has none, are for the caller to add.
     pub fn from_analysis(analysis: &Analysis, loaded: Option<&LoadedSession>) -> Self {
         let session = loaded.map(|loaded| &loaded.session);
         Self {
@@ -27,7 +27,7 @@ impl ReportSource {
             body: session.map(body).unwrap_or_default(),
             stated: session.map(stated).unwrap_or_default(),
             recordings: analysis.evidence.iter().flatten().map(recording).collect(),
-            measured_on: None,
+            measured_on: session.map(|session| session.measured_on.clone()).filter(|date| !date.is_empty()),
             generated_by: concat!("gyradius ", env!("CARGO_PKG_VERSION")).into(),
         }
     }

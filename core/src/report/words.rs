@@ -1,5 +1,7 @@
 //! Words of the report, beside those of the result.
 
+use crate::critique::cause_name;
+use crate::language::Language;
 use crate::recording::RepairKind;
 
 pub(super) use crate::inertia::words::{
@@ -24,12 +26,7 @@ pub(super) fn repair(kind: RepairKind) -> &'static str {
 
 /// A cause of what the simulation gets wrong, in words.
 pub(super) fn cause(id: &str) -> String {
-    match id {
-        "unknown" => "nothing known".into(),
-        "bearing_friction" => "dry bearing friction".into(),
-        "off_centre_cm" => "off-centre centre of mass".into(),
-        other => spaced(other),
-    }
+    cause_name(id, Language::English)
 }
 
 /// A generalised force along a coordinate, in words.

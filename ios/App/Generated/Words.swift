@@ -76,6 +76,7 @@ enum Words {
   static func degreesWhole(_ first: Double) -> String { filled("degrees_whole", first) }
   static var depthM: String { plain("depth_m") }
   static var discrepancies: String { plain("discrepancies") }
+  static var diskFull: String { plain("disk_full") }
   static var doneSays: String { plain("done_says") }
   static var effort: String { plain("effort") }
   static var ellipsoid: String { plain("ellipsoid") }
@@ -190,11 +191,6 @@ enum Words {
   static var practiceBanner: String { plain("practice_banner") }
   static var practiceGoOn: String { plain("practice_go_on") }
   static var practise: String { plain("practise") }
-  static var quantityCmDepth: String { plain("quantity_cm_depth") }
-  static var quantityKPitch: String { plain("quantity_k_pitch") }
-  static var quantityKRoll: String { plain("quantity_k_roll") }
-  static var quantityKYaw: String { plain("quantity_k_yaw") }
-  static var quantityPsi: String { plain("quantity_psi") }
   static func quantityU(_ first: String, _ second: String, _ third: String) -> String { filled("quantity_u", first, second, third) }
   static func rateAbout(_ first: String) -> String { filled("rate_about", first) }
   static func rateAndGaps(_ first: Double, _ second: Int) -> String { filled("rate_and_gaps", first, second) }
@@ -208,6 +204,7 @@ enum Words {
   static var recordings: String { plain("recordings") }
   static var releaseDeg: String { plain("release_deg") }
   static var report: String { plain("report") }
+  static var reportPrint: String { plain("report_print") }
   static var reportShare: String { plain("report_share") }
   static var residualAfter: String { plain("residual_after") }
   static var residualBefore: String { plain("residual_before") }

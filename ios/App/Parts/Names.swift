@@ -10,22 +10,30 @@ func spoken(_ warning: PlanWarning) -> String { warningIn(warning: warning, lang
 /// The language of the app's own words, so that a screen never mixes two.
 private var libraryLanguage: Language { Words.libraryLanguage == "GERMAN" ? .german : .english }
 
-/// A quantity by the library's name for it, in words; a name without words is spelled out.
-func quantityName(_ name: String) -> String {
-  switch name {
-  case "k_yaw_m": Words.quantityKYaw
-  case "k_pitch_m": Words.quantityKPitch
-  case "k_roll_m": Words.quantityKRoll
-  case "cm_depth_m": Words.quantityCmDepth
-  case "psi_deg": Words.quantityPsi
-  default: nameAndUnit(name).name
+/// What went wrong.
+func spoken(_ failure: Failure) -> String {
+  switch failure {
+  case .diskFull: Words.diskFull
+  case .told(let text): text
   }
 }
+
+/// A quantity by the library's name for it, in words.
+func quantityName(_ name: String) -> String { quantityIn(name: name, language: libraryLanguage) }
+
+/// A step or a swing by its id, in words where the library has them.
+func idName(_ id: String) -> String { idIn(id: id, language: libraryLanguage) }
+
+/// A single route to a quantity, in words.
+func routeName(_ method: String) -> String { routeIn(method: method, language: libraryLanguage) }
+
+/// A cause of what the simulation gets wrong, in words.
+func causeName(_ id: String) -> String { causeIn(id: id, language: libraryLanguage) }
 
 /// A figure with its uncertainty and its unit, as a sentence's end.
 func figure(_ name: String, _ value: Double, _ u: Double) -> String {
   let shown = withUncertainty(value, u)
-  return Words.quantityU(shown.value, shown.u, nameAndUnit(name).unit)
+  return Words.quantityU(shown.value, shown.u, unitOf(name: name))
 }
 
 /// A type of boat by the library's name for it; a name without a word stands as it is.

@@ -35,7 +35,7 @@ struct DetailsView: View {
     if state.phase == .hang, let tilt = state.tilt { TiltFigures(tilt: tilt) }
     if let critique = state.critique {
       SectionHead(title: Words.criticism)
-      CritiqueStatus(status: critique.status, text: critique.text)
+      CritiqueStatus(status: critique.status, said: critique.said)
     }
     if state.result != nil, let measurable = app.measurable {
       NavigationLink(Words.wholeResult, value: measurable).frame(minHeight: 44)

@@ -54,7 +54,7 @@ private struct StepProgress: View {
 
   private func words(_ step: StepView) -> String {
     let take = step.take > 1 ? [Words.take(Int(step.take))] : []
-    return ([Words.stepOf(Int(step.index) + 1, Int(step.count)), step.id] + take).joined(separator: " · ")
+    return ([Words.stepOf(Int(step.index) + 1, Int(step.count)), idName(step.id)] + take).joined(separator: " · ")
   }
 }
 
@@ -96,7 +96,7 @@ private struct NowView: View {
 
   var body: some View {
     Text(instruction).font(.title2).onChange(of: instruction) { announce() }
-    if let error = app.procedure.error { Advice(text: error, tone: .wrong) }
+    if let error = app.procedure.error { Advice(text: spoken(error), tone: .wrong) }
     ForEach(Channel.all.filter(app.procedure.recorder.silent.contains), id: \.self) { channel in
       Advice(
         text: channel == .accelerometer ? Words.sensorStoppedAccelerometer : Words.sensorStoppedGyroscope, tone: .wrong)

@@ -7,7 +7,7 @@ struct CriticisedView: View {
   let criticism: CriticismModel
 
   var body: some View {
-    if let error = criticism.error { Advice(text: error, tone: .wrong) }
+    if let error = criticism.error { Advice(text: spoken(error), tone: .wrong) }
     SectionHead(title: Words.criticism)
     if let critique = criticism.critique {
       CritiqueBody(critique: critique, compared: criticism.compared)
@@ -24,7 +24,7 @@ struct CriticisedView: View {
 /// A status of the criticism in plain words; one that is not known yet reads as unexplained.
 struct CritiqueStatus: View {
   let status: String
-  let text: String
+  let said: Sentence
 
   var body: some View {
     switch status {
@@ -33,7 +33,7 @@ struct CritiqueStatus: View {
     case "ambiguous": Advice(text: Words.statusAmbiguous)
     default: Advice(text: Words.statusUnexplained, tone: .wrong)
     }
-    Text(text)
+    Text(spoken(said))
   }
 }
 
@@ -47,7 +47,7 @@ private struct CritiqueBody: View {
   private static let leastShiftM = 0.00005
 
   var body: some View {
-    CritiqueStatus(status: critique.verdict.status, text: critique.verdict.text)
+    CritiqueStatus(status: critique.verdict.status, said: critique.verdict.said)
     ForEach(critique.warnings, id: \.self) { Advice(text: $0) }
     residuals
     if !critique.causes.isEmpty {
@@ -59,10 +59,10 @@ private struct CritiqueBody: View {
     if let next = critique.verdict.nextSwing {
       SectionHead(title: Words.nextSwing)
       Motions(excited: next.excited)
-      Text(next.text)
+      Text(spoken(next.said))
     }
     if !critique.discrepancies.isEmpty {
-      Fold(Words.discrepancies) { ForEach(critique.discrepancies, id: \.self) { Text($0.text) } }
+      Fold(Words.discrepancies) { ForEach(critique.discrepancies, id: \.self) { Text(spoken($0.said)) } }
     }
   }
 
@@ -85,9 +85,9 @@ private struct CauseView: View {
 
   var body: some View {
     VStack(alignment: .leading) {
-      Text(Words.causeProbability(nameAndUnit(one.id).name, 100 * one.probability)).font(.headline)
+      Text(Words.causeProbability(causeName(one.id), 100 * one.probability)).font(.headline)
       ProgressView(value: one.probability).accessibilityHidden(true)
-      if !one.text.isEmpty { Text(one.text) }
+      Text(spoken(one.said))
     }
     .accessibilityElement(children: .combine)
   }
@@ -100,8 +100,8 @@ private struct ComparedView: View {
   private static let windowS = 20.0
 
   var body: some View {
-    SectionHead(title: Words.comparedSwing(one.swing))
-    Text(one.channel)
+    SectionHead(title: Words.comparedSwing(idName(one.swing)))
+    Text(spoken(one.said))
     CurvePlot(
       says: Words.comparedSays, unit: one.unit,
       drawn: [

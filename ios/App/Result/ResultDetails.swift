@@ -47,7 +47,7 @@ private struct IntervalLine: View {
   var body: some View {
     if let between = one.quantity.interval95, let u = one.quantity.u.number {
       let (low, high) = (withUncertainty(between.low, u).value, withUncertainty(between.high, u).value)
-      Figure(label: quantityName(one.name), value: Words.fromTo(low, high, nameAndUnit(one.name).unit))
+      Figure(label: quantityName(one.name), value: Words.fromTo(low, high, unitOf(name: one.name)))
     }
   }
 }
@@ -58,7 +58,7 @@ private struct Routes: View {
   var body: some View {
     Text(quantityName(one.name)).font(.headline)
     ForEach(one.routes, id: \.self) { route in
-      Text("\(nameAndUnit(route.method).name): \(figure(one.name, route.value, route.u))").monospacedDigit()
+      Text("\(routeName(route.method)): \(figure(one.name, route.value, route.u))").monospacedDigit()
     }
   }
 }
@@ -67,7 +67,7 @@ private struct SwingLines: View {
   let one: SwingResult
 
   var body: some View {
-    Text(one.id).font(.headline)
+    Text(idName(one.id)).font(.headline)
     ForEach(one.modes, id: \.self) { mode in
       let period = withUncertainty(mode.periodS, mode.periodSeS)
       Text("\(mode.mode.word): \(Words.secondsU(period.value, period.u))").monospacedDigit()

@@ -6,11 +6,12 @@ import SwiftUI
 struct ResultView: View {
   let measurable: Measurable
   @State private var model = ResultModel()
+  @State private var printer = ReportPrinter()
 
   var body: some View {
     ScrollView {
       VStack(alignment: .leading, spacing: 16) {
-        if let error = model.error { Advice(text: error, tone: .wrong) }
+        if let error = model.error { Advice(text: spoken(error), tone: .wrong) }
         if let share = model.share { ProgressView(value: share) }
         if let result = model.result {
           TwoColumns {
@@ -29,17 +30,29 @@ struct ResultView: View {
         ShareLink(item: SharedReport(model: model), preview: SharePreview(Words.report)) {
           Label(Words.reportShare, systemImage: "square.and.arrow.up")
         }
+        Button(Words.reportPrint, systemImage: "printer") { Task { await print() } }
       }
       HelpButton(text: Words.helpResult)
     }
     .task { await model.open(measurable) }
+  }
+
+  private func print() async {
+    guard let report = await model.report(into: FileManager.default.temporaryDirectory) else { return }
+    printer.print(report)
   }
 }
 
 private struct MeasuredView: View {
   let model: ResultModel
   let result: InertiaResult
-  @State private var limits: [TypedLimit] = []
+  @Environment(AppModel.self) private var app
+  @State private var limits: [TypedLimit]
+
+  init(model: ResultModel, result: InertiaResult) {
+    (self.model, self.result) = (model, result)
+    _limits = State(initialValue: model.limits.compactMap(TypedLimit.init(_:)))
+  }
 
   var body: some View {
     ForEach(result.verdicts, id: \.self) { VerdictView(one: $0) }
@@ -47,12 +60,15 @@ private struct MeasuredView: View {
     ForEach(result.warnings, id: \.self) { Advice(text: $0) }
     Fold(Words.classLimits) {
       LimitsForm(limits: $limits)
-      if !limits.isEmpty {
-        WideButton(title: Words.limitJudge) { Task { await model.judge(by: limits.compactMap(\.text)) } }
-      }
+      // Where the last one was taken away, too, there is something to judge anew.
+      if !limits.isEmpty || !model.limits.isEmpty { WideButton(title: Words.limitJudge, action: judge) }
     }
     Ellipsoid(result.quantities)
     ResultDetails(result: result)
+  }
+
+  private func judge() {
+    Task { await model.judge(by: limits.compactMap(\.text), keepingIn: app.sessions.store) }
   }
 }
 
@@ -63,7 +79,7 @@ private struct VerdictView: View {
   var body: some View {
     VStack(alignment: .leading) {
       Advice(text: words, tone: tone)
-      Text(Words.limitIs(quantityName(one.quantity), sign, asTyped(one.limit), nameAndUnit(one.quantity).unit))
+      Text(Words.limitIs(quantityName(one.quantity), sign, asTyped(one.limit), unitOf(name: one.quantity)))
       Text(Words.limitProbability(100 * one.conformanceProbability))
     }
     .accessibilityElement(children: .combine)
@@ -95,7 +111,7 @@ private struct RecordingsView: View {
     if !recordings.isEmpty {
       Fold(Words.recordings) {
         ForEach(recordings, id: \.id) { recording in
-          Text(recording.id).font(.headline)
+          Text(idName(recording.id)).font(.headline)
           ForEach(recording.traces, id: \.label) { TraceView(trace: $0) }
         }
       }

@@ -25,7 +25,7 @@ struct SessionsView: View {
   }
 
   @ViewBuilder private var beginning: some View {
-    if let error = app.sessions.error ?? app.procedure.error { Advice(text: error) }
+    if let error = app.sessions.error ?? app.procedure.error { Advice(text: spoken(error)) }
     WideButton(title: Words.measure) { path.append(.setup) }
     if app.sessions.isPracticeLeft {
       WideButton(title: Words.practiceGoOn, isMain: false) { practise(afresh: false) }

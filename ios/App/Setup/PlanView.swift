@@ -48,7 +48,7 @@ private struct Hung: View {
   let one: HangingAdvice
 
   var body: some View {
-    Text(Words.framePoints(one.framePoints, one.swings.joined(separator: ", "))).font(.headline)
+    Text(Words.framePoints(one.framePoints, one.swings.map(idName).joined(separator: ", "))).font(.headline)
     Text(one.text)
     FrameSketch(points: one.framePoints)
   }
@@ -59,7 +59,7 @@ private struct Periods: View {
 
   var body: some View {
     VStack(alignment: .leading) {
-      Text(one.id).font(.headline)
+      Text(idName(one.id)).font(.headline)
       ForEach(modes, id: \.mode) { Text(Words.modePeriod($0.mode.word, $0.periodS)) }
       if let beat = one.beat { Text(beat.periodS.map(Words.beat) ?? Words.beatNone) }
     }
@@ -83,7 +83,7 @@ struct Budget: View {
   var body: some View {
     Text(quantityName(one.name)).font(.headline)
     ForEach(one.lines.prefix(Self.mostLines), id: \.input) { line in
-      LabeledContent(line.input, value: Words.contribution(line.uContribution, nameAndUnit(one.name).unit))
+      LabeledContent(line.input, value: Words.contribution(line.uContribution, unitOf(name: one.name)))
     }
   }
 }

@@ -59,7 +59,7 @@ struct SetupForm: View {
     QuantityField(Words.gravityMS2, $setup.means.gravityMS2)
   }
 
-  private func knownLabel(_ name: String) -> String { "\(quantityName(name)), \(nameAndUnit(name).unit)" }
+  private func knownLabel(_ name: String) -> String { "\(quantityName(name)), \(unitOf(name: name))" }
 }
 
 /// Limits of the class, each a quantity, a side and a figure.
@@ -88,7 +88,7 @@ private struct LimitFields: View {
       Text(Words.limitMost).tag(false)
     }
     .pickerStyle(.segmented)
-    NumberField("\(Words.limit), \(nameAndUnit(limit.quantity).unit)", $limit.value)
+    NumberField("\(Words.limit), \(unitOf(name: limit.quantity))", $limit.value)
     Button(Words.limitRemove, role: .destructive, action: onRemove)
   }
 }

@@ -5,7 +5,12 @@ import SwiftUI
 /// The boat as it is roughly known, what is at hand, and what the planner advises.
 struct SetupView: View {
   let onBegin: (_ task: ProcedureTask, _ limits: [String]) -> Void
-  @State private var setup = SetupModel()
+  @State private var setup: SetupModel
+
+  init(usualLimits: [String], onBegin: @escaping (_ task: ProcedureTask, _ limits: [String]) -> Void) {
+    self.onBegin = onBegin
+    _setup = State(initialValue: SetupModel(usualLimits: usualLimits))
+  }
 
   var body: some View {
     ScrollView {
@@ -25,7 +30,7 @@ struct SetupView: View {
     WideButton(title: Words.plan, isMain: setup.task == nil) { Task { await setup.makePlan() } }
       .disabled(setup.isPlanning)
     if setup.isPlanning { ProgressView() }
-    if let error = setup.error { Advice(text: error, tone: .wrong) }
+    if let error = setup.error { Advice(text: spoken(error), tone: .wrong) }
     if let task = setup.task {
       WideButton(title: Words.toTheBoat) { onBegin(task, setup.limitTexts) }
     }

@@ -8,6 +8,7 @@ use gyradius_core::critique::{
 };
 use gyradius_core::recording::Excitation;
 
+use super::sentence::Sentence;
 use super::{NumbersByName, QuantitiesByName};
 
 /// A fitted parameter of a cause, by name.
@@ -101,6 +102,8 @@ pub struct Discrepancy {
     pub sigma: f64,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
 }
 
 /// A cause that was tried.
@@ -116,6 +119,8 @@ pub struct CauseResult {
     pub parameters: ParametersByName,
     /// What it is and how strong, in words.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
     /// Whether the extended model has it.
     pub taken: bool,
 }
@@ -144,6 +149,8 @@ pub struct CauseVerdict {
     pub next_swing: Option<NextSwing>,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
 }
 
 /// A swing worth making.
@@ -167,6 +174,8 @@ pub struct NextSwing {
     pub sigma: f64,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
 }
 
 /// What the extension gained.

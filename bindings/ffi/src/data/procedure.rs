@@ -39,6 +39,9 @@ pub enum ProcedureEvent {
     Begin {
         /// Wall clock, UTC, as text (`2026-05-04T09:30:00Z`); kept, never computed with.
         at_utc: String,
+        /// The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
+        /// absent.
+        measured_on: Option<String>,
         /// The phone.
         phone: PhoneInfo,
         /// How it is fixed to the hull.
@@ -331,6 +334,8 @@ pub struct CritiqueView {
     pub status: String,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
     /// How many causes these swings cannot tell apart; 0 where none is in doubt.
     pub causes: Count,
     /// The figures by the simulation with the causes that were found in it.

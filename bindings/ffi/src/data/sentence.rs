@@ -1,4 +1,4 @@
-//! Plain data of the room `procedure`: sentences by key.
+//! Sentences by key.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -33,7 +33,17 @@ pub enum SentenceArgument {
         /// The keys.
         keys: String,
     },
-    /// Text as it stands: an id, a file, a reason.
+    /// A figure as it is written with a decimal point.
+    Figure {
+        /// The figure.
+        written: String,
+    },
+    /// The id of a step or a swing: words with keys of their own, hyphens between them.
+    Id {
+        /// The id.
+        id: String,
+    },
+    /// Text as it stands: a file, a reason.
     Plain {
         /// The text.
         text: String,
@@ -58,6 +68,8 @@ impl From<Argument> for SentenceArgument {
         match argument {
             Argument::Number(value, decimals) => Self::Number { value, decimals },
             Argument::Word(keys) => Self::Words { keys },
+            Argument::Figure(written) => Self::Figure { written },
+            Argument::Id(id) => Self::Id { id },
             Argument::Plain(text) => Self::Plain { text },
             Argument::Texts(sentences) => Self::Sentences { sentences },
         }
@@ -69,6 +81,8 @@ impl From<SentenceArgument> for Argument {
         match argument {
             SentenceArgument::Number { value, decimals } => Self::Number(value, decimals),
             SentenceArgument::Words { keys } => Self::Word(keys),
+            SentenceArgument::Figure { written } => Self::Figure(written),
+            SentenceArgument::Id { id } => Self::Id(id),
             SentenceArgument::Plain { text } => Self::Plain(text),
             SentenceArgument::Sentences { sentences } => Self::Texts(sentences),
         }

@@ -9,15 +9,6 @@ public func withUncertainty(_ value: Double, _ u: Double, locale: Locale = .curr
   return (plain(value, places, locale), plain(u, places, locale))
 }
 
-/// `k_yaw_m` is read as "k yaw" in m.
-public func nameAndUnit(_ name: String) -> (name: String, unit: String) {
-  let endings = [
-    ("_kg_m2", "kg m²"), ("_m_s2", "m/s²"), ("_deg", "°"), ("_kg", "kg"), ("_m", "m"), ("_s", "s"),
-  ]
-  let (ending, unit) = endings.first { name.hasSuffix($0.0) } ?? ("", "")
-  return (String(name.dropLast(ending.count).map { $0 == "_" ? " " : $0 }), unit)
-}
-
 /// A number as people type it, with a comma or a point.
 public func number(in text: String) -> Double? {
   let plain = text.trimmingCharacters(in: .whitespaces).replacingOccurrences(of: ",", with: ".")

@@ -18,7 +18,7 @@ public final class ProcedureModel {
   public private(set) var workShare: Double?
   /// The work that is wanted has failed, and waits for `workAgain`.
   public private(set) var isWorkStuck = false
-  public private(set) var error: String?
+  public private(set) var error: Failure?
   /// Simulated seconds that go by in one; only in practice.
   public var pace = 1
   /// What the sensors give.
@@ -59,7 +59,7 @@ public final class ProcedureModel {
   /// Begins, phone and placement told; in practice the book says which.
   public func start(phone: String, placement: Placement) async {
     let info = PhoneInfo(model: phone, sensors: recorder.sensors)
-    await act { try await $0.handle(.begin(atUtc: self.utc, phone: info, placement: placement)) }
+    await act { try await $0.handle(.begin(atUtc: self.utc, measuredOn: self.today, phone: info, placement: placement)) }
   }
 
   /// The recording begins.
@@ -136,7 +136,7 @@ public final class ProcedureModel {
       recorder.begin(made.sensors)
       await look(afterS: 0)
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
   }
 
@@ -146,13 +146,13 @@ public final class ProcedureModel {
     do {
       try await what(run)
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
     await look(afterS: 0)
   }
 
   private func show(_ look: Look) {
-    if let failure = look.failure { error = failure.text }
+    if let failure = look.failure { error = Failure(failure) }
     recorder.see(look)
     let before = state
     // Views are drawn anew only where something changed.
@@ -177,7 +177,7 @@ public final class ProcedureModel {
     } catch is CancellationError {
       return
     } catch {
-      (isWorkStuck, self.error) = (true, sentence(of: error))
+      (isWorkStuck, self.error) = (true, Failure(error))
     }
     workShare = nil
   }
@@ -187,9 +187,7 @@ public final class ProcedureModel {
   }
 
   private var utc: String { now().formatted(.iso8601) }
-}
 
-/// What an error says to the operator.
-func sentence(of error: any Error) -> String {
-  (error as? GyradiusError)?.text ?? error.localizedDescription
+  /// The date where the phone is.
+  private var today: String { now().formatted(Date.ISO8601FormatStyle(timeZone: .current).year().month().day()) }
 }

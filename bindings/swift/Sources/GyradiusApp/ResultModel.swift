@@ -6,13 +6,16 @@ import Observation
 @MainActor @Observable
 public final class ResultModel {
   public private(set) var title = ""
+  /// Class limits that it is judged by.
+  public private(set) var limits: [String] = []
   public private(set) var result: InertiaResult?
   public private(set) var recordings: [RecordingFigureData] = []
   /// How much of the measurement is done, 0 to 1; absent while nothing is done.
   public private(set) var share: Double?
-  public private(set) var error: String?
+  public private(set) var error: Failure?
   /// What the simulation gets wrong.
   public let criticism = CriticismModel()
+  private var opened: Measurable?
   private var session: Session?
   private var analysis: Analysis?
 
@@ -20,27 +23,31 @@ public final class ResultModel {
 
   /// Reads a session, measures it, and takes the criticism that was kept, if there is one.
   public func open(_ found: Measurable) async {
-    title = found.title
+    (opened, title, limits) = (found, found.title, found.limits)
     await work {
       let session = try await Session.load(found.session)
       self.session = session
-      criticism.begin(with: session, kept: found.critique)
+      criticism.begin(with: session, in: found.folder)
       try await measure(found.limits)
     }
   }
 
-  /// Measures again, with verdicts on other limits.
-  public func judge(by limits: [String]) async {
-    await work { try await measure(limits) }
+  /// Measures again, with verdicts on other limits, which are kept.
+  public func judge(by limits: [String], keepingIn store: SessionStore) async {
+    await work {
+      try await measure(limits)
+      if let opened { try store.keep(limits: limits, in: opened.folder) }
+      self.limits = limits
+    }
   }
 
   /// Writes the report into a folder, with the criticism where there is one.
-  public func report(into folder: URL, measuredOn: String? = nil) async -> URL? {
+  public func report(into folder: URL) async -> URL? {
     let file = folder.appending(path: "report.html")
     var written: URL?
     await work {
       guard let analysis else { return }
-      let html = try await analysis.reportHtml(criticism: criticism.found, measuredOn: measuredOn)
+      let html = try await analysis.reportHtml(criticism: criticism.found)
       try html.write(to: file, atomically: true, encoding: .utf8)
       written = file
     }
@@ -62,7 +69,7 @@ public final class ResultModel {
       try await what()
     } catch is CancellationError {
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
     share = nil
   }
@@ -72,12 +79,14 @@ public final class ResultModel {
 @MainActor @Observable
 public final class CriticismModel {
   public private(set) var critique: Critique?
-  /// Only of a criticism made just now; one that was kept has no curves.
+  /// Measured against simulated, by swing.
   public private(set) var compared: [ComparedSwing] = []
   public private(set) var share: Double?
-  public private(set) var error: String?
+  public private(set) var error: Failure?
   private(set) var found: Criticism?
   private var session: Session?
+  /// Where it is kept.
+  private var folder: URL?
 
   public init() {}
 
@@ -90,21 +99,21 @@ public final class CriticismModel {
         Task { @MainActor in if self.share != nil { self.share = share } }
       }
       show(made)
+      if let folder { try made.keep(folder: folder.path) }
     } catch is CancellationError {
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
     share = nil
   }
 
-  func begin(with session: Session, kept: URL) {
-    self.session = session
+  func begin(with session: Session, in folder: URL) {
+    (self.session, self.folder) = (session, folder)
     (critique, compared, found, error) = (nil, [], nil, nil)
-    guard FileManager.default.fileExists(atPath: kept.path) else { return }
     do {
-      show(try Criticism.fromJson(text: String(contentsOf: kept, encoding: .utf8)))
+      if let kept = try keptCriticism(folder: folder.path) { show(kept) }
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
   }
 

@@ -41,6 +41,8 @@ public actor Measuring: Run {
   private let source: any MotionSource
   private var silence: Silence
   private var newestNs: Int64 = 0
+  /// Of what has stopped, what the recording under way knows.
+  private var told: Set<Channel> = []
 
   private init(_ procedure: Procedure, _ source: any MotionSource) {
     self.procedure = procedure
@@ -67,7 +69,7 @@ public actor Measuring: Run {
       found = try source.take()
       let stopped = silence.look(found)
       try push(found)
-      try stopped.forEach(tellStopped)
+      try tell(stopped)
     } catch {
       failure = error as? GyradiusError
     }
@@ -100,9 +102,13 @@ public actor Measuring: Run {
   }
 
   /// It then stands in the recording itself, and whoever judges it knows.
-  private func tellStopped(_ channel: Channel) throws {
-    guard procedure.state().phase == .record, let sensor = channel.sensor else { return }
-    try procedure.handle(event: .sensorStopped(sensor: sensor, stampNs: newestNs))
+  private func tell(_ stopped: Set<Channel>) throws {
+    let isRecording = procedure.state().phase == .record
+    let news = isRecording ? stopped.subtracting(told) : []
+    told = isRecording ? stopped : []
+    for sensor in news.compactMap(\.sensor) {
+      try procedure.handle(event: .sensorStopped(sensor: sensor, stampNs: newestNs))
+    }
   }
 }
 

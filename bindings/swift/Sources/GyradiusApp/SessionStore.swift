@@ -23,8 +23,8 @@ public struct Measurable: Sendable, Hashable {
   public let title: String
   /// Class limits to judge it by.
   public let limits: [String]
-  /// Its criticism, once there is one.
-  public let critique: URL
+  /// Where its limits are kept, and its criticism once there is one.
+  public let folder: URL
 }
 
 /// The sessions on the disk: a folder each, named by the moment it was made.
@@ -33,6 +33,8 @@ public struct SessionStore: Sendable {
   public let root: URL
   /// The one practice; begun afresh whenever it is not gone on with.
   public let practice: URL
+  /// The limits that were used last.
+  private let usual: URL
   private let now: @Sendable () -> Date
 
   private static let titleFile = "title.txt"
@@ -43,6 +45,7 @@ public struct SessionStore: Sendable {
   public init(documents: URL, support: URL, now: @escaping @Sendable () -> Date = { Date() }) {
     root = documents.appending(path: "sessions")
     practice = support.appending(path: "practice")
+    usual = support.appending(path: Self.limitsFile)
     self.now = now
   }
 
@@ -69,8 +72,25 @@ public struct SessionStore: Sendable {
     let folder = root.appending(path: Self.name(of: now()))
     try FileManager.default.createDirectory(at: folder, withIntermediateDirectories: true)
     try write(title, to: folder.appending(path: Self.titleFile))
-    if !limits.isEmpty { try write(limits.joined(separator: "\n"), to: folder.appending(path: Self.limitsFile)) }
+    if !limits.isEmpty { try keep(limits: limits, in: folder) }
     return folder
+  }
+
+  /// Keeps the class limits that a session is judged by; the next session is offered the same.
+  public func keep(limits: [String], in folder: URL) throws {
+    // iOS makes no folder for an app's own files by itself.
+    try FileManager.default.createDirectory(at: usual.deletingLastPathComponent(), withIntermediateDirectories: true)
+    for file in [folder.appending(path: Self.limitsFile), usual] {
+      try write(limits.joined(separator: "\n"), to: file)
+    }
+  }
+
+  /// Class limits that were used last.
+  public var usualLimits: [String] { limits(in: usual) }
+
+  private func limits(in file: URL) -> [String] {
+    let text = try? String(contentsOf: file, encoding: .utf8)
+    return text?.split(separator: "\n").map(String.init) ?? []
   }
 
   /// All sessions, the newest first. Must not be asked while one is under way: a procedure has one owner.
@@ -102,9 +122,8 @@ public struct SessionStore: Sendable {
   public func measurable(_ folder: URL) -> Measurable? {
     let gathered = folder.appending(path: "session")
     guard let session = imported(folder) ?? (exists(gathered) ? gathered : nil) else { return nil }
-    let limits = (try? text(folder, Self.limitsFile))?.split(separator: "\n").map(String.init)
-    let critique = folder.appending(path: "critique.json")
-    return Measurable(session: session, title: title(of: folder), limits: limits ?? [], critique: critique)
+    let limits = limits(in: folder.appending(path: Self.limitsFile))
+    return Measurable(session: session, title: title(of: folder), limits: limits, folder: folder)
   }
 
   private func listed(_ folder: URL) -> Listed {

@@ -9,7 +9,7 @@ public final class SessionsModel {
   public private(set) var isPracticeLeft = false
   /// Taken off the list; its files are there until nobody can want them back.
   public private(set) var deleted: Listed?
-  public private(set) var error: String?
+  public private(set) var error: Failure?
   public let store: SessionStore
 
   public init(_ store: SessionStore) {
@@ -51,7 +51,7 @@ public final class SessionsModel {
     do {
       _ = try await Task.detached { try store.take(file) }.value
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
     await refresh()
   }
@@ -72,7 +72,7 @@ public final class SessionsModel {
     do {
       return try what()
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
       return nil
     }
   }

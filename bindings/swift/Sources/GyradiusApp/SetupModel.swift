@@ -43,8 +43,20 @@ public struct TypedLimit: Identifiable, Equatable, Sendable {
     self.quantity = quantity
   }
 
+  /// What `text` has written; anything else is no limit that has fields.
+  public init?(_ text: String) {
+    let isLeast = text.contains(Self.least)
+    let parts = text.components(separatedBy: isLeast ? Self.least : Self.most)
+    guard parts.count == 2, SetupModel.knowable.contains(parts[0]), let value = Double(parts[1]) else { return nil }
+    id = UUID()
+    (quantity, self.isLeast, self.value) = (parts[0], isLeast, value)
+  }
+
+  private static let least = ">="
+  private static let most = "<="
+
   /// As the library reads it, where there is a number.
-  public var text: String? { value.map { "\(quantity)\(isLeast ? ">=" : "<=")\($0)" } }
+  public var text: String? { value.map { "\(quantity)\(isLeast ? Self.least : Self.most)\($0)" } }
 }
 
 /// A boat that is known roughly becomes a plan.
@@ -64,17 +76,19 @@ public final class SetupModel {
   public private(set) var isPlanning = false
   public private(set) var plan: PlanResult?
   public private(set) var task: ProcedureTask?
-  public private(set) var error: String?
+  public private(set) var error: Failure?
 
   /// What may be known more closely, as the library names it.
-  public static let knowable = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"]
+  public nonisolated static let knowable = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"]
   /// Quantities whose uncertainty can be wished for, and the unit of the wish.
   public static let wantedUnits = [
     ("k_yaw", "%"), ("k_pitch", "%"), ("k_roll", "%"), ("depth", "%"), ("psi", "°"),
   ]
 
-  public init() {
+  /// Class limits are offered as they were used last.
+  public init(usualLimits: [String] = []) {
     boatType = boatTypes().first ?? ""
+    limits = usualLimits.compactMap(TypedLimit.init(_:))
   }
 
   /// Asks the planner: seconds.
@@ -85,7 +99,7 @@ public final class SetupModel {
       let made = try await Plan.make(request)
       (plan, task) = (made.result(), made.task())
     } catch {
-      self.error = sentence(of: error)
+      self.error = Failure(error)
     }
   }
 

@@ -1,5 +1,6 @@
 import Foundation
 import GyradiusKit
+import TestSupport
 import Testing
 
 @testable import GyradiusApp
@@ -86,29 +87,62 @@ import Testing
 
   @Test func aResultIsMeasuredJudgedAndReported() async throws {
     let critique = root.appending(path: "core/tests/report/critiques/ambiguous.json")
+    let kept = try sessions.store.create(title: "keelboat", limits: ["k_yaw_m>=1.000"])
+    try FileManager.default.copyItem(at: critique, to: kept.appending(path: "critique.json"))
     let measurable = Measurable(
-      session: shipped("keelboat"), title: "keelboat", limits: ["k_yaw_m>=1.000"], critique: critique)
+      session: shipped("keelboat"), title: "keelboat", limits: sessions.store.usualLimits, folder: kept)
     let model = ResultModel()
     await model.open(measurable)
     #expect(model.error == nil && model.share == nil)
     #expect(model.result?.verdicts.map(\.quantity) == ["k_yaw_m"])
     #expect(model.criticism.critique?.verdict.status == "ambiguous")
-    await model.judge(by: ["k_yaw_m<=1.200", "k_yaw_m>=1.000"])
-    #expect(model.result?.verdicts.count == 2)
+    let limits = ["k_yaw_m<=1.200", "k_yaw_m>=1.000"]
+    await model.judge(by: limits, keepingIn: sessions.store)
+    #expect(model.result?.verdicts.count == 2 && model.limits == limits)
+    // Kept with the session, and offered for the next.
+    #expect(sessions.store.usualLimits == limits)
+    #expect(try String(contentsOf: kept.appending(path: "limits.txt"), encoding: .utf8) == limits.joined(separator: "\n"))
     let report = try #require(await model.report(into: folder.url))
-    #expect(try String(contentsOf: report, encoding: .utf8).contains("gyradius-critique"))
-    await model.judge(by: ["k_yaw"])
+    let html = try String(contentsOf: report, encoding: .utf8)
+    #expect(html.contains("gyradius-critique") && html.contains("probability that the hull conforms"))
+    await model.judge(by: ["k_yaw"], keepingIn: sessions.store)
     #expect(model.error != nil && model.result?.verdicts.count == 2)
+    #expect(sessions.store.usualLimits == limits)
   }
 
   @Test func aCriticismIsMadeOfASession() async throws {
     let model = ResultModel()
-    let none = folder.url.appending(path: "critique.json")
-    await model.open(Measurable(session: shipped("keelboat"), title: "", limits: [], critique: none))
+    let measurable = Measurable(session: shipped("keelboat"), title: "", limits: [], folder: folder.url)
+    await model.open(measurable)
     #expect(model.criticism.critique == nil)
     await model.criticism.criticise()
     #expect(model.criticism.error == nil && model.criticism.share == nil)
-    #expect(model.criticism.critique?.format == "gyradius-critique/1")
+    let made = try #require(model.criticism.critique)
+    #expect(made.format == "gyradius-critique/1")
+    let german = sentenceIn(sentence: made.verdict.said, language: .german)
+    #expect(german != made.verdict.text && german.contains("Widersprüche"))
+    // It is there when the session is opened again.
+    let again = ResultModel()
+    await again.open(measurable)
+    #expect(again.criticism.critique == made)
+  }
+
+  @Test(.timeLimit(.minutes(10)))
+  func aCriticismIsKeptWithItsCurves() async throws {
+    let rig = try String(contentsOf: root.appending(path: "python/gyradius/rigs/keelboat.toml"), encoding: .utf8)
+    let drag = "\n[[effect]]\nid = \"quadratic_drag\"\nyaw_torque_coefficient = 30.0\n"
+    let session = folder.url.appending(path: "session")
+    try Rig.parse(text: rig + drag, name: "drag").write(
+      folder: session.path, truthFile: folder.path("truth.json"), seed: 1, overwrite: .refuse)
+    let measurable = Measurable(session: session, title: "", limits: [], folder: folder.url)
+    let model = ResultModel()
+    await model.open(measurable)
+    await model.criticism.criticise()
+    let curves = model.criticism.compared
+    #expect(!curves.isEmpty && curves.allSatisfy { !$0.measured.y.isEmpty })
+    let again = ResultModel()
+    await again.open(measurable)
+    #expect(again.criticism.compared == curves)
   }
 
   @Test func settingsAreKept() throws {
@@ -129,7 +163,16 @@ import Testing
     #expect(withUncertainty(9.806, 12.3, locale: english) == ("10", "12"))
     #expect(withUncertainty(1.5, 0.02, locale: Locale(identifier: "de")) == ("1,500", "0,020"))
     #expect(withUncertainty(1.5, 0, locale: english) == ("1.5000", "–"))
-    #expect(nameAndUnit("k_yaw_m") == ("k yaw", "m") && nameAndUnit("psi_deg") == ("psi", "°"))
+  }
+
+  @Test func aLimitThatWasKeptStandsInItsFieldsAgain() throws {
+    var typed = try #require(TypedLimit("k_pitch_m<=1.18"))
+    #expect((typed.quantity, typed.isLeast, typed.value) == ("k_pitch_m", false, 1.18))
+    #expect(typed.text == "k_pitch_m<=1.18")
+    typed.isLeast = true
+    #expect(typed.text == "k_pitch_m>=1.18")
+    #expect(TypedLimit("mast_m<=1.18") == nil && TypedLimit("k_pitch_m") == nil && TypedLimit("k_yaw_m>=a") == nil)
+    #expect(SetupModel(usualLimits: ["k_yaw_m>=1.1", "?"]).limitTexts == ["k_yaw_m>=1.1"])
   }
 
   @Test func numbersAreReadAsPeopleTypeThem() {

@@ -1,5 +1,6 @@
 import Foundation
 import GyradiusKit
+import TestSupport
 import Testing
 
 @testable import GyradiusApp
@@ -44,14 +45,14 @@ import Testing
     await model.handle(.skip)
     try await hang()
     await model.record()
-    #expect(try state.phase == .record, "\(model.error ?? "")")
+    #expect(try state.phase == .record, "\(String(describing: model.error))")
   }
 
   /// Types in the lengths as they were planned: the simulated hull hangs on just these.
   func hang() async throws {
     #expect(try state.phase == .hang)
     await model.handle(.measured(MeasuredDimensions(try #require(state.step?.hanging))))
-    #expect(try state.phase == .ready, "\(model.error ?? "")")
+    #expect(try state.phase == .ready, "\(String(describing: model.error))")
   }
 
   /// The hull hangs still for so long.
@@ -157,25 +158,3 @@ extension MeasuredDimensions {
     )
   }
 }
-
-/// A folder that is gone with the test.
-final class TemporaryFolder: Sendable {
-  let url: URL
-
-  init() throws {
-    url = FileManager.default.temporaryDirectory.appending(path: UUID().uuidString)
-    try FileManager.default.createDirectory(at: url, withIntermediateDirectories: true)
-  }
-
-  deinit {
-    try? FileManager.default.removeItem(at: url)
-  }
-}
-
-/// Names of a folder's files, sorted.
-func names(in folder: URL) throws -> [String] {
-  try FileManager.default.contentsOfDirectory(atPath: folder.path).sorted()
-}
-
-/// The repository.
-let root = (1...5).reduce(URL(filePath: #filePath)) { file, _ in file.deletingLastPathComponent() }

@@ -1,5 +1,6 @@
 import Foundation
 import GyradiusKit
+import TestSupport
 import Testing
 
 @testable import GyradiusApp

@@ -86,6 +86,24 @@ import Testing
     #expect(park.model.recorder.silent == [.gyroscope, .accelerometer])
   }
 
+  @Test func sensorsThatAllStopForGoodStandInTheRecording() async throws {
+    let park = try Park()
+    try await park.record()
+    try await park.rest(seconds: 5)
+    park.source.mute([.gyroscope, .accelerometer])
+    try await park.goOn(seconds: 2)
+    #expect(try !park.take().marks().map(\.key).contains("sensor stopped gyroscope"))
+    try await park.goOn(seconds: 3)
+    let told = try park.take().marks().map(\.key).filter { $0.hasPrefix("sensor stopped") }
+    #expect(told.sorted() == ["sensor stopped accelerometer", "sensor stopped gyroscope"])
+    // The app ends, and they never came back.
+    await park.model.leave()
+    await park.model.goOn(in: park.folder, source: park.source)
+    await park.model.handle(.keep)
+    let reasons = try #require(park.state.judgement).reasons.map(\.key)
+    #expect(reasons.filter { $0 == "reason_silent" }.count == 2)
+  }
+
   /// A disk of a few megabytes that is the test's alone; `tools/swift` mounts it.
   nonisolated private static let smallDisk = ProcessInfo.processInfo.environment["GYRADIUS_SMALL_DISK"]
 
@@ -98,8 +116,12 @@ import Testing
     let filler = disk.appending(path: "filler")
     try fill(filler)
     try await park.rest(seconds: 10)
+    // Told once, and what to do.
     #expect(try park.state.phase == .interrupted)
-    #expect(park.model.error != nil)
+    #expect(try park.state.warnings.map(\.key).filter { $0 != "warn_no_rest" } == ["warn_disk"])
+    #expect(park.model.error == nil)
+    await park.model.handle(.keep)
+    #expect(park.model.error == .diskFull)
     try FileManager.default.removeItem(at: filler)
     await park.model.handle(.continue)
     #expect(try park.state.phase == .record)

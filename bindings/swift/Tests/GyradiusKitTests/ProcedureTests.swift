@@ -1,4 +1,5 @@
 import Foundation
+import TestSupport
 import Testing
 
 @testable import GyradiusKit
@@ -76,7 +77,7 @@ private let second: Int64 = 1_000_000_000
   private func begin(task: ProcedureTask) throws -> String {
     let procedure = try Procedure.create(folder: folder.url.path, task: task)
     let phone = PhoneInfo(model: "phone", sensors: [PhoneSensor(channel: .gyroscope, name: "gyro", fullScale: nil)])
-    try procedure.handle(event: .begin(atUtc: Shared.atUtc, phone: phone, placement: .flatTopToBow))
+    try procedure.handle(event: .begin(atUtc: Shared.atUtc, measuredOn: nil, phone: phone, placement: .flatTopToBow))
     try hangsStill(procedure, fromS: 0, untilS: 20)
     let tilt = try #require(procedure.state().tilt)
     #expect(tilt.against == .phonePlane)

@@ -1,11 +1,11 @@
 import Foundation
+import TestSupport
 import Testing
 
 @testable import GyradiusKit
 
-/// The repository, and what Python made of the same input (`tests/faces/write_results.py`).
+/// What Python made of the same input (`tests/faces/write_results.py`).
 enum Shared {
-  static let root = (1...5).reduce(URL(filePath: #filePath)) { file, _ in file.deletingLastPathComponent() }
   static let atUtc = "2026-05-04T09:30:00Z"
   static let seed: UInt64 = 20_140_101
 
@@ -27,22 +27,6 @@ enum Shared {
   }
 }
 
-/// A folder that is gone with the test.
-final class TemporaryFolder: Sendable {
-  let url: URL
-
-  init() throws {
-    url = FileManager.default.temporaryDirectory.appending(path: UUID().uuidString)
-    try FileManager.default.createDirectory(at: url, withIntermediateDirectories: true)
-  }
-
-  deinit {
-    try? FileManager.default.removeItem(at: url)
-  }
-
-  func path(_ name: String) -> String { url.appending(path: name).path }
-}
-
 /// What the library throws.
 func thrown<Value>(_ act: () async throws -> Value) async throws -> GyradiusError {
   var error: (any Error)?
@@ -56,11 +40,6 @@ func thrown<Value>(_ act: () async throws -> Value) async throws -> GyradiusErro
 
 /// The bits of numbers: a NaN equals itself, 0 is not −0.
 func bits(_ numbers: [Double]) -> [UInt64] { numbers.map(\.bitPattern) }
-
-/// Names of a folder's files, sorted.
-func names(in folder: URL) throws -> [String] {
-  try FileManager.default.contentsOfDirectory(atPath: folder.path).sorted()
-}
 
 extension PlanRequest {
   /// The usual request for another hull.

@@ -1,4 +1,5 @@
 import Foundation
+import TestSupport
 import Testing
 
 @testable import GyradiusKit
@@ -80,7 +81,7 @@ private struct VectorFile: Decodable {
   }
 
   static let all: [String: VectorFile] = {
-    let folder = Shared.root.appending(path: "tests/vectors")
+    let folder = root.appending(path: "tests/vectors")
     let files = try! names(in: folder).filter { $0.hasSuffix(".json") && $0 != "schema.json" }
     let read = files.map { file in
       let bytes = try! Data(contentsOf: folder.appending(path: file))

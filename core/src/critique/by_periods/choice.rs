@@ -151,12 +151,14 @@ impl<'a> Round<'a> {
         let result = |fitted: &Fitted| {
             let cause = fitted.causes.last()?;
             let gain = self.gain(fitted);
+            let said = words::cause(setting, fitted);
             Some(CauseResult {
                 id: cause.id.into(),
                 probability: (gain - most).exp() / all,
                 log_evidence_gain: gain,
                 parameters: words::parameters(setting, fitted),
-                text: words::cause(setting, fitted),
+                text: said.english.clone(),
+                said,
                 taken: false,
             })
         };

@@ -18,7 +18,7 @@ use crate::recording::LoadedSession;
 
 use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing};
 use super::{FORMAT, shifts};
-use causes::CAUSES;
+pub use causes::CAUSES;
 use choice::Choice;
 use model::{Fitted, HeldOut, Setting};
 use words::Standing;
@@ -143,11 +143,13 @@ fn verdict(setting: &Setting, choice: &Choice) -> CauseVerdict {
         causes.push("unknown".into());
     }
     let next_swing = next_swing::next_swing(setting, choice.extended(), &choice.rivals);
+    let said = words::verdict(choice);
     CauseVerdict {
         status: standing.name().into(),
         causes,
         indistinguishable_from: choice.rival_names(),
-        text: words::verdict(choice),
+        text: said.english.clone(),
+        said,
         next_swing,
     }
 }

@@ -7,9 +7,10 @@ use nalgebra::{DMatrix, DVector};
 
 use super::causes::Amplitudes;
 use super::model::{Fitted, Setting};
-use super::words::{listed, modes};
 use crate::critique::result::NextSwing;
+use crate::critique::words;
 use crate::inertia::parameters::{LEVEL_DEG, Layout, Parameter, Role, SwingIndex};
+use crate::language::Argument;
 use crate::recording::{
     Excitation, ModeName, Orientation, Quantity, Suspension, SuspensionKind, Swing, SwingData,
 };
@@ -238,29 +239,29 @@ impl Plan {
         }
         let own = |fitted: &Fitted| {
             let is_new = |id: &&str| best.causes.iter().all(|c| c.id != *id);
-            let names: Vec<String> =
-                fitted.causes.iter().map(|c| c.id).filter(is_new).map(|id| id.replace('_', " ")).collect();
-            listed(&names, "and")
+            words::names(fitted.causes.iter().map(|c| c.id).filter(is_new), "and")
         };
-        let split = |is_told: bool| -> Vec<String> {
+        let split = |is_told: bool| -> Vec<Argument> {
             let matching = worth.sigma.iter().zip(rivals).filter(|(s, _)| (**s > TOLD_APART) == is_told);
-            let mut names: Vec<String> = matching.map(|(_, rival)| own(rival)).collect();
+            let mut names: Vec<Argument> = matching.map(|(_, rival)| own(rival)).collect();
             names.dedup();
             names
         };
-        let left = match split(false).as_slice() {
-            [] => String::new(),
-            names => format!(" It leaves {} open.", listed(names, "and")),
-        };
-        let text = format!(
-            "A swing on lines of {:.2} m, {:.2} m apart, {} set going, would tell {} from {} ({} periods, at least {:.1} standard deviations).{left}",
-            self.line_length_m.value,
-            self.spacing_m.value,
-            listed(&excited.iter().map(|one| one.name().into()).collect::<Vec<_>>(), "and"),
-            listed(&best.causes.iter().map(|c| c.id.replace('_', " ")).collect::<Vec<_>>(), "and"),
-            listed(&split(true), "and"),
-            modes(self.modes),
-            worth.least,
+        let row = |all: Vec<Argument>| words::row(all, "row", "and");
+        let open = split(false);
+        let left = (!open.is_empty()).then(|| words::said("next_leaves", [("causes", row(open))]));
+        let said = words::said(
+            "next_periods",
+            [
+                ("line_length_m", words::number(self.line_length_m.value, 2)),
+                ("spacing_m", words::number(self.spacing_m.value, 2)),
+                ("excited", row(excited.iter().map(|one| Argument::Word(one.name().into())).collect())),
+                ("causes", words::names(best.causes.iter().map(|c| c.id), "and")),
+                ("others", row(split(true))),
+                ("modes", row(self.modes.iter().map(|mode| words::motion(*mode)).collect())),
+                ("sigma", words::number(worth.least, 1)),
+                ("left", words::part(left)),
+            ],
         );
         NextSwing {
             like: like.id.clone(),
@@ -271,7 +272,8 @@ impl Plan {
             duration_s: DURATION_S,
             hull_pitch_deg: 0.0,
             sigma: worth.least,
-            text,
+            text: said.english.clone(),
+            said,
         }
     }
 }

@@ -6,9 +6,11 @@ use super::causes::{CauseNumber, Shown};
 use super::choice::Choice;
 use super::model::{Fitted, HeldOut, Setting};
 use crate::critique::result::{CauseResult, Discrepancy, ParameterResult};
+use crate::critique::words;
 use crate::inertia::estimate::{Observation, Observed};
 use crate::inertia::parameters::{Parameter, Role};
-use crate::inertia::words::{claim_name, claim_unit, mode_text};
+use crate::inertia::words::claim_unit;
+use crate::language::{Argument, Text};
 use crate::recording::{ModeName, Quantity};
 
 /// A difference that stands out: chance does that once in 16 000 for a normal error.
@@ -54,15 +56,6 @@ pub fn figure(q: Quantity, unit: &str) -> String {
     format!("{value:.decimals$} ± {u:.decimals$} {unit}").trim_end().into()
 }
 
-/// Names in a sentence.
-pub fn listed(names: &[String], last: &str) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., end] => format!("{} {last} {end}", first.join(", ")),
-    }
-}
-
 /// What the base model gets wrong, the most significant first.
 pub fn discrepancies(base: &Fitted) -> Vec<Discrepancy> {
     let count = base.system.observations.len();
@@ -86,35 +79,38 @@ pub fn discrepancies(base: &Fitted) -> Vec<Discrepancy> {
 
 fn between_swings(base: &Fitted, observation: &Observation, held: HeldOut) -> Discrepancy {
     let relative = observation.value.value / held.predicted - 1.0;
-    let longer = match (observation.what, relative > 0.0) {
+    let key = match (observation.what, relative > 0.0) {
         (Observed::Period(..), true) => "longer",
         (Observed::Period(..), false) => "shorter",
         (_, true) => "larger",
         (_, false) => "smaller",
     };
-    let as_if = as_if(base, observation.what, relative);
-    Discrepancy {
-        swing: swing_id(base, observation.what),
-        what: "between_swings".into(),
-        size: relative,
-        unit: "1".into(),
-        sigma: held.z.abs(),
-        text: format!(
-            "The {} is {:.2} % {longer} than the rest of the session implies: {:.1} standard uncertainties{as_if}.",
-            observation.label,
-            100.0 * relative.abs(),
-            held.z.abs(),
-        ),
-    }
+    let swing = swing_id(base, observation.what);
+    let what = match observation.what {
+        Observed::Period(_, mode) => words::part(Some(words::said(
+            "period_of",
+            [("motion", words::motion(mode)), ("swing", words::id(&swing))],
+        ))),
+        _ => Argument::Plain(observation.label.clone()),
+    };
+    let said = words::said(
+        key,
+        [
+            ("what", what),
+            ("percent", words::number(100.0 * relative.abs(), 2)),
+            ("sigma", words::number(held.z.abs(), 1)),
+            ("as_if", words::part(as_if(base, observation.what, relative))),
+        ],
+    );
+    Discrepancy::of(&swing, "between_swings", (relative, "1"), held.z.abs(), said)
 }
 
 /// Periods of yaw and sway go with the root of the length.
-fn as_if(base: &Fitted, what: Observed, relative: f64) -> String {
-    let Observed::Period(i, ModeName::Yaw | ModeName::Sway) = what else { return String::new() };
-    let Some(length) = base.system.layout.swings[i].line_length else { return String::new() };
-    let off_m = 2.0 * relative * base.solution.x[length];
-    let longer = if off_m > 0.0 { "longer" } else { "shorter" };
-    format!(", as if its lines were {:.0} mm {longer}", 1000.0 * off_m.abs())
+fn as_if(base: &Fitted, what: Observed, relative: f64) -> Option<Text> {
+    let Observed::Period(i, ModeName::Yaw | ModeName::Sway) = what else { return None };
+    let off_m = 2.0 * relative * base.solution.x[base.system.layout.swings[i].line_length?];
+    let key = if off_m > 0.0 { "as_if_longer" } else { "as_if_shorter" };
+    Some(words::said(key, [("mm", words::number(1000.0 * off_m.abs(), 0))]))
 }
 
 fn swing_id(base: &Fitted, what: Observed) -> String {
@@ -132,38 +128,33 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
     }
     let unit = claim_unit(name);
     let implied_u = (held.u * held.u - prior.u * prior.u).max(0.0).sqrt();
-    let text = format!(
-        "The {}{} is stated as {}; the rest of the session implies {}: {:.1} standard uncertainties.",
-        claim_name(name),
-        of_swings(base, place),
-        figure(*prior, unit),
-        figure(Quantity::new(held.predicted, implied_u), unit),
-        held.z.abs(),
-    );
-    (*role == Role::Stated).then(|| Discrepancy {
-        swing: String::new(),
-        what: "dimension".into(),
-        size: prior.value - held.predicted,
-        unit: unit.into(),
-        sigma: held.z.abs(),
-        text,
+    (*role == Role::Stated).then(|| {
+        let said = words::said(
+            "stated",
+            [
+                ("name", words::word(&format!("parameter.{name}"))),
+                ("swings", words::part(of_swings(base, place))),
+                ("stated", words::written(figure(*prior, unit))),
+                ("implied", words::written(figure(Quantity::new(held.predicted, implied_u), unit))),
+                ("sigma", words::number(held.z.abs(), 1)),
+            ],
+        );
+        Discrepancy::of("", "dimension", (prior.value - held.predicted, unit), held.z.abs(), said)
     })
 }
 
-/// Which swings share a stated figure; empty where all do.
-fn of_swings(base: &Fitted, place: usize) -> String {
+/// Which swings share a stated figure; nothing where all do.
+fn of_swings(base: &Fitted, place: usize) -> Option<Text> {
     let session = base.system.session;
     let has = |i: usize| {
         let index = &base.system.layout.swings[i];
         [index.line_length, index.spacing, index.top_spacing, index.axis_height, Some(index.pitch_deg)]
             .contains(&Some(place))
     };
-    let ids: Vec<String> =
-        (0..session.swings.len()).filter(|i| has(*i)).map(|i| session.swings[i].id.clone()).collect();
-    if ids.is_empty() || ids.len() == session.swings.len() {
-        return String::new();
-    }
-    format!(" of {}", listed(&ids, "and"))
+    let ids: Vec<Argument> =
+        (0..session.swings.len()).filter(|i| has(*i)).map(|i| words::id(&session.swings[i].id)).collect();
+    let is_some = !ids.is_empty() && ids.len() < session.swings.len();
+    is_some.then(|| words::said("of_swings", [("swings", words::row(ids, "row", "and"))]))
 }
 
 /// The numbers of the model's last cause, in units of the rig.
@@ -201,23 +192,30 @@ fn shown(setting: &Setting, number: &CauseNumber, q: Quantity) -> ParameterResul
 }
 
 /// The model's last cause with its figures.
-pub fn cause(setting: &Setting, fitted: &Fitted) -> String {
-    let Some(cause) = fitted.causes.last() else { return String::new() };
-    let numbers = fitted.numbers();
-    let own = &numbers[numbers.len() - cause.numbers.len()..];
-    if own.iter().all(|q| q.value.abs() <= TOLD * q.u) {
-        return format!("{}: the session shows nothing of it.", capital(cause.sentence));
-    }
-    format!("{}: {}.", capital(cause.sentence), figures(setting, fitted))
+pub fn cause(setting: &Setting, fitted: &Fitted) -> Text {
+    described(setting, fitted, "")
 }
 
-fn figures(setting: &Setting, fitted: &Fitted) -> String {
+/// The same as a sentence, or with the ending of its keys as a part of one.
+fn described(setting: &Setting, fitted: &Fitted, inside: &str) -> Text {
+    let Some(cause) = fitted.causes.last() else { return Text::default() };
+    let numbers = fitted.numbers();
+    let own = &numbers[numbers.len() - cause.numbers.len()..];
+    let named = ("cause", words::word(&format!("periods.{}", cause.id)));
+    if own.iter().all(|q| q.value.abs() <= TOLD * q.u) {
+        return words::said(&format!("nothing_shown{inside}"), [named]);
+    }
+    words::said(&format!("with_figures{inside}"), [named, ("figures", figures(setting, fitted))])
+}
+
+fn figures(setting: &Setting, fitted: &Fitted) -> Argument {
     let one = |(number, p): &(&CauseNumber, ParameterResult)| {
         let name = number.name.trim_end_matches(&format!("_{}", suffix(number)));
-        format!("{} {}", name.replace('_', " "), figure(Quantity::new(p.value, p.u), &p.unit))
+        let figure = words::written(figure(Quantity::new(p.value, p.u), &p.unit));
+        let name = words::word(&format!("number.{name}"));
+        words::part(Some(words::said("figure", [("name", name), ("figure", figure)])))
     };
-    let all: Vec<String> = shown_numbers(setting, fitted).iter().map(one).collect();
-    listed(&all, "and")
+    words::row(shown_numbers(setting, fitted).iter().map(one).collect(), "row", "and")
 }
 
 /// The unit as names end in it: `N/m` is `n_m`.
@@ -226,17 +224,17 @@ fn suffix(number: &CauseNumber) -> String {
     plain.replace(['/', ' '], "_")
 }
 
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
-}
-
 /// What remains when all causes have been tried: the evidence of one more factor on all uncertainties, and the swing without
 /// which the rest would agree.
 pub fn unknown(setting: &Setting, choice: &Choice) -> CauseResult {
     let (chi2, dof) = (choice.extended().solution.chi2, choice.extended().solution.dof);
-    let beyond = format!(
-        "Contradictions remain that no known cause accounts for (χ² = {chi2:.0} with {dof:.1} degrees of freedom)."
+    let said = words::said(
+        "contradictions",
+        [
+            ("chi2", words::number(chi2, 0)),
+            ("dof", words::number(dof, 1)),
+            ("hint", words::part(without_one(setting, choice))),
+        ],
     );
     CauseResult {
         id: "unknown".into(),
@@ -244,17 +242,14 @@ pub fn unknown(setting: &Setting, choice: &Choice) -> CauseResult {
         // ln of the likelihood with every variance larger by χ²/dof over that with none.
         log_evidence_gain: 0.5 * (chi2 - dof - dof * (chi2 / dof).ln()),
         parameters: BTreeMap::new(),
-        text: [Some(beyond), without_one(setting, choice)]
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .join(" "),
+        text: said.english.clone(),
+        said,
         taken: false,
     }
 }
 
 /// The swing without which the least contradiction is left, with the cause that then suggests itself.
-fn without_one(setting: &Setting, choice: &Choice) -> Option<String> {
+fn without_one(setting: &Setting, choice: &Choice) -> Option<Text> {
     let session = setting.system.session;
     let attempts: Vec<(usize, Fitted)> =
         (0..session.swings.len()).filter_map(|i| Some((i, choice.without(setting, i)?))).collect();
@@ -263,59 +258,44 @@ fn without_one(setting: &Setting, choice: &Choice) -> Option<String> {
         attempts.into_iter().min_by(|(_, a), (_, b)| a.beyond_chance().total_cmp(&b.beyond_chance()))?;
     // Chosen among many: a single swing is blamed only where nearly all of the contradiction goes with it.
     let is_much = fitted.beyond_chance() < MOST_LEFT * choice.extended().beyond_chance();
-    let with = match fitted.causes.last() {
-        Some(_) => format!(" and with one cause ({})", lower(&cause(setting, &fitted))),
-        None => String::new(),
-    };
+    let with = fitted.causes.last().map(|_| {
+        words::said("with_one", [("cause", words::part(Some(described(setting, &fitted, "_inside"))))])
+    });
     is_much.then(|| {
-        format!(
-            "Without the swing {}{with} χ² would be {:.0} with {:.1} degrees of freedom: of {count} swings left out in turn this one takes off the most, which is a hint and no more.",
-            session.swings[i].id, fitted.solution.chi2, fitted.solution.dof,
+        words::said(
+            "without_one",
+            [
+                ("swing", words::id(&session.swings[i].id)),
+                ("with", words::part(with)),
+                ("chi2", words::number(fitted.solution.chi2, 0)),
+                ("dof", words::number(fitted.solution.dof, 1)),
+                ("count", words::number(count as f64, 0)),
+            ],
         )
     })
 }
 
-fn lower(text: &str) -> String {
-    let mut letters = text.trim_end_matches('.').chars();
-    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
-}
-
 /// The verdict in words.
-pub fn verdict(choice: &Choice) -> String {
+pub fn verdict(choice: &Choice) -> Text {
     let extended = choice.extended();
-    let names: Vec<String> = extended.causes.iter().map(|c| c.id.replace('_', " ")).collect();
-    let rivals: Vec<String> = choice.rival_names().iter().map(|n| n.replace('_', " ")).collect();
-    let named = listed(&names, "and");
+    let (named, rivals) = (&extended.causes, choice.rival_names());
+    let causes = || ("causes", words::names(named.iter().map(|cause| cause.id), "and"));
+    let others = || ("others", words::names(rivals.iter().map(String::as_str), "or"));
+    let hangs = || ("hangs", words::part(consequences(choice)));
     match choice.standing() {
-        Standing::Adequate => {
-            "Periods and dimensions agree within their uncertainties: nothing is missing.".into()
-        }
-        Standing::Explained => {
-            format!("The contradictions go away with {named}, and with nothing else that was tried.")
-        }
-        Standing::Ambiguous => format!(
-            "The contradictions go away with {named}; these periods cannot tell it from {}.{}",
-            listed(&rivals, "or"),
-            consequences(choice)
-        ),
-        Standing::Unexplained if names.is_empty() => {
-            "The session contradicts itself, and no known cause accounts for it.".into()
-        }
+        Standing::Adequate => words::said("periods_adequate", []),
+        Standing::Explained => words::said("periods_explained", [causes()]),
+        Standing::Ambiguous => words::said("periods_ambiguous", [causes(), others(), hangs()]),
+        Standing::Unexplained if named.is_empty() => words::said("periods_contradiction", []),
         Standing::Unexplained => {
-            let instead = match rivals.is_empty() {
-                true => String::new(),
-                false => format!(", which these periods cannot tell from {}", listed(&rivals, "or")),
-            };
-            format!(
-                "Most of the contradictions go away with {named}{instead}, but more remain than chance leaves.{}",
-                consequences(choice)
-            )
+            let instead = (!rivals.is_empty()).then(|| words::said("periods_instead", [others()]));
+            words::said("periods_remain", [causes(), ("instead", words::part(instead)), hangs()])
         }
     }
 }
 
 /// What hangs on the choice between the causes.
-fn consequences(choice: &Choice) -> String {
+fn consequences(choice: &Choice) -> Option<Text> {
     let of = |fitted: &Fitted| {
         let quantities = super::quantities(fitted);
         let k = quantities.get("k_yaw_m")?;
@@ -323,19 +303,11 @@ fn consequences(choice: &Choice) -> String {
     };
     let all: Vec<Quantity> =
         std::iter::once(choice.extended()).chain(&choice.rivals).filter_map(of).collect();
-    let (Some(least), Some(most)) = (
-        all.iter().copied().min_by(|a, b| a.value.total_cmp(&b.value)),
-        all.iter().copied().max_by(|a, b| a.value.total_cmp(&b.value)),
-    ) else {
-        return String::new();
-    };
+    let least = all.iter().copied().min_by(|a, b| a.value.total_cmp(&b.value))?;
+    let most = all.iter().copied().max_by(|a, b| a.value.total_cmp(&b.value))?;
     if most.value - least.value < most.u.max(least.u) {
-        return String::new();
+        return None;
     }
-    format!(" The yaw gyradius hangs on it: {} by one, {} by another.", figure(least, "m"), figure(most, "m"))
-}
-
-/// Modes in words.
-pub fn modes(names: &[ModeName]) -> String {
-    listed(&names.iter().map(|m| mode_text(*m).into()).collect::<Vec<String>>(), "and")
+    let written = |k: Quantity| words::written(figure(k, "m"));
+    Some(words::said("periods_hang", [("least", written(least)), ("most", written(most))]))
 }

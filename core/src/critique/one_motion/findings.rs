@@ -5,10 +5,10 @@ use super::super::point::Part;
 use super::super::result::Discrepancy;
 use super::super::seen::Seen;
 use super::super::white::spectrum;
+use super::super::words;
 use super::search::Found;
 use super::swing::Swing;
 use crate::frames::Vec3;
-use crate::inertia::words::mode_text;
 use crate::signal::Pole;
 
 /// A turn across the axis is told of where it exceeds the noise so many times.
@@ -29,7 +29,7 @@ fn of_swing(found: &Found, s: usize) -> Vec<Discrepancy> {
         let times = swing.times_s(Part::All);
         let record =
             Record { id: swing.id, rows: rows.as_slice(), times_s: &times, duration_s: swing.duration_s };
-        all.extend(structure_of(&record, 1, bands, &|_| "the turn about the swing's axis".into()));
+        all.extend(structure_of(&record, 1, bands, &|_| words::said("line_swing", [])));
     }
     all.extend(against(swing, point));
     all.extend(across(swing));
@@ -52,16 +52,17 @@ fn across(swing: &Swing) -> Option<Discrepancy> {
     let power: Vec<f64> = spectrum(&parts[0]).iter().zip(spectrum(&parts[1])).map(|(a, b)| a + b).collect();
     let most = (1..power.len()).max_by(|a, b| power[*a].total_cmp(&power[*b]))?;
     let most_hz = most as f64 / swing.duration_s;
-    (size > STANDS_OUT * noise).then(|| Discrepancy {
-        swing: swing.id.into(),
-        what: "across_the_axis".into(),
-        size: share,
-        unit: "1".into(),
-        sigma: (size / noise - 1.0) * (values.len() as f64).sqrt(),
-        text: format!(
-            "{}: across the axis of the swing the phone turns by {:.1} % of the swing, most at {most_hz:.3} Hz; a motion in one angle has none of it",
-            swing.id, 100.0 * share
-        ),
+    (size > STANDS_OUT * noise).then(|| {
+        let sigma = (size / noise - 1.0) * (values.len() as f64).sqrt();
+        let said = words::said(
+            "across",
+            [
+                ("swing", words::id(swing.id)),
+                ("percent", words::number(100.0 * share, 1)),
+                ("most_hz", words::number(most_hz, 3)),
+            ],
+        );
+        Discrepancy::of(swing.id, "across_the_axis", (share, "1"), sigma, said)
     })
 }
 
@@ -70,7 +71,7 @@ fn against(swing: &Swing, point: &[f64]) -> Vec<Discrepancy> {
     let Some(readings) = swing.readings(point, &[]) else { return vec![] };
     let seen = Seen {
         swing: swing.id,
-        motion: mode_text(swing.mode),
+        motion: swing.mode,
         t_s: &swing.stream.t_s,
         measured_rad_s: &swing.rates_rad_s,
         simulated_rad_s: &readings,

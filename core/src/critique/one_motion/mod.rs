@@ -22,6 +22,7 @@ use super::FORMAT;
 use super::gain;
 use super::point::first_settled;
 use super::result::{CauseVerdict, Criticism, Critique, ModelResult, SwingTrace};
+use super::words;
 use crate::error::Result;
 use crate::inertia::estimate::{Observed, System};
 use crate::inertia::measure::{SwingWork, title};
@@ -137,9 +138,11 @@ fn traces(found: &Found) -> Option<Vec<SwingTrace>> {
         let of = |model: &Extended| {
             Some(swing.readings(&model.fits[s].point, &model.causes_of(swing))?.split_off(first))
         };
+        let said = words::said("channel_swing", []);
         Some(SwingTrace {
             swing: swing.id.into(),
-            channel: "turn rate about the axis of the swing".into(),
+            channel: said.english.clone(),
+            said,
             unit: "rad/s".into(),
             noise: swing.noise_rad_s,
             t_s: swing.stream.t_s[first..].to_vec(),

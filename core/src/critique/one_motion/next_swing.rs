@@ -3,8 +3,10 @@
 use super::super::next_swing::longer;
 use super::super::point::Part;
 use super::super::result::NextSwing;
+use super::super::words;
 use super::search::{Found, Tried};
 use super::swing::Swing;
+use crate::language::Text;
 use crate::recording::{Excitation, Quantity};
 
 /// Amplitudes that are thought of, over that of the swing that was made.
@@ -28,6 +30,7 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
             hull_pitch_deg: stated(suspension.hull_pitch_deg),
             sigma: apart(found, swing, rival, *wider)?,
             text: String::new(),
+            said: Text::default(),
         })
     });
     let best = options.max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
@@ -35,12 +38,18 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     Some(in_words(longer(best), found.id(last), rival.id))
 }
 
-fn in_words(mut swing: NextSwing, one: &str, other: &str) -> NextSwing {
-    swing.text = format!(
-        "the same hanging, released at {:.0}°, for {:.0} s: {one} and {other} then differ by {:.0} standard deviations",
-        swing.amplitude_deg, swing.duration_s, swing.sigma
+fn in_words(swing: NextSwing, one: &str, other: &str) -> NextSwing {
+    let said = words::said(
+        "next_same",
+        [
+            ("amplitude_deg", words::number(swing.amplitude_deg, 0)),
+            ("duration_s", words::number(swing.duration_s, 0)),
+            ("one", words::word(&format!("id.{one}"))),
+            ("other", words::word(&format!("id.{other}"))),
+            ("sigma", words::number(swing.sigma, 0)),
+        ],
     );
-    swing
+    swing.told(said)
 }
 
 /// How far two causes are apart in a swing so much wider, standard deviations, once everything that is fitted has taken up what it can.

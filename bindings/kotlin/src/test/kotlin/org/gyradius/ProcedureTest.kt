@@ -51,7 +51,7 @@ class ProcedureTest {
     fun `a procedure keeps every sample and goes on where the app was killed`() {
         val phone = PhoneInfo("phone", listOf(PhoneSensor(Channel.GYROSCOPE, "gyro", null)))
         val first = Procedure.create(folder.path, task())
-        first.handle(ProcedureEvent.Begin(Shared.AT_UTC, phone, Placement.FLAT_TOP_TO_BOW))
+        first.handle(ProcedureEvent.Begin(Shared.AT_UTC, null, phone, Placement.FLAT_TOP_TO_BOW))
         quiet(first, 0, 20)
         val tilt = first.state().tilt!!
         assertEquals(TiltAgainst.PHONE_PLANE, tilt.against)

@@ -15,6 +15,7 @@ import androidx.activity.viewModels
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
 import androidx.compose.runtime.saveable.rememberSaveable
 import androidx.compose.runtime.setValue
 import androidx.core.content.edit
@@ -53,7 +54,7 @@ class MainActivity : ComponentActivity() {
     val model: RunModel get() = app.model
     private val sessions: SessionsModel by viewModels { viewModelFactory { initializer { SessionsModel(app.store, contentResolver) } } }
     private val setup: SetupModel by viewModels()
-    private val result: ResultModel by viewModels()
+    private val result: ResultModel by viewModels { viewModelFactory { initializer { ResultModel(app.store) } } }
     private val chooser = registerForActivityResult(OpenDocument()) { it?.let(sessions::import) }
 
     /** Whatever the answer is, the app works. */
@@ -127,7 +128,8 @@ class MainActivity : ComponentActivity() {
     private fun Setup(onLeave: () -> Unit) {
         BackHandler(onBack = onLeave)
         val planned by setup.planned.collectAsStateWithLifecycle()
-        SetupScreen(planned, setup::plan, onLeave) { task, limits ->
+        val usualLimits = remember { app.store.usualLimits() }
+        SetupScreen(planned, usualLimits, setup::plan, onLeave) { task, limits ->
             model.measure(app.store.create(task.title, limits), task, phone())
             onLeave()
         }

@@ -6,6 +6,8 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performTextInput
 import androidx.test.ext.junit.runners.AndroidJUnit4
+import java.io.File
+import java.time.LocalDate
 import kotlin.math.abs
 import org.gyradius.Excitation
 import org.gyradius.PlannedSwing
@@ -55,6 +57,8 @@ class BoatTest {
         click("Do without")
         rule.patient("the end") { state?.phase == ProcedurePhase.DONE }
         rule.onNodeWithText("Yaw gyradius").assertExists()
+        val session = File(park.sessions().single(), "session/session.toml").readText()
+        assertTrue(session, "measured_on = \"${LocalDate.now()}\"" in session)
     }
 
     private fun setUp() {

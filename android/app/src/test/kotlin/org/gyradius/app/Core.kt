@@ -2,6 +2,8 @@ package org.gyradius.app
 
 import java.io.File
 import java.nio.file.Files
+import java.util.zip.ZipEntry
+import java.util.zip.ZipOutputStream
 import kotlinx.coroutines.runBlocking
 import org.gyradius.Analysis
 import org.gyradius.Channel
@@ -63,6 +65,19 @@ object Core {
     val boatPark: Analysis by lazy {
         val limits = listOf("k_yaw_m>=1.100", "k_pitch_m<=1.180", "psi_deg<=2.400")
         runBlocking { loadSession(File(root, "python/gyradius/sessions/boat-park")).measure(limits) }
+    }
+
+    /** The same session as others hand it over. */
+    val boatParkZip: File by lazy {
+        val from = File(root, "python/gyradius/sessions/boat-park")
+        File.createTempFile("boat-park", ".zip").also { zip ->
+            ZipOutputStream(zip.outputStream().buffered()).use { out ->
+                for (file in from.listFiles()!!) {
+                    out.putNextEntry(ZipEntry(file.name))
+                    file.inputStream().use { it.copyTo(out) }
+                }
+            }
+        }
     }
 
     /** A hull in the air, whose drag the simulation without causes leaves out. */

@@ -1,7 +1,8 @@
 package org.gyradius.app
 
 import androidx.test.ext.junit.runners.AndroidJUnit4
-import org.gyradius.app.ui.nameAndUnit
+import org.gyradius.app.ui.Goal
+import org.gyradius.app.ui.LimitTyped
 import org.gyradius.app.ui.withUncertainty
 import org.junit.Assert.assertEquals
 import org.junit.Test
@@ -18,8 +19,11 @@ class FiguresTest {
     }
 
     @Test
-    fun `the unit stands at the end of a name`() {
-        assertEquals("k yaw" to "m", nameAndUnit("k_yaw_m"))
-        assertEquals("inertia yaw" to "kg m²", nameAndUnit("inertia_yaw_kg_m2"))
+    fun `a limit that was kept stands in its fields again`() {
+        val typed = LimitTyped(Goal.K_PITCH, isLeast = false, "1,18")
+        assertEquals("k_pitch_m<=1.18", typed.text())
+        assertEquals(typed.copy(value = "1.18"), LimitTyped.of("k_pitch_m<=1.18"))
+        assertEquals(null, LimitTyped.of("mast_m<=1.18"))
+        assertEquals(null, LimitTyped.of("k_pitch_m"))
     }
 }

@@ -51,12 +51,12 @@ class LooksTest {
     }
 
     @Test
-    fun `set-up before anything is known`() = rule.looks("setup") { SetupScreen(Planned(), {}, {}) { _, _ -> } }
+    fun `set-up before anything is known`() = rule.looks("setup") { SetupScreen(Planned(), emptyList(), {}, {}) { _, _ -> } }
 
     @Test
     fun `set-up with the planner's advice`() {
         val planned = Core.planned
-        rule.looks("plan") { SetupScreen(planned, {}, {}) { _, _ -> } }
+        rule.looks("plan") { SetupScreen(planned, listOf("k_yaw_m>=1.1"), {}, {}) { _, _ -> } }
     }
 
     @Test
@@ -141,7 +141,7 @@ class LooksTest {
     @Test
     fun `what is typed of a boat is asked of the planner`() {
         var asked: PlanRequest? = null
-        rule.setContent { SetupScreen(Planned(), { asked = it }, {}) { _, _ -> } }
+        rule.setContent { SetupScreen(Planned(), emptyList(), { asked = it }, {}) { _, _ -> } }
         rule.onNodeWithText("Mass of all that hangs, kg").performScrollTo().performTextReplacement("120,5")
         rule.onNodeWithText("Dinghy").performScrollTo().performClick()
         rule.onNodeWithText("How certain it must be").performScrollTo().performClick()

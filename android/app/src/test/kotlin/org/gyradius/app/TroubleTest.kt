@@ -11,10 +11,13 @@ import java.io.File
 import kotlin.concurrent.thread
 import org.gyradius.Channel
 import org.gyradius.DamageKind
+import org.gyradius.Procedure
+import org.gyradius.ProcedureEvent
 import org.gyradius.ProcedurePhase
 import org.gyradius.RecorderFile
 import org.junit.After
 import org.junit.Assert.assertEquals
+import org.junit.Assert.assertFalse
 import org.junit.Assert.assertTrue
 import org.junit.Rule
 import org.junit.Test
@@ -93,6 +96,23 @@ class TroubleTest {
     }
 
     @Test
+    fun `sensors that all stop for good are shown, and the recording knows`() {
+        park.record()
+        park.phone.rest(5.0)
+        park.await("samples") { (it.state?.recording?.recordedS ?: 0.0) > 4.9 }
+        park.await("silence") { it.silent == setOf(Channel.GYROSCOPE, Channel.ACCELEROMETER) }
+        val stopped = listOf("gyroscope", "accelerometer").map { "sensor stopped $it" }
+        rule.patient("the marks") { park.marks().containsAll(stopped) }
+        // The app ends, and they never came back: the file and the judgement tell.
+        park.leave()
+        assertEquals(stopped.toSet(), park.marks().toSet() - "release")
+        Procedure.open(park.folder.path).use { procedure ->
+            procedure.handle(ProcedureEvent.Keep)
+            assertEquals(2, procedure.state().judgement!!.reasons.count { it.key == "reason_silent" })
+        }
+    }
+
+    @Test
     fun `a full disk is told, what was recorded stays, and it goes on when there is room`() {
         park.record()
         park.phone.rest(10.0)
@@ -100,8 +120,13 @@ class TroubleTest {
         limitFiles(park.take().length() + 20_000)
         park.phone.rest(10.0)
         park.reach(ProcedurePhase.INTERRUPTED)
-        park.await("the error") { it.error != null }
-        rule.patient("the error") { rule.exists(park.model.shown.value.error!!) }
+        rule.patient("one sentence on it") { rule.texts().count { "The disk is full" in it } == 1 }
+        assertEquals(null, park.model.shown.value.error)
+        assertFalse("${rule.texts()}", rule.texts().any { "cannot be written" in it || "/takes/" in it })
+        // There is still no room: the app's own sentence takes the other's place.
+        limitFiles(1_000)
+        click("Go on with it")
+        rule.patient("what to do") { rule.texts().count { "storage is full" in it } == 1 && rule.texts().none { "The disk is full" in it } }
         limitFiles(UNLIMITED)
         rule.shot("14-full-disk")
         click("Go on with it")

@@ -3,6 +3,7 @@ package org.gyradius.app.result
 import androidx.lifecycle.ViewModel
 import androidx.lifecycle.viewModelScope
 import java.io.File
+import java.io.IOException
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.flow.MutableStateFlow
@@ -19,29 +20,35 @@ import org.gyradius.GyradiusException
 import org.gyradius.InertiaResult
 import org.gyradius.RecordingFigureData
 import org.gyradius.Session
+import org.gyradius.app.Failure
+import org.gyradius.app.failureOf
 import org.gyradius.app.store.Measurable
+import org.gyradius.app.store.SessionStore
 import org.gyradius.critique
+import org.gyradius.keptCriticism
 import org.gyradius.loadSession
 import org.gyradius.measure
 import org.gyradius.reportHtml
-import org.gyradius.text
 
 /** What a result's screen shows. */
 data class ResultShown(
     val title: String = "",
     val result: InertiaResult? = null,
     val recordings: List<RecordingFigureData> = emptyList(),
+    /** Class limits that it is judged by. */
+    val limits: List<String> = emptyList(),
     val critique: Critique? = null,
-    /** Only of a criticism made just now; one that was kept has no curves. */
+    /** Measured against simulated, by swing. */
     val compared: List<ComparedSwing> = emptyList(),
     /** How much of the work under way is done, 0 to 1. */
     val share: Double? = null,
-    val error: String? = null,
+    val error: Failure? = null,
 )
 
 /** A session that was measured: its result, its criticism, its report. */
-class ResultModel : ViewModel() {
+class ResultModel(private val store: SessionStore) : ViewModel() {
     private val flow = MutableStateFlow<ResultShown?>(null)
+    private var opened: Measurable? = null
     private var session: Session? = null
     private var analysis: Analysis? = null
     private var criticism: Criticism? = null
@@ -52,11 +59,12 @@ class ResultModel : ViewModel() {
 
     /** Reads a session, measures it, and takes the criticism that was kept, if there is one. */
     fun open(found: Measurable) {
-        flow.value = ResultShown(found.title, share = 0.0)
+        flow.value = ResultShown(found.title, limits = found.limits, share = 0.0)
+        opened = found
+        criticism = null
         work {
             session = loadSession(found.session)
-            criticism = withContext(Dispatchers.IO) { found.critique.takeIf { it.exists() }?.readText() }?.let(Criticism::fromJson)
-            show { it.copy(critique = criticism?.result()) }
+            withContext(Dispatchers.IO) { keptCriticism(found.folder.path) }?.let(::show)
             measure(found.limits)
         }
     }
@@ -67,14 +75,18 @@ class ResultModel : ViewModel() {
         flow.value = null
     }
 
-    /** Measures again, with verdicts on other limits. */
-    fun judge(limits: List<String>) = work { measure(limits) }
+    /** Measures again, with verdicts on other limits, which are kept. */
+    fun judge(limits: List<String>) = work {
+        measure(limits)
+        withContext(Dispatchers.IO) { opened?.let { store.keepLimits(it.folder, limits) } }
+        show { it.copy(limits = limits) }
+    }
 
     /** Looks for what the simulation gets wrong: minutes. */
     fun criticise() = work {
         val found = session?.critique(::tell) ?: return@work
-        criticism = found
-        show { it.copy(critique = found.result(), compared = found.compared()) }
+        show(found)
+        withContext(Dispatchers.IO) { opened?.let { found.keep(it.folder.path) } }
     }
 
     /** Writes the report into a folder and hands over its file. */
@@ -89,6 +101,11 @@ class ResultModel : ViewModel() {
         show { it.copy(result = found.result(), recordings = found.recordings()) }
     }
 
+    private fun show(found: Criticism) {
+        criticism = found
+        show { it.copy(critique = found.result(), compared = found.compared()) }
+    }
+
     private fun show(change: (ResultShown) -> ResultShown) = flow.update { it?.let(change) }
 
     private fun tell(share: Double, @Suppress("UNUSED_PARAMETER") doing: String) = show { it.copy(share = share) }
@@ -100,7 +117,9 @@ class ResultModel : ViewModel() {
             try {
                 what()
             } catch (wrong: GyradiusException) {
-                show { it.copy(error = wrong.text) }
+                show { it.copy(error = failureOf(wrong)) }
+            } catch (wrong: IOException) {
+                show { it.copy(error = failureOf(wrong)) }
             }
             show { it.copy(share = null) }
         }

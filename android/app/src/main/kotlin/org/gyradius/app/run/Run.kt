@@ -51,6 +51,9 @@ class Measuring(private val procedure: Procedure, private val source: MotionSour
     private val quiet = Quiet(source.sensors.map { it.channel })
     private var newestNs = 0L
 
+    /** Of what has stopped, what the recording under way knows. */
+    private var told = emptySet<Channel>()
+
     override val sensors get() = source.sensors
 
     override val silent get() = quiet.silent
@@ -67,7 +70,9 @@ class Measuring(private val procedure: Procedure, private val source: MotionSour
         val found = source.take()
         val stopped = quiet.look(found)
         pushAll(found)
-        if (procedure.state().phase == ProcedurePhase.RECORD) stopped.forEach(::tellStopped)
+        val isRecording = procedure.state().phase == ProcedurePhase.RECORD
+        if (isRecording) (stopped - told).forEach(::tellStopped)
+        told = if (isRecording) stopped else emptySet()
         return found
     }
 

@@ -2,6 +2,8 @@ package org.gyradius.app.run
 
 import java.io.File
 import java.time.Instant
+import java.time.LocalDate
+import java.time.ZoneId
 import java.time.temporal.ChronoUnit
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.CoroutineScope
@@ -26,7 +28,8 @@ import org.gyradius.ProcedureEvent
 import org.gyradius.ProcedureState
 import org.gyradius.ProcedureTask
 import org.gyradius.ProcedureWork
-import org.gyradius.text
+import org.gyradius.app.Failure
+import org.gyradius.app.failureOf
 
 /** What the screens show. */
 data class Shown(
@@ -42,7 +45,7 @@ data class Shown(
     val isWorkStuck: Boolean = false,
     /** Streams of the phone that have stopped. */
     val silent: Set<Channel> = emptySet(),
-    val error: String? = null,
+    val error: Failure? = null,
 ) {
     /** Whether the phone's sensors are listened to. */
     val isListening: Boolean
@@ -91,7 +94,7 @@ class RunModel(
     fun goOn(folder: File, source: MotionSource) = begin(folder, isPractice = false) { Measuring.open(folder, source) }
 
     /** Begins, phone and placement told. */
-    fun start(phone: PhoneInfo, placement: Placement) = handle(ProcedureEvent.Begin(utc(), phone, placement))
+    fun start(phone: PhoneInfo, placement: Placement) = handle(ProcedureEvent.Begin(utc(), today(), phone, placement))
 
     /** The recording begins. */
     fun record() = handle(ProcedureEvent.StartRecording(utc()))
@@ -164,7 +167,7 @@ class RunModel(
         try {
             what()
         } catch (wrong: GyradiusException) {
-            flow.update { it.copy(error = wrong.text) }
+            flow.update { it.copy(error = failureOf(wrong)) }
         }
     }
 
@@ -190,12 +193,15 @@ class RunModel(
             null
         } catch (wrong: GyradiusException) {
             // Done without meanwhile: then nobody waits for it any more.
-            wrong.text.takeIf { run.state().work == wanted }
+            failureOf(wrong).takeIf { run.state().work == wanted }
         }
         flow.update { it.copy(workShare = null, isWorkStuck = failure != null, error = failure ?: it.error) }
     }
 
     private fun utc(): String = clock().truncatedTo(ChronoUnit.SECONDS).toString()
+
+    /** The date where the phone is. */
+    private fun today(): String = LocalDate.ofInstant(clock(), ZoneId.systemDefault()).toString()
 
     internal companion object {
         /** Between two looks at what came, ms. */

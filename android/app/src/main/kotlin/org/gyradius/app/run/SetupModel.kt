@@ -10,15 +10,16 @@ import org.gyradius.GyradiusException
 import org.gyradius.PlanRequest
 import org.gyradius.PlanResult
 import org.gyradius.ProcedureTask
+import org.gyradius.app.Failure
+import org.gyradius.app.failureOf
 import org.gyradius.planSwings
-import org.gyradius.text
 
 /** What is known of a plan. */
 data class Planned(
     val isPlanning: Boolean = false,
     val plan: PlanResult? = null,
     val task: ProcedureTask? = null,
-    val error: String? = null,
+    val error: Failure? = null,
 )
 
 /** A boat known roughly becomes a plan. */
@@ -35,7 +36,7 @@ class SetupModel : ViewModel() {
             flow.value = try {
                 planSwings(request).use { Planned(plan = it.result(), task = it.task()) }
             } catch (wrong: GyradiusException) {
-                Planned(error = wrong.text)
+                Planned(error = failureOf(wrong))
             }
         }
     }

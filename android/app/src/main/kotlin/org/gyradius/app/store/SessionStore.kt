@@ -36,13 +36,16 @@ data class Measurable(
     val title: String,
     /** Class limits to judge it by. */
     val limits: List<String>,
-    /** Its criticism, once there is one. */
-    val critique: File,
+    /** Where its limits are kept, and its criticism once there is one. */
+    val folder: File,
 )
 
 /** The sessions on the disk: a folder each, named by the moment it was made. */
 class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Instant = Instant::now) {
     private val root = File(filesDir, "sessions")
+
+    /** The limits that were used last. */
+    private val usual = File(filesDir, LIMITS)
 
     /** What was made to be shared; the folder that `res/xml/shared_files.xml` lets out. */
     val shared = File(cacheDir, "shared")
@@ -66,9 +69,16 @@ class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Inst
         val name = clock().truncatedTo(ChronoUnit.MILLIS).toString().replace(':', '-')
         val folder = File(root, name).apply { mkdirs() }
         File(folder, TITLE).writeText(title)
-        if (limits.isNotEmpty()) File(folder, LIMITS).writeText(limits.joinToString("\n"))
+        if (limits.isNotEmpty()) keepLimits(folder, limits)
         return folder
     }
+
+    /** Keeps the class limits that a session is judged by; the next session is offered the same. */
+    fun keepLimits(folder: File, limits: List<String>) =
+        listOf(File(folder, LIMITS), usual).forEach { it.writeText(limits.joinToString("\n")) }
+
+    /** Class limits that were used last. */
+    fun usualLimits(): List<String> = limitsIn(usual)
 
     /** All sessions, the newest first. Must not be asked while one is under way: a procedure has one owner. */
     suspend fun list(): List<Listed> = withContext(Dispatchers.IO) {
@@ -106,9 +116,10 @@ class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Inst
     /** What of a session's folder can be measured: an imported file, or what a procedure has gathered. */
     fun measurable(folder: File): Measurable? {
         val session = fileOf(folder) ?: File(folder, SESSION).takeIf { it.exists() } ?: return null
-        val limits = File(folder, LIMITS).takeIf { it.exists() }?.readLines().orEmpty()
-        return Measurable(session, titleOf(folder), limits, File(folder, CRITIQUE))
+        return Measurable(session, titleOf(folder), limitsIn(File(folder, LIMITS)), folder)
     }
+
+    private fun limitsIn(file: File) = if (file.exists()) file.readLines().filter { it.isNotEmpty() } else emptyList()
 
     private fun titleOf(folder: File) = File(folder, TITLE).takeIf { it.exists() }?.readText().orEmpty()
 
@@ -148,7 +159,6 @@ class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Inst
 
         /** The procedure's own. */
         const val SESSION = "session"
-        const val CRITIQUE = "critique.json"
         const val FILE = "imported-"
 
         /** `2026-05-04T09-30-00.123Z` is `2026-05-04T09:30:00.123Z`. */

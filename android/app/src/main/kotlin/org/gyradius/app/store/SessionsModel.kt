@@ -14,7 +14,8 @@ import kotlinx.coroutines.flow.asStateFlow
 import kotlinx.coroutines.flow.update
 import kotlinx.coroutines.launch
 import org.gyradius.GyradiusException
-import org.gyradius.text
+import org.gyradius.app.Failure
+import org.gyradius.app.failureOf
 
 /** What the list of sessions shows. */
 data class Sessions(
@@ -22,7 +23,7 @@ data class Sessions(
     val isPracticeLeft: Boolean = false,
     /** Taken off the list; its files are there until nobody can want them back. */
     val deleted: Listed? = null,
-    val error: String? = null,
+    val error: Failure? = null,
 )
 
 /** The list of sessions and what can be done with them. */
@@ -83,9 +84,9 @@ class SessionsModel(private val store: SessionStore, private val resolver: Conte
             try {
                 what()
             } catch (wrong: GyradiusException) {
-                flow.update { it.copy(error = wrong.text) }
+                flow.update { it.copy(error = failureOf(wrong)) }
             } catch (wrong: IOException) {
-                flow.update { it.copy(error = wrong.message) }
+                flow.update { it.copy(error = failureOf(wrong)) }
             }
         }
     }

@@ -9,6 +9,7 @@ import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.unit.dp
 import org.gyradius.Verdict
 import org.gyradius.app.R
+import org.gyradius.unitOf
 
 /** Limits of the class, each a quantity, a side and a figure. */
 @Composable
@@ -23,13 +24,13 @@ fun Limits(limits: List<LimitTyped>, onLimits: (List<LimitTyped>) -> Unit) {
 @Composable
 private fun Limit(one: LimitTyped, onLimit: (LimitTyped) -> Unit, onRemove: () -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
-        for (goal in Goal.entries) Chip(stringResource(goal.label), goal == one.goal) { onLimit(one.copy(goal = goal)) }
+        for (goal in Goal.entries) Chip(quantityName(goal.measured), goal == one.goal) { onLimit(one.copy(goal = goal)) }
     }
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
         Chip(stringResource(R.string.limit_least), one.isLeast) { onLimit(one.copy(isLeast = true)) }
         Chip(stringResource(R.string.limit_most), !one.isLeast) { onLimit(one.copy(isLeast = false)) }
     }
-    NumberField("${stringResource(R.string.limit)}, ${nameAndUnit(one.goal.measured).second}", one.value) { onLimit(one.copy(value = it)) }
+    NumberField("${stringResource(R.string.limit)}, ${unitOf(one.goal.measured)}", one.value) { onLimit(one.copy(value = it)) }
     WideButton(stringResource(R.string.limit_remove), isMain = false, onClick = onRemove)
 }
 
@@ -42,7 +43,7 @@ fun VerdictCard(one: Verdict) {
         else -> R.string.verdict_undecided to Tone.CAUTION
     }
     val sign = if (one.relation == ">=") "≥" else "≤"
-    val unit = nameAndUnit(one.quantity).second
+    val unit = unitOf(one.quantity)
     Panel(tone) {
         Text(stringResource(words), style = MaterialTheme.typography.headlineSmall)
         Text(stringResource(R.string.limit_is, quantityName(one.quantity), sign, asTyped(one.limit), unit), style = MaterialTheme.typography.titleMedium)

@@ -20,6 +20,7 @@ import org.gyradius.NamedPrediction
 import org.gyradius.PlanResult
 import org.gyradius.PredictedSwing
 import org.gyradius.app.R
+import org.gyradius.unitOf
 
 /** What the planner advises: warnings first, then what to expect, then how to hang it. */
 @Composable
@@ -37,7 +38,7 @@ fun PlanCards(plan: PlanResult) {
 @Composable
 private fun Expected(one: NamedPrediction) {
     val predicted = one.quantity
-    val unit = nameAndUnit(one.name).second
+    val unit = unitOf(one.name)
     val figure = predicted.u?.let { u ->
         val (value, uncertainty) = withUncertainty(predicted.value, u)
         stringResource(R.string.quantity_u, value, uncertainty, unit)
@@ -61,7 +62,7 @@ private fun Reached(isReached: Boolean) {
 @Composable
 private fun Hung(one: HangingAdvice) {
     Panel(Tone.INFO) {
-        val points = stringResource(R.string.frame_points, one.framePoints, one.swings.joinToString())
+        val points = stringResource(R.string.frame_points, one.framePoints, one.swings.map { idName(it) }.joinToString())
         Text(points, style = MaterialTheme.typography.titleMedium)
         Text(one.text, style = MaterialTheme.typography.bodyLarge)
     }
@@ -71,7 +72,7 @@ private fun Hung(one: HangingAdvice) {
 @Composable
 private fun Periods(one: PredictedSwing) {
     Stack(Modifier.semantics(mergeDescendants = true) {}) {
-        Text(one.id, style = MaterialTheme.typography.titleMedium)
+        Text(idName(one.id), style = MaterialTheme.typography.titleMedium)
         for ((mode, periodS) in one.periodsS.toSortedMap()) {
             Text(stringResource(R.string.mode_period, stringResource(wordOf(mode)), periodS), style = MaterialTheme.typography.bodyLarge)
         }
@@ -85,7 +86,7 @@ private fun Periods(one: PredictedSwing) {
 @Composable
 fun Budget(one: NamedBudget) {
     Text(quantityName(one.name), style = MaterialTheme.typography.titleMedium)
-    one.lines.take(MOST_LINES).forEach { Contribution(it, nameAndUnit(one.name).second) }
+    one.lines.take(MOST_LINES).forEach { Contribution(it, unitOf(one.name)) }
 }
 
 @Composable

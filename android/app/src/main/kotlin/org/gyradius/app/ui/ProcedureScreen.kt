@@ -108,7 +108,7 @@ private fun Progress(state: ProcedureState) {
     state.step?.let {
         val at = stringResource(R.string.step_of, it.index.toInt() + 1, it.count.toInt())
         val take = if (it.take > 1uL) " · " + stringResource(R.string.take, it.take.toInt()) else ""
-        Text("$at · ${it.id}$take", style = MaterialTheme.typography.titleMedium)
+        Text("$at · ${idName(it.id)}$take", style = MaterialTheme.typography.titleMedium)
     }
 }
 
@@ -118,7 +118,7 @@ private fun Now(shown: Shown, state: ProcedureState) {
     val isQuiet = state.phase in setOf(ProcedurePhase.LEVEL, ProcedurePhase.REST, ProcedurePhase.RECORD)
     val region = if (isQuiet) Modifier else Modifier.semantics { liveRegion = LiveRegionMode.Polite }
     Text(instruction(state), region, style = MaterialTheme.typography.headlineSmall)
-    shown.error?.let { Advice(it, Tone.WRONG) }
+    shown.error?.let { Advice(spoken(it), Tone.WRONG) }
     shown.silent.forEach { Advice(stringResource(silence(it)), Tone.WRONG) }
     state.warnings.forEach { Advice(spoken(it)) }
     PhaseBody(state)

@@ -13,6 +13,7 @@ import org.gyradius.ResultView
 import org.gyradius.SwingResult
 import org.gyradius.app.R
 import org.gyradius.number
+import org.gyradius.unitOf
 
 /** Each quantity that is one number, with its uncertainty, the gyradii first. */
 @Composable
@@ -32,7 +33,7 @@ private fun QuantityLine(one: NamedQuantity) {
     val value = one.quantity.value.number ?: return
     val u = one.quantity.u.number ?: return
     val (shown, uncertainty) = withUncertainty(value, u)
-    Figure(quantityName(one.name), stringResource(R.string.quantity_u, shown, uncertainty, nameAndUnit(one.name).second))
+    Figure(quantityName(one.name), stringResource(R.string.quantity_u, shown, uncertainty, unitOf(one.name)))
 }
 
 /** What stands behind the result: folded away until somebody asks. */
@@ -52,7 +53,7 @@ private fun IntervalLine(one: NamedQuantity) {
     val between = one.quantity.interval95 ?: return
     val u = one.quantity.u.number ?: return
     val (low, high) = withUncertainty(between.low, u).first to withUncertainty(between.high, u).first
-    Figure(quantityName(one.name), stringResource(R.string.from_to, low, high, nameAndUnit(one.name).second))
+    Figure(quantityName(one.name), stringResource(R.string.from_to, low, high, unitOf(one.name)))
 }
 
 @Composable
@@ -65,14 +66,14 @@ private fun Routes(one: NamedRoutes) {
     Text(quantityName(one.name), style = MaterialTheme.typography.titleMedium)
     for (route in one.routes) {
         val (value, u) = withUncertainty(route.value, route.u)
-        val figure = stringResource(R.string.quantity_u, value, u, nameAndUnit(one.name).second)
-        Text("${route.method.replace('_', ' ')}: $figure", style = MaterialTheme.typography.bodyLarge)
+        val figure = stringResource(R.string.quantity_u, value, u, unitOf(one.name))
+        Text("${routeName(route.method)}: $figure", style = MaterialTheme.typography.bodyLarge)
     }
 }
 
 @Composable
 private fun SwingLine(one: SwingResult) {
-    Text(one.id, style = MaterialTheme.typography.titleMedium)
+    Text(idName(one.id), style = MaterialTheme.typography.titleMedium)
     for (mode in one.modes) {
         val (value, u) = withUncertainty(mode.periodS, mode.periodSeS)
         Text("${stringResource(wordOf(mode.mode))}: ${stringResource(R.string.seconds_u, value, u)}", style = MaterialTheme.typography.bodyLarge)

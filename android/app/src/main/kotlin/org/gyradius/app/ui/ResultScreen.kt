@@ -28,7 +28,7 @@ class ResultDeeds(
 @Composable
 fun ResultScreen(shown: ResultShown, deeds: ResultDeeds) = Page {
     TopBar(stringResource(R.string.phase_done), deeds.leave, R.string.back) { HelpButton(R.string.help_result) }
-    shown.error?.let { Advice(it, Tone.WRONG) }
+    shown.error?.let { Advice(spoken(it), Tone.WRONG) }
     shown.share?.let { share -> LinearProgressIndicator({ share.toFloat() }, Modifier.fillMaxWidth()) }
     Text(shown.title, style = MaterialTheme.typography.titleLarge)
     TwoColumns({ Measured(shown, deeds) }) { Criticised(shown, deeds) }
@@ -42,16 +42,17 @@ private fun Measured(shown: ResultShown, deeds: ResultDeeds) {
     result.warnings.forEach { Advice(it) }
     WideButton(stringResource(R.string.report_share), onClick = deeds.share)
     WideButton(stringResource(R.string.report_print), isMain = false, onClick = deeds.print)
-    Fold(R.string.class_limits) { Judge(deeds.judge) }
+    Fold(R.string.class_limits) { Judge(shown.limits, deeds.judge) }
     Ellipsoid(result.quantities)
     ResultDetails(result)
 }
 
 @Composable
-private fun Judge(onJudge: (List<String>) -> Unit) {
-    var limits by rememberSaveable { mutableStateOf(ArrayList<LimitTyped>()) }
+private fun Judge(kept: List<String>, onJudge: (List<String>) -> Unit) {
+    var limits by rememberSaveable { mutableStateOf(ArrayList(kept.mapNotNull(LimitTyped::of))) }
     Limits(limits) { limits = ArrayList(it) }
-    if (limits.isNotEmpty()) WideButton(stringResource(R.string.limit_judge)) { onJudge(limits.mapNotNull { it.text() }) }
+    // Where the last one was taken away, too, there is something to judge anew.
+    if (limits.isNotEmpty() || kept.isNotEmpty()) WideButton(stringResource(R.string.limit_judge)) { onJudge(limits.mapNotNull { it.text() }) }
 }
 
 @Composable
@@ -69,7 +70,7 @@ private fun Criticised(shown: ResultShown, deeds: ResultDeeds) {
 
 @Composable
 private fun Recorded(one: RecordingFigureData) {
-    Text(one.id, style = MaterialTheme.typography.titleMedium)
+    Text(idName(one.id), style = MaterialTheme.typography.titleMedium)
     for (trace in one.traces) {
         Text(trace.label, style = MaterialTheme.typography.bodyLarge)
         val near = trace.closeUp

@@ -31,10 +31,12 @@ import java.time.ZoneId
 import java.time.format.DateTimeFormatter
 import java.time.format.FormatStyle
 import org.gyradius.NamedQuantity
+import org.gyradius.app.Failure
 import org.gyradius.app.R
 import org.gyradius.app.store.Listed
 import org.gyradius.app.store.Sessions
 import org.gyradius.number
+import org.gyradius.unitOf
 
 /** What can be done in the list of sessions. */
 interface SessionActions {
@@ -57,7 +59,7 @@ interface SessionActions {
 
 /** Where the app begins. */
 @Composable
-fun SessionsScreen(sessions: Sessions, error: String?, on: SessionActions) {
+fun SessionsScreen(sessions: Sessions, error: Failure?, on: SessionActions) {
     val snackbar = remember { SnackbarHostState() }
     Undoing(sessions.deleted, snackbar, on)
     Scaffold(snackbarHost = { SnackbarHost(snackbar) }) { inner ->
@@ -73,11 +75,11 @@ fun SessionsScreen(sessions: Sessions, error: String?, on: SessionActions) {
 }
 
 @Composable
-private fun Beginning(sessions: Sessions, errors: List<String>, on: SessionActions) = Stack {
+private fun Beginning(sessions: Sessions, errors: List<Failure>, on: SessionActions) = Stack {
     TopBar(stringResource(R.string.sessions), onBack = null, back = R.string.back) {
         BarButton(R.drawable.ic_info, R.string.about, on::about)
     }
-    errors.forEach { Advice(it) }
+    errors.forEach { Advice(spoken(it)) }
     WideButton(stringResource(R.string.measure), onClick = on::measure)
     if (sessions.isPracticeLeft) {
         WideButton(stringResource(R.string.practice_go_on), isMain = false, onClick = on::goOnPractising)
@@ -144,7 +146,7 @@ private fun standing(session: Listed): String {
 
 @Composable
 private fun figure(one: NamedQuantity): String {
-    val unit = nameAndUnit(one.name).second
+    val unit = unitOf(one.name)
     val (value, u) = withUncertainty(one.quantity.value.number ?: 0.0, one.quantity.u.number ?: 0.0)
     return quantityName(one.name) + ": " + stringResource(R.string.quantity_u, value, u, unit)
 }

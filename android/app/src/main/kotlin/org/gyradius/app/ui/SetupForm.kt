@@ -40,18 +40,31 @@ enum class Known(@StringRes val label: Int) {
 }
 
 /** A quantity whose uncertainty can be wished for, or that a class limits. */
-enum class Goal(@StringRes val label: Int, val wanted: String, val unit: String, val measured: String) {
-    K_YAW(R.string.quantity_k_yaw, "k_yaw", "%", "k_yaw_m"),
-    K_PITCH(R.string.quantity_k_pitch, "k_pitch", "%", "k_pitch_m"),
-    K_ROLL(R.string.quantity_k_roll, "k_roll", "%", "k_roll_m"),
-    DEPTH(R.string.quantity_cm_depth, "depth", "%", "cm_depth_m"),
-    PSI(R.string.quantity_psi, "psi", "°", "psi_deg"),
+enum class Goal(val wanted: String, val unit: String, val measured: String) {
+    K_YAW("k_yaw", "%", "k_yaw_m"),
+    K_PITCH("k_pitch", "%", "k_pitch_m"),
+    K_ROLL("k_roll", "%", "k_roll_m"),
+    DEPTH("depth", "%", "cm_depth_m"),
+    PSI("psi", "°", "psi_deg"),
 }
 
 /** A class limit as it stands in its fields. */
 data class LimitTyped(val goal: Goal, val isLeast: Boolean, val value: String) : Serializable {
     /** As the library reads it, where there is a number. */
-    fun text(): String? = numberIn(value)?.let { "${goal.measured}${if (isLeast) ">=" else "<="}$it" }
+    fun text(): String? = numberIn(value)?.let { "${goal.measured}${if (isLeast) LEAST else MOST}$it" }
+
+    companion object {
+        private const val LEAST = ">="
+        private const val MOST = "<="
+
+        /** What [text] has written; anything else is no limit that has fields. */
+        fun of(text: String): LimitTyped? {
+            val isLeast = LEAST in text
+            val (measured, value) = text.split(if (isLeast) LEAST else MOST).takeIf { it.size == 2 } ?: return null
+            val goal = Goal.entries.firstOrNull { it.measured == measured } ?: return null
+            return LimitTyped(goal, isLeast, value)
+        }
+    }
 }
 
 /** Everything that is typed in before a plan is made; it outlives a turn of the screen. */
@@ -117,8 +130,8 @@ internal data class SetupForm(
     )
 
     companion object {
-        /** The library's defaults, to be seen and changed. */
-        fun of(means: Means, type: String): SetupForm {
+        /** The library's defaults and the limits used last, to be seen and changed. */
+        fun of(means: Means, type: String, usualLimits: List<String>): SetupForm {
             val numbers = mapOf(
                 Entry.MOST_LINE to means.mostLineLengthM,
                 Entry.LEAST_LINE to means.leastLineLengthM,
@@ -134,7 +147,8 @@ internal data class SetupForm(
                 Entry.RATE to means.rateHz,
             )
             val gravity = Typed(asTyped(means.gravityMS2.value), asTyped(means.gravityMS2.u))
-            return SetupForm(type = type, numbers = HashMap(numbers.mapValues { asTyped(it.value) }), gravity = gravity)
+            val limits = ArrayList(usualLimits.mapNotNull(LimitTyped::of))
+            return SetupForm(type = type, numbers = HashMap(numbers.mapValues { asTyped(it.value) }), gravity = gravity, limits = limits)
         }
     }
 }

@@ -24,15 +24,17 @@ import org.gyradius.app.run.Planned
 import org.gyradius.boatTypes
 import org.gyradius.usualMeans
 
-/** The boat as it is roughly known, what is at hand, and what the planner advises. [onBegin] is also given the class limits. */
+/** The boat as it is roughly known, what is at hand, and what the planner advises; class limits are offered as they were used
+ * last. [onBegin] is also given them. */
 @Composable
 fun SetupScreen(
     planned: Planned,
+    usualLimits: List<String>,
     onPlan: (PlanRequest) -> Unit,
     onBack: () -> Unit,
     onBegin: (task: ProcedureTask, limits: List<String>) -> Unit,
 ) {
-    var form by rememberSaveable { mutableStateOf(SetupForm.of(usualMeans(), boatTypes().first())) }
+    var form by rememberSaveable { mutableStateOf(SetupForm.of(usualMeans(), boatTypes().first(), usualLimits)) }
     Page {
         TopBar(stringResource(R.string.boat), onBack, R.string.back) { HelpButton(R.string.help_setup) }
         TwoColumns({ Form(form) { form = it } }) {
@@ -40,7 +42,7 @@ fun SetupScreen(
                 onPlan(form.request())
             }
             if (planned.isPlanning) LinearProgressIndicator(Modifier.fillMaxWidth())
-            planned.error?.let { Advice(it, Tone.WRONG) }
+            planned.error?.let { Advice(spoken(it), Tone.WRONG) }
             planned.task?.let { task ->
                 WideButton(stringResource(R.string.to_the_boat)) { onBegin(task, form.limitTexts()) }
             }
@@ -102,7 +104,7 @@ private fun KnownCloser(form: SetupForm, onForm: (SetupForm) -> Unit) {
 private fun Wanted(form: SetupForm, onForm: (SetupForm) -> Unit) {
     Text(stringResource(R.string.wanted_says), style = MaterialTheme.typography.bodyLarge)
     for (goal in Goal.entries) {
-        val label = "${stringResource(goal.label)}, ${goal.unit}"
+        val label = "${quantityName(goal.measured)}, ${goal.unit}"
         NumberField(label, form.wanted[goal].orEmpty(), isNeeded = false) { onForm(form.with(goal, it)) }
     }
 }

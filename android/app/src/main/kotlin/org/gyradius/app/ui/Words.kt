@@ -9,7 +9,12 @@ import org.gyradius.ModeName
 import org.gyradius.PlanWarning
 import org.gyradius.Sentence
 import org.gyradius.SideMotionKind
+import org.gyradius.app.Failure
 import org.gyradius.app.R
+import org.gyradius.causeIn
+import org.gyradius.idIn
+import org.gyradius.quantityIn
+import org.gyradius.routeIn
 import org.gyradius.sentenceIn
 import org.gyradius.warningIn
 
@@ -75,20 +80,25 @@ internal fun boatType(name: String): String = when (name) {
     else -> name
 }
 
-/** A quantity by the library's name for it, in words; a name without words is spelled out. */
+/** A quantity by the library's name for it, in words. */
 @Composable
-internal fun quantityName(name: String): String = when (name) {
-    "k_yaw_m" -> stringResource(R.string.quantity_k_yaw)
-    "k_pitch_m" -> stringResource(R.string.quantity_k_pitch)
-    "k_roll_m" -> stringResource(R.string.quantity_k_roll)
-    "cm_depth_m" -> stringResource(R.string.quantity_cm_depth)
-    "psi_deg" -> stringResource(R.string.quantity_psi)
-    else -> nameAndUnit(name).first
-}
+internal fun quantityName(name: String): String = quantityIn(name, libraryLanguage())
 
-/** `k_yaw_m` is read as "k yaw" in m. */
-internal fun nameAndUnit(name: String): Pair<String, String> {
-    val endings = listOf("_kg_m2" to "kg m²", "_m_s2" to "m/s²", "_deg" to "°", "_kg" to "kg", "_m" to "m", "_s" to "s")
-    val (ending, unit) = endings.firstOrNull { name.endsWith(it.first) } ?: ("" to "")
-    return name.removeSuffix(ending).replace('_', ' ') to unit
+/** A step or a swing by its id, in words where the library has them. */
+@Composable
+internal fun idName(id: String): String = idIn(id, libraryLanguage())
+
+/** A single route to a quantity, in words. */
+@Composable
+internal fun routeName(method: String): String = routeIn(method, libraryLanguage())
+
+/** A cause of what the simulation gets wrong, in words. */
+@Composable
+internal fun causeName(id: String): String = causeIn(id, libraryLanguage())
+
+/** What went wrong, in words. */
+@Composable
+internal fun spoken(failure: Failure): String = when (failure) {
+    Failure.DiskFull -> stringResource(R.string.disk_full)
+    is Failure.Told -> failure.text
 }

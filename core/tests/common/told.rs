@@ -1,0 +1,18 @@
+//! What a criticism says, looked at in every language.
+
+use gyradius_core::critique::Critique;
+use gyradius_core::language::Language;
+
+/// Nothing is said in one language alone: the words are those of the sentence with its keys, and German has each of them.
+pub fn told_in_every_language(critique: &Critique) {
+    let mut all = vec![(&critique.verdict.text, &critique.verdict.said)];
+    all.extend(critique.verdict.next_swing.iter().map(|next| (&next.text, &next.said)));
+    all.extend(critique.causes.iter().map(|cause| (&cause.text, &cause.said)));
+    all.extend(critique.discrepancies.iter().map(|found| (&found.text, &found.said)));
+    for (text, said) in all {
+        assert_eq!(*text, said.in_language(Language::English));
+        let german = said.in_language(Language::German);
+        println!("  {german}");
+        assert!(!german.is_empty() && german != *text && !german.contains(['{', '_']), "{text}: {german}");
+    }
+}
