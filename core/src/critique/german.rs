@@ -162,6 +162,7 @@ pub const GERMAN: &[(&str, &str)] = &[
     ),
     ("cause.line_creep", "die Leinen werden unter der Last länger, erst schnell und dann immer langsamer"),
     ("cause.line_mass", "die Leinen selbst wiegen etwas und schwingen mit"),
+    ("cause.line_slip", "eine Leine gibt mitten in einer Schwingung nach und bleibt länger"),
     ("cause.line_stretch", "die Leinen dehnen sich wie Federn unter Gewicht und Schwingung"),
     ("cause.line_torsion", "die Leinen wehren sich gegen das Verdrillen und machen das Gieren steifer"),
     (
@@ -239,6 +240,7 @@ pub const GERMAN: &[(&str, &str)] = &[
     ("name.learned_force", "Kraft ohne Namen"),
     ("name.line_creep", "Kriechen der Leinen"),
     ("name.line_mass", "Masse der Leinen"),
+    ("name.line_slip", "nachgebende Leine"),
     ("name.line_stretch", "Dehnung der Leinen"),
     ("name.line_torsion", "Verdrillung der Leinen"),
     ("name.linear_damping", "lineare Dämpfung"),

@@ -265,7 +265,7 @@ mod tests {
         let measured: Vec<f64> = (0..1000).map(|i| if i % 2 == 0 { NOISE } else { -NOISE }).collect();
         let seen = Seen {
             swing: "s",
-            motion: "pitch",
+            motion: ModeName::PitchInPhase,
             t_s: &t_s,
             measured_rad_s: &measured,
             simulated_rad_s: &vec![1.0; 1000],
