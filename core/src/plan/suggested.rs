@@ -101,6 +101,7 @@ axis_height = { value = 0.3, u = 0.001 }
             duration_s: 300.0,
             hull_pitch_deg,
             sigma: 9.0,
+            said: Default::default(),
             text: String::new(),
         }
     }

@@ -370,6 +370,7 @@ fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> S
     SwingTrace {
         swing: swing.into(),
         channel: "turn rate about the phone's z".into(),
+        said: Default::default(),
         unit: "rad/s".into(),
         noise: noise_size,
         t_s,
