@@ -319,6 +319,11 @@ RustBuffer uniffi_gyradius_ffi_fn_method_criticism_compared(uint64_t ptr, RustCa
 RustBuffer uniffi_gyradius_ffi_fn_method_criticism_json(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_CRITICISM_KEEP
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_CRITICISM_KEEP
+void uniffi_gyradius_ffi_fn_method_criticism_keep(uint64_t ptr, RustBuffer folder, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_CRITICISM_RESULT
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_CRITICISM_RESULT
 RustBuffer uniffi_gyradius_ffi_fn_method_criticism_result(uint64_t ptr, RustCallStatus *_Nonnull out_status
@@ -790,6 +795,11 @@ RustBuffer uniffi_gyradius_ffi_fn_func_library_version(RustCallStatus *_Nonnull 
     
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_KEPT_CRITICISM
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_KEPT_CRITICISM
+RustBuffer uniffi_gyradius_ffi_fn_func_kept_criticism(RustBuffer folder, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_FORCES_FROM_CORE_MOTION
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_FORCES_FROM_CORE_MOTION
 RustBuffer uniffi_gyradius_ffi_fn_func_forces_from_core_motion(ForeignBytes accelerations_g, RustCallStatus *_Nonnull out_status
@@ -854,6 +864,26 @@ RustBuffer uniffi_gyradius_ffi_fn_func_routes_json(RustCallStatus *_Nonnull out_
     
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_CAUSE_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_CAUSE_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_cause_in(RustBuffer id, RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_ID_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_ID_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_id_in(RustBuffer id, RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_QUANTITY_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_QUANTITY_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_quantity_in(RustBuffer name, RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_ROUTE_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_ROUTE_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_route_in(RustBuffer method, RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_SENTENCE_IN
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_SENTENCE_IN
 RustBuffer uniffi_gyradius_ffi_fn_func_sentence_in(RustBuffer sentence, RustBuffer language, RustCallStatus *_Nonnull out_status
@@ -862,6 +892,11 @@ RustBuffer uniffi_gyradius_ffi_fn_func_sentence_in(RustBuffer sentence, RustBuff
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_TEXTS
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_TEXTS
 RustBuffer uniffi_gyradius_ffi_fn_func_texts(RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_UNIT_OF
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_UNIT_OF
+RustBuffer uniffi_gyradius_ffi_fn_func_unit_of(RustBuffer name, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_WARNING_IN
@@ -1135,6 +1170,12 @@ uint16_t uniffi_gyradius_ffi_checksum_func_library_version(void
     
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_KEPT_CRITICISM
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_KEPT_CRITICISM
+uint16_t uniffi_gyradius_ffi_checksum_func_kept_criticism(void
+    
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_FORCES_FROM_CORE_MOTION
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_FORCES_FROM_CORE_MOTION
 uint16_t uniffi_gyradius_ffi_checksum_func_forces_from_core_motion(void
@@ -1207,6 +1248,30 @@ uint16_t uniffi_gyradius_ffi_checksum_func_routes_json(void
     
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_CAUSE_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_CAUSE_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_cause_in(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ID_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ID_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_id_in(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_QUANTITY_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_QUANTITY_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_quantity_in(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ROUTE_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ROUTE_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_route_in(void
+    
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_SENTENCE_IN
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_SENTENCE_IN
 uint16_t uniffi_gyradius_ffi_checksum_func_sentence_in(void
@@ -1216,6 +1281,12 @@ uint16_t uniffi_gyradius_ffi_checksum_func_sentence_in(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_TEXTS
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_TEXTS
 uint16_t uniffi_gyradius_ffi_checksum_func_texts(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_UNIT_OF
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_UNIT_OF
+uint16_t uniffi_gyradius_ffi_checksum_func_unit_of(void
     
 );
 #endif
@@ -1264,6 +1335,12 @@ uint16_t uniffi_gyradius_ffi_checksum_method_criticism_compared(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_CRITICISM_JSON
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_CRITICISM_JSON
 uint16_t uniffi_gyradius_ffi_checksum_method_criticism_json(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_CRITICISM_KEEP
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_CRITICISM_KEEP
+uint16_t uniffi_gyradius_ffi_checksum_method_criticism_keep(void
     
 );
 #endif

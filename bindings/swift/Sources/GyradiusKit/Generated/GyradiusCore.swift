@@ -661,7 +661,7 @@ public protocol AnalysisProtocol: AnyObject, Sendable {
     
     /**
      * The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-     * as the operator writes it; the report leaves a blank where it is absent.
+     * as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
      */
     func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, listener: ProgressListener?) throws  -> String
     
@@ -766,7 +766,7 @@ open func recordings() -> [RecordingFigureData]  {
     
     /**
      * The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-     * as the operator writes it; the report leaves a blank where it is absent.
+     * as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
      */
 open func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, listener: ProgressListener?)throws  -> String  {
     return try  FfiConverterString.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -856,6 +856,11 @@ public protocol CriticismProtocol: AnyObject, Sendable {
      * The `gyradius-critique/1` text.
      */
     func json() throws  -> String
+    
+    /**
+     * Keeps it in a folder with what pictures are drawn from, in the place of an earlier one.
+     */
+    func keep(folder: String) throws 
     
     /**
      * The result.
@@ -953,6 +958,18 @@ open func json()throws  -> String  {
             self.uniffiCloneHandle(),uniffiCallStatus
     )
 })
+}
+    
+    /**
+     * Keeps it in a folder with what pictures are drawn from, in the place of an earlier one.
+     */
+open func keep(folder: String)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_method_criticism_keep(
+            self.uniffiCloneHandle(),
+        FfiConverterString.lower(folder),uniffiCallStatus
+    )
+}
 }
     
     /**
@@ -4169,6 +4186,10 @@ public struct CauseResult: Equatable, Hashable {
      */
     public let text: String
     /**
+     * The same for every language.
+     */
+    public let said: Sentence
+    /**
      * Whether the extended model has it.
      */
     public let taken: Bool
@@ -4192,6 +4213,9 @@ public struct CauseResult: Equatable, Hashable {
          * What it is and how strong, in words.
          */text: String, 
         /**
+         * The same for every language.
+         */said: Sentence, 
+        /**
          * Whether the extended model has it.
          */taken: Bool) {
         self.id = id
@@ -4199,6 +4223,7 @@ public struct CauseResult: Equatable, Hashable {
         self.logEvidenceGain = logEvidenceGain
         self.parameters = parameters
         self.text = text
+        self.said = said
         self.taken = taken
     }
 
@@ -4223,6 +4248,7 @@ public struct FfiConverterTypeCauseResult: FfiConverterRustBuffer {
                 logEvidenceGain: FfiConverterDouble.read(from: &buf), 
                 parameters: FfiConverterTypeParametersByName.read(from: &buf), 
                 text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf), 
                 taken: FfiConverterBool.read(from: &buf)
         )
     }
@@ -4233,6 +4259,7 @@ public struct FfiConverterTypeCauseResult: FfiConverterRustBuffer {
         FfiConverterDouble.write(value.logEvidenceGain, into: &buf)
         FfiConverterTypeParametersByName.write(value.parameters, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
         FfiConverterBool.write(value.taken, into: &buf)
     }
 }
@@ -4277,6 +4304,10 @@ public struct CauseVerdict: Equatable, Hashable {
      * In words.
      */
     public let text: String
+    /**
+     * The same for every language.
+     */
+    public let said: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -4295,12 +4326,16 @@ public struct CauseVerdict: Equatable, Hashable {
          */nextSwing: NextSwing?, 
         /**
          * In words.
-         */text: String) {
+         */text: String, 
+        /**
+         * The same for every language.
+         */said: Sentence) {
         self.status = status
         self.causes = causes
         self.indistinguishableFrom = indistinguishableFrom
         self.nextSwing = nextSwing
         self.text = text
+        self.said = said
     }
 
     
@@ -4323,7 +4358,8 @@ public struct FfiConverterTypeCauseVerdict: FfiConverterRustBuffer {
                 causes: FfiConverterSequenceString.read(from: &buf), 
                 indistinguishableFrom: FfiConverterSequenceString.read(from: &buf), 
                 nextSwing: FfiConverterOptionTypeNextSwing.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf)
+                text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
@@ -4333,6 +4369,7 @@ public struct FfiConverterTypeCauseVerdict: FfiConverterRustBuffer {
         FfiConverterSequenceString.write(value.indistinguishableFrom, into: &buf)
         FfiConverterOptionTypeNextSwing.write(value.nextSwing, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
     }
 }
 
@@ -4593,6 +4630,10 @@ public struct ComparedSwing: Equatable, Hashable {
      */
     public let channel: String
     /**
+     * The same for every language.
+     */
+    public let said: Sentence
+    /**
      * Unit of the readings.
      */
     public let unit: String
@@ -4623,6 +4664,9 @@ public struct ComparedSwing: Equatable, Hashable {
          * The channel, in words.
          */channel: String, 
         /**
+         * The same for every language.
+         */said: Sentence, 
+        /**
          * Unit of the readings.
          */unit: String, 
         /**
@@ -4639,6 +4683,7 @@ public struct ComparedSwing: Equatable, Hashable {
          */extended: Curve) {
         self.swing = swing
         self.channel = channel
+        self.said = said
         self.unit = unit
         self.noise = noise
         self.measured = measured
@@ -4664,6 +4709,7 @@ public struct FfiConverterTypeComparedSwing: FfiConverterRustBuffer {
             try ComparedSwing(
                 swing: FfiConverterString.read(from: &buf), 
                 channel: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf), 
                 unit: FfiConverterString.read(from: &buf), 
                 noise: FfiConverterDouble.read(from: &buf), 
                 measured: FfiConverterTypeCurve.read(from: &buf), 
@@ -4675,6 +4721,7 @@ public struct FfiConverterTypeComparedSwing: FfiConverterRustBuffer {
     public static func write(_ value: ComparedSwing, into buf: inout [UInt8]) {
         FfiConverterString.write(value.swing, into: &buf)
         FfiConverterString.write(value.channel, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
         FfiConverterString.write(value.unit, into: &buf)
         FfiConverterDouble.write(value.noise, into: &buf)
         FfiConverterTypeCurve.write(value.measured, into: &buf)
@@ -4940,6 +4987,10 @@ public struct CritiqueView: Equatable, Hashable {
      */
     public let text: String
     /**
+     * The same for every language.
+     */
+    public let said: Sentence
+    /**
      * How many causes these swings cannot tell apart; 0 where none is in doubt.
      */
     public let causes: Count
@@ -4958,6 +5009,9 @@ public struct CritiqueView: Equatable, Hashable {
          * In words.
          */text: String, 
         /**
+         * The same for every language.
+         */said: Sentence, 
+        /**
          * How many causes these swings cannot tell apart; 0 where none is in doubt.
          */causes: Count, 
         /**
@@ -4965,6 +5019,7 @@ public struct CritiqueView: Equatable, Hashable {
          */quantities: QuantitiesByName) {
         self.status = status
         self.text = text
+        self.said = said
         self.causes = causes
         self.quantities = quantities
     }
@@ -4987,6 +5042,7 @@ public struct FfiConverterTypeCritiqueView: FfiConverterRustBuffer {
             try CritiqueView(
                 status: FfiConverterString.read(from: &buf), 
                 text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf), 
                 causes: FfiConverterTypeCount.read(from: &buf), 
                 quantities: FfiConverterTypeQuantitiesByName.read(from: &buf)
         )
@@ -4995,6 +5051,7 @@ public struct FfiConverterTypeCritiqueView: FfiConverterRustBuffer {
     public static func write(_ value: CritiqueView, into buf: inout [UInt8]) {
         FfiConverterString.write(value.status, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
         FfiConverterTypeCount.write(value.causes, into: &buf)
         FfiConverterTypeQuantitiesByName.write(value.quantities, into: &buf)
     }
@@ -5113,6 +5170,10 @@ public struct Discrepancy: Equatable, Hashable {
      * In words.
      */
     public let text: String
+    /**
+     * The same for every language.
+     */
+    public let said: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -5134,13 +5195,17 @@ public struct Discrepancy: Equatable, Hashable {
          */sigma: Double, 
         /**
          * In words.
-         */text: String) {
+         */text: String, 
+        /**
+         * The same for every language.
+         */said: Sentence) {
         self.swing = swing
         self.what = what
         self.size = size
         self.unit = unit
         self.sigma = sigma
         self.text = text
+        self.said = said
     }
 
     
@@ -5164,7 +5229,8 @@ public struct FfiConverterTypeDiscrepancy: FfiConverterRustBuffer {
                 size: FfiConverterDouble.read(from: &buf), 
                 unit: FfiConverterString.read(from: &buf), 
                 sigma: FfiConverterDouble.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf)
+                text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
@@ -5175,6 +5241,7 @@ public struct FfiConverterTypeDiscrepancy: FfiConverterRustBuffer {
         FfiConverterString.write(value.unit, into: &buf)
         FfiConverterDouble.write(value.sigma, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
     }
 }
 
@@ -7491,6 +7558,10 @@ public struct NextSwing: Equatable, Hashable {
      * In words.
      */
     public let text: String
+    /**
+     * The same for every language.
+     */
+    public let said: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -7521,7 +7592,10 @@ public struct NextSwing: Equatable, Hashable {
          */sigma: Double, 
         /**
          * In words.
-         */text: String) {
+         */text: String, 
+        /**
+         * The same for every language.
+         */said: Sentence) {
         self.like = like
         self.lineLengthM = lineLengthM
         self.spacingM = spacingM
@@ -7531,6 +7605,7 @@ public struct NextSwing: Equatable, Hashable {
         self.hullPitchDeg = hullPitchDeg
         self.sigma = sigma
         self.text = text
+        self.said = said
     }
 
     
@@ -7557,7 +7632,8 @@ public struct FfiConverterTypeNextSwing: FfiConverterRustBuffer {
                 durationS: FfiConverterDouble.read(from: &buf), 
                 hullPitchDeg: FfiConverterDouble.read(from: &buf), 
                 sigma: FfiConverterDouble.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf)
+                text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
@@ -7571,6 +7647,7 @@ public struct FfiConverterTypeNextSwing: FfiConverterRustBuffer {
         FfiConverterDouble.write(value.hullPitchDeg, into: &buf)
         FfiConverterDouble.write(value.sigma, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
     }
 }
 
@@ -12894,9 +12971,20 @@ enum GyradiusError: Swift.Error, Equatable, Hashable, Foundation.LocalizedError 
          */line: UInt32?
     )
     /**
-     * A file or folder cannot be written: the disk is full, it is there already, it may not be written.
+     * A file or folder cannot be written: it is there already, it may not be written.
      */
     case Unwritable(
+        /**
+         * What is wrong, file included.
+         */text: String, 
+        /**
+         * The file as the user knows it.
+         */file: String
+    )
+    /**
+     * A file cannot be written because the disk has no room left.
+     */
+    case DiskFull(
         /**
          * What is wrong, file included.
          */text: String, 
@@ -12983,15 +13071,19 @@ public struct FfiConverterTypeGyradiusError: FfiConverterRustBuffer {
             text: try FfiConverterString.read(from: &buf), 
             file: try FfiConverterString.read(from: &buf)
             )
-        case 3: return .NoResult(
+        case 3: return .DiskFull(
+            text: try FfiConverterString.read(from: &buf), 
+            file: try FfiConverterString.read(from: &buf)
+            )
+        case 4: return .NoResult(
             text: try FfiConverterString.read(from: &buf), 
             what: try FfiConverterString.read(from: &buf)
             )
-        case 4: return .BadArgument(
+        case 5: return .BadArgument(
             text: try FfiConverterString.read(from: &buf), 
             name: try FfiConverterString.read(from: &buf)
             )
-        case 5: return .Cancelled(
+        case 6: return .Cancelled(
             text: try FfiConverterString.read(from: &buf)
             )
 
@@ -13019,20 +13111,26 @@ public struct FfiConverterTypeGyradiusError: FfiConverterRustBuffer {
             FfiConverterString.write(file, into: &buf)
             
         
-        case let .NoResult(text,what):
+        case let .DiskFull(text,file):
             writeInt(&buf, Int32(3))
+            FfiConverterString.write(text, into: &buf)
+            FfiConverterString.write(file, into: &buf)
+            
+        
+        case let .NoResult(text,what):
+            writeInt(&buf, Int32(4))
             FfiConverterString.write(text, into: &buf)
             FfiConverterString.write(what, into: &buf)
             
         
         case let .BadArgument(text,name):
-            writeInt(&buf, Int32(4))
+            writeInt(&buf, Int32(5))
             FfiConverterString.write(text, into: &buf)
             FfiConverterString.write(name, into: &buf)
             
         
         case let .Cancelled(text):
-            writeInt(&buf, Int32(5))
+            writeInt(&buf, Int32(6))
             FfiConverterString.write(text, into: &buf)
             
         }
@@ -14195,6 +14293,10 @@ public enum ProcedureEvent: Equatable, Hashable {
          * Wall clock, UTC, as text (`2026-05-04T09:30:00Z`); kept, never computed with.
          */atUtc: String, 
         /**
+         * The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
+         * absent.
+         */measuredOn: String?, 
+        /**
          * The phone.
          */phone: PhoneInfo, 
         /**
@@ -14311,7 +14413,7 @@ public struct FfiConverterTypeProcedureEvent: FfiConverterRustBuffer {
         let variant: Int32 = try readInt(&buf)
         switch variant {
         
-        case 1: return .begin(atUtc: try FfiConverterString.read(from: &buf), phone: try FfiConverterTypePhoneInfo.read(from: &buf), placement: try FfiConverterTypePlacement.read(from: &buf)
+        case 1: return .begin(atUtc: try FfiConverterString.read(from: &buf), measuredOn: try FfiConverterOptionString.read(from: &buf), phone: try FfiConverterTypePhoneInfo.read(from: &buf), placement: try FfiConverterTypePlacement.read(from: &buf)
         )
         
         case 2: return .setReference
@@ -14361,9 +14463,10 @@ public struct FfiConverterTypeProcedureEvent: FfiConverterRustBuffer {
         switch value {
         
         
-        case let .begin(atUtc,phone,placement):
+        case let .begin(atUtc,measuredOn,phone,placement):
             writeInt(&buf, Int32(1))
             FfiConverterString.write(atUtc, into: &buf)
+            FfiConverterOptionString.write(measuredOn, into: &buf)
             FfiConverterTypePhoneInfo.write(phone, into: &buf)
             FfiConverterTypePlacement.write(placement, into: &buf)
             
@@ -15194,7 +15297,23 @@ public enum SentenceArgument: Equatable, Hashable {
          */keys: String
     )
     /**
-     * Text as it stands: an id, a file, a reason.
+     * A figure as it is written with a decimal point.
+     */
+    case figure(
+        /**
+         * The figure.
+         */written: String
+    )
+    /**
+     * The id of a step or a swing: words with keys of their own, hyphens between them.
+     */
+    case id(
+        /**
+         * The id.
+         */id: String
+    )
+    /**
+     * Text as it stands: a file, a reason.
      */
     case plain(
         /**
@@ -15236,10 +15355,16 @@ public struct FfiConverterTypeSentenceArgument: FfiConverterRustBuffer {
         case 2: return .words(keys: try FfiConverterString.read(from: &buf)
         )
         
-        case 3: return .plain(text: try FfiConverterString.read(from: &buf)
+        case 3: return .figure(written: try FfiConverterString.read(from: &buf)
         )
         
-        case 4: return .sentences(sentences: try FfiConverterSequenceTypeSentence.read(from: &buf)
+        case 4: return .id(id: try FfiConverterString.read(from: &buf)
+        )
+        
+        case 5: return .plain(text: try FfiConverterString.read(from: &buf)
+        )
+        
+        case 6: return .sentences(sentences: try FfiConverterSequenceTypeSentence.read(from: &buf)
         )
         
         default: throw UniffiInternalError.unexpectedEnumCase
@@ -15261,13 +15386,23 @@ public struct FfiConverterTypeSentenceArgument: FfiConverterRustBuffer {
             FfiConverterString.write(keys, into: &buf)
             
         
-        case let .plain(text):
+        case let .figure(written):
             writeInt(&buf, Int32(3))
+            FfiConverterString.write(written, into: &buf)
+            
+        
+        case let .id(id):
+            writeInt(&buf, Int32(4))
+            FfiConverterString.write(id, into: &buf)
+            
+        
+        case let .plain(text):
+            writeInt(&buf, Int32(5))
             FfiConverterString.write(text, into: &buf)
             
         
         case let .sentences(sentences):
-            writeInt(&buf, Int32(4))
+            writeInt(&buf, Int32(6))
             FfiConverterSequenceTypeSentence.write(sentences, into: &buf)
             
         }
@@ -18456,6 +18591,17 @@ public func libraryVersion() -> String  {
 })
 }
 /**
+ * The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told; absent where it keeps none.
+ */
+public func keptCriticism(folder: String)throws  -> Criticism?  {
+    return try  FfiConverterOptionTypeCriticism.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_kept_criticism(
+        FfiConverterString.lower(folder),uniffiCallStatus
+    )
+})
+}
+/**
  * Accelerations of Core Motion (in g, at rest, screen up: z = −1) as specific force, m/s² (z = +9.80665): a block of x, y,
  * z each way.
  */
@@ -18599,6 +18745,54 @@ public func routesJson()throws  -> String  {
 })
 }
 /**
+ * The short name of a cause that the criticism tries, in a language.
+ */
+public func causeIn(id: String, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_cause_in(
+        FfiConverterString.lower(id),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
+ * The id of a step or a swing in a language; in English it stands as it is.
+ */
+public func idIn(id: String, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_id_in(
+        FfiConverterString.lower(id),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
+ * A quantity by its key, without its unit, in a language.
+ */
+public func quantityIn(name: String, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_quantity_in(
+        FfiConverterString.lower(name),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
+ * A single route to a quantity by its method, in a language.
+ */
+public func routeIn(method: String, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_route_in(
+        FfiConverterString.lower(method),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
  * A sentence in a language, with what it names.
  */
 public func sentenceIn(sentence: Sentence, language: Language) -> String  {
@@ -18611,14 +18805,25 @@ public func sentenceIn(sentence: Sentence, language: Language) -> String  {
 })
 }
 /**
- * Every sentence and word by its key; `{name}` stands for an argument. Keys of the live estimator begin with `live.`, those
- * of the plan's warnings with `plan.`.
+ * Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
+ * estimator begin with `live.`, those of the plan's warnings with `plan.`, those of the criticism with `critique.`.
  */
 public func texts(language: Language) -> [NamedText]  {
     return try!  FfiConverterSequenceTypeNamedText.lift(try! rustCall() {
         uniffiCallStatus in
     uniffi_gyradius_ffi_fn_func_texts(
         FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
+ * The unit that a quantity's key ends in, as it is printed.
+ */
+public func unitOf(name: String) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_unit_of(
+        FfiConverterString.lower(name),uniffiCallStatus
     )
 })
 }
@@ -18651,6 +18856,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.contractVersionMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_library_version() != 45342) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_kept_criticism() != 60844) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_forces_from_core_motion() != 34051) {
@@ -18689,10 +18897,25 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_routes_json() != 1685) {
         return InitializationResult.apiChecksumMismatch
     }
+    if (uniffi_gyradius_ffi_checksum_func_cause_in() != 16114) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_id_in() != 17347) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_quantity_in() != 42672) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_route_in() != 63035) {
+        return InitializationResult.apiChecksumMismatch
+    }
     if (uniffi_gyradius_ffi_checksum_func_sentence_in() != 38777) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_texts() != 11710) {
+    if (uniffi_gyradius_ffi_checksum_func_texts() != 5861) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_func_unit_of() != 21247) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_warning_in() != 28542) {
@@ -18707,7 +18930,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_analysis_recordings() != 48787) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() != 19901) {
+    if (uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() != 11138) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_result() != 64973) {
@@ -18717,6 +18940,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_criticism_json() != 51111) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_method_criticism_keep() != 24859) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_criticism_result() != 59434) {

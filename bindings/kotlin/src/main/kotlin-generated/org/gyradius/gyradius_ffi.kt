@@ -699,6 +699,8 @@ internal object IntegrityCheckingUniffiLib {
     internal fun ensureInitialized() = Unit
     external fun uniffi_gyradius_ffi_checksum_func_library_version(
     ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_kept_criticism(
+    ): Int
     external fun uniffi_gyradius_ffi_checksum_func_forces_from_core_motion(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_import_recordings(
@@ -723,9 +725,19 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_routes_json(
     ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_cause_in(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_id_in(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_quantity_in(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_route_in(
+    ): Int
     external fun uniffi_gyradius_ffi_checksum_func_sentence_in(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_texts(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_unit_of(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_warning_in(
     ): Int
@@ -742,6 +754,8 @@ internal object IntegrityCheckingUniffiLib {
     external fun uniffi_gyradius_ffi_checksum_method_criticism_compared(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_criticism_json(
+    ): Int
+    external fun uniffi_gyradius_ffi_checksum_method_criticism_keep(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_criticism_result(
     ): Int
@@ -928,6 +942,8 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_method_criticism_json(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_method_criticism_keep(`ptr`: Long,`folder`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): Unit
     external fun uniffi_gyradius_ffi_fn_method_criticism_result(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_clone_liveestimator(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
@@ -1116,6 +1132,8 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_library_version(uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_kept_criticism(`folder`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_forces_from_core_motion(`accelerationsG`: ForeignBytes.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_import_recordings(`files`: RustBuffer.ByValue,`folder`: RustBuffer.ByValue,`request`: RustBuffer.ByValue,`overwrite`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
@@ -1140,9 +1158,19 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_routes_json(uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_cause_in(`id`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_id_in(`id`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_quantity_in(`name`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_route_in(`method`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_sentence_in(`sentence`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_texts(`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_unit_of(`name`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_warning_in(`warning`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
@@ -1268,6 +1296,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_func_library_version() and 0xFFFF) != 45342) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_kept_criticism() and 0xFFFF) != 60844) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
     if ((lib.uniffi_gyradius_ffi_checksum_func_forces_from_core_motion() and 0xFFFF) != 34051) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
@@ -1304,10 +1335,25 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_func_routes_json() and 0xFFFF) != 1685) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_cause_in() and 0xFFFF) != 16114) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_id_in() and 0xFFFF) != 17347) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_quantity_in() and 0xFFFF) != 42672) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_route_in() and 0xFFFF) != 63035) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
     if ((lib.uniffi_gyradius_ffi_checksum_func_sentence_in() and 0xFFFF) != 38777) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_gyradius_ffi_checksum_func_texts() and 0xFFFF) != 11710) {
+    if ((lib.uniffi_gyradius_ffi_checksum_func_texts() and 0xFFFF) != 5861) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_unit_of() and 0xFFFF) != 21247) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_func_warning_in() and 0xFFFF) != 28542) {
@@ -1322,7 +1368,7 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_method_analysis_recordings() and 0xFFFF) != 48787) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() and 0xFFFF) != 19901) {
+    if ((lib.uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() and 0xFFFF) != 11138) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_analysis_result() and 0xFFFF) != 64973) {
@@ -1332,6 +1378,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_criticism_json() and 0xFFFF) != 51111) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_method_criticism_keep() and 0xFFFF) != 24859) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_criticism_result() and 0xFFFF) != 59434) {
@@ -2068,7 +2117,7 @@ public interface AnalysisInterface {
     
     /**
      * The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-     * as the operator writes it; the report leaves a blank where it is absent.
+     * as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
      */
     fun `reportHtmlBlocking`(`criticism`: Criticism?, `measuredOn`: kotlin.String?, `listener`: ProgressListener?): kotlin.String
     
@@ -2237,7 +2286,7 @@ open class Analysis: Disposable, AutoCloseable, AnalysisInterface
     
     /**
      * The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-     * as the operator writes it; the report leaves a blank where it is absent.
+     * as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
      */
     @Throws(GyradiusException::class)override fun `reportHtmlBlocking`(`criticism`: Criticism?, `measuredOn`: kotlin.String?, `listener`: ProgressListener?): kotlin.String {
             return FfiConverterString.lift(
@@ -2421,6 +2470,11 @@ public interface CriticismInterface {
     fun `json`(): kotlin.String
     
     /**
+     * Keeps it in a folder with what pictures are drawn from, in the place of an earlier one.
+     */
+    fun `keep`(`folder`: kotlin.String)
+    
+    /**
      * The result.
      */
     fun `result`(): Critique
@@ -2563,6 +2617,23 @@ open class Criticism: Disposable, AutoCloseable, CriticismInterface
     }
     )
     }
+    
+
+    
+    /**
+     * Keeps it in a folder with what pictures are drawn from, in the place of an earlier one.
+     */
+    @Throws(GyradiusException::class)override fun `keep`(`folder`: kotlin.String)
+        = 
+    callWithHandle {
+    uniffiRustCallWithError(GyradiusException) { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_method_criticism_keep(
+        it,
+        
+        FfiConverterString.lower(`folder`),_status)
+}
+    }
+    
     
 
     
@@ -7318,6 +7389,11 @@ data class CauseResult (
     val `text`: kotlin.String
     , 
     /**
+     * The same for every language.
+     */
+    val `said`: Sentence
+    , 
+    /**
      * Whether the extended model has it.
      */
     val `taken`: kotlin.Boolean
@@ -7342,6 +7418,7 @@ public object FfiConverterTypeCauseResult: FfiConverterRustBuffer<CauseResult> {
             FfiConverterDouble.read(buf),
             FfiConverterTypeParametersByName.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
             FfiConverterBoolean.read(buf),
         )
     }
@@ -7352,6 +7429,7 @@ public object FfiConverterTypeCauseResult: FfiConverterRustBuffer<CauseResult> {
             FfiConverterDouble.allocationSize(value.`logEvidenceGain`) +
             FfiConverterTypeParametersByName.allocationSize(value.`parameters`) +
             FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`) +
             FfiConverterBoolean.allocationSize(value.`taken`)
     )
 
@@ -7361,6 +7439,7 @@ public object FfiConverterTypeCauseResult: FfiConverterRustBuffer<CauseResult> {
             FfiConverterDouble.write(value.`logEvidenceGain`, buf)
             FfiConverterTypeParametersByName.write(value.`parameters`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
             FfiConverterBoolean.write(value.`taken`, buf)
     }
 }
@@ -7395,6 +7474,11 @@ data class CauseVerdict (
      * In words.
      */
     val `text`: kotlin.String
+    , 
+    /**
+     * The same for every language.
+     */
+    val `said`: Sentence
     
 ){
     
@@ -7416,6 +7500,7 @@ public object FfiConverterTypeCauseVerdict: FfiConverterRustBuffer<CauseVerdict>
             FfiConverterSequenceString.read(buf),
             FfiConverterOptionalTypeNextSwing.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
         )
     }
 
@@ -7424,7 +7509,8 @@ public object FfiConverterTypeCauseVerdict: FfiConverterRustBuffer<CauseVerdict>
             FfiConverterSequenceString.allocationSize(value.`causes`) +
             FfiConverterSequenceString.allocationSize(value.`indistinguishableFrom`) +
             FfiConverterOptionalTypeNextSwing.allocationSize(value.`nextSwing`) +
-            FfiConverterString.allocationSize(value.`text`)
+            FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`)
     )
 
     override fun write(value: CauseVerdict, buf: ByteBuffer) {
@@ -7433,6 +7519,7 @@ public object FfiConverterTypeCauseVerdict: FfiConverterRustBuffer<CauseVerdict>
             FfiConverterSequenceString.write(value.`indistinguishableFrom`, buf)
             FfiConverterOptionalTypeNextSwing.write(value.`nextSwing`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
     }
 }
 
@@ -7619,6 +7706,11 @@ data class ComparedSwing (
     val `channel`: kotlin.String
     , 
     /**
+     * The same for every language.
+     */
+    val `said`: Sentence
+    , 
+    /**
      * Unit of the readings.
      */
     val `unit`: kotlin.String
@@ -7660,6 +7752,7 @@ public object FfiConverterTypeComparedSwing: FfiConverterRustBuffer<ComparedSwin
         return ComparedSwing(
             FfiConverterString.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
             FfiConverterString.read(buf),
             FfiConverterDouble.read(buf),
             FfiConverterTypeCurve.read(buf),
@@ -7671,6 +7764,7 @@ public object FfiConverterTypeComparedSwing: FfiConverterRustBuffer<ComparedSwin
     override fun allocationSize(value: ComparedSwing) = (
             FfiConverterString.allocationSize(value.`swing`) +
             FfiConverterString.allocationSize(value.`channel`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`) +
             FfiConverterString.allocationSize(value.`unit`) +
             FfiConverterDouble.allocationSize(value.`noise`) +
             FfiConverterTypeCurve.allocationSize(value.`measured`) +
@@ -7681,6 +7775,7 @@ public object FfiConverterTypeComparedSwing: FfiConverterRustBuffer<ComparedSwin
     override fun write(value: ComparedSwing, buf: ByteBuffer) {
             FfiConverterString.write(value.`swing`, buf)
             FfiConverterString.write(value.`channel`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
             FfiConverterString.write(value.`unit`, buf)
             FfiConverterDouble.write(value.`noise`, buf)
             FfiConverterTypeCurve.write(value.`measured`, buf)
@@ -7872,6 +7967,11 @@ data class CritiqueView (
     val `text`: kotlin.String
     , 
     /**
+     * The same for every language.
+     */
+    val `said`: Sentence
+    , 
+    /**
      * How many causes these swings cannot tell apart; 0 where none is in doubt.
      */
     val `causes`: Count
@@ -7898,6 +7998,7 @@ public object FfiConverterTypeCritiqueView: FfiConverterRustBuffer<CritiqueView>
         return CritiqueView(
             FfiConverterString.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
             FfiConverterTypeCount.read(buf),
             FfiConverterTypeQuantitiesByName.read(buf),
         )
@@ -7906,6 +8007,7 @@ public object FfiConverterTypeCritiqueView: FfiConverterRustBuffer<CritiqueView>
     override fun allocationSize(value: CritiqueView) = (
             FfiConverterString.allocationSize(value.`status`) +
             FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`) +
             FfiConverterTypeCount.allocationSize(value.`causes`) +
             FfiConverterTypeQuantitiesByName.allocationSize(value.`quantities`)
     )
@@ -7913,6 +8015,7 @@ public object FfiConverterTypeCritiqueView: FfiConverterRustBuffer<CritiqueView>
     override fun write(value: CritiqueView, buf: ByteBuffer) {
             FfiConverterString.write(value.`status`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
             FfiConverterTypeCount.write(value.`causes`, buf)
             FfiConverterTypeQuantitiesByName.write(value.`quantities`, buf)
     }
@@ -8000,6 +8103,11 @@ data class Discrepancy (
      * In words.
      */
     val `text`: kotlin.String
+    , 
+    /**
+     * The same for every language.
+     */
+    val `said`: Sentence
     
 ){
     
@@ -8022,6 +8130,7 @@ public object FfiConverterTypeDiscrepancy: FfiConverterRustBuffer<Discrepancy> {
             FfiConverterString.read(buf),
             FfiConverterDouble.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
         )
     }
 
@@ -8031,7 +8140,8 @@ public object FfiConverterTypeDiscrepancy: FfiConverterRustBuffer<Discrepancy> {
             FfiConverterDouble.allocationSize(value.`size`) +
             FfiConverterString.allocationSize(value.`unit`) +
             FfiConverterDouble.allocationSize(value.`sigma`) +
-            FfiConverterString.allocationSize(value.`text`)
+            FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`)
     )
 
     override fun write(value: Discrepancy, buf: ByteBuffer) {
@@ -8041,6 +8151,7 @@ public object FfiConverterTypeDiscrepancy: FfiConverterRustBuffer<Discrepancy> {
             FfiConverterString.write(value.`unit`, buf)
             FfiConverterDouble.write(value.`sigma`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
     }
 }
 
@@ -9711,6 +9822,11 @@ data class NextSwing (
      * In words.
      */
     val `text`: kotlin.String
+    , 
+    /**
+     * The same for every language.
+     */
+    val `said`: Sentence
     
 ){
     
@@ -9736,6 +9852,7 @@ public object FfiConverterTypeNextSwing: FfiConverterRustBuffer<NextSwing> {
             FfiConverterDouble.read(buf),
             FfiConverterDouble.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
         )
     }
 
@@ -9748,7 +9865,8 @@ public object FfiConverterTypeNextSwing: FfiConverterRustBuffer<NextSwing> {
             FfiConverterDouble.allocationSize(value.`durationS`) +
             FfiConverterDouble.allocationSize(value.`hullPitchDeg`) +
             FfiConverterDouble.allocationSize(value.`sigma`) +
-            FfiConverterString.allocationSize(value.`text`)
+            FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`)
     )
 
     override fun write(value: NextSwing, buf: ByteBuffer) {
@@ -9761,6 +9879,7 @@ public object FfiConverterTypeNextSwing: FfiConverterRustBuffer<NextSwing> {
             FfiConverterDouble.write(value.`hullPitchDeg`, buf)
             FfiConverterDouble.write(value.`sigma`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
     }
 }
 
@@ -13521,9 +13640,28 @@ sealed class GyradiusException: kotlin.Exception() {
     }
     
     /**
-     * A file or folder cannot be written: the disk is full, it is there already, it may not be written.
+     * A file or folder cannot be written: it is there already, it may not be written.
      */
     class Unwritable(
+        
+        /**
+         * What is wrong, file included.
+         */
+        val `text`: kotlin.String, 
+        
+        /**
+         * The file as the user knows it.
+         */
+        val `file`: kotlin.String
+        ) : GyradiusException() {
+        override val message
+            get() = "text=${ `text` }, file=${ `file` }"
+    }
+    
+    /**
+     * A file cannot be written because the disk has no room left.
+     */
+    class DiskFull(
         
         /**
          * What is wrong, file included.
@@ -13628,15 +13766,19 @@ public object FfiConverterTypeGyradiusError : FfiConverterRustBuffer<GyradiusExc
                 FfiConverterString.read(buf),
                 FfiConverterString.read(buf),
                 )
-            3 -> GyradiusException.NoResult(
+            3 -> GyradiusException.DiskFull(
                 FfiConverterString.read(buf),
                 FfiConverterString.read(buf),
                 )
-            4 -> GyradiusException.BadArgument(
+            4 -> GyradiusException.NoResult(
                 FfiConverterString.read(buf),
                 FfiConverterString.read(buf),
                 )
-            5 -> GyradiusException.Cancelled(
+            5 -> GyradiusException.BadArgument(
+                FfiConverterString.read(buf),
+                FfiConverterString.read(buf),
+                )
+            6 -> GyradiusException.Cancelled(
                 FfiConverterString.read(buf),
                 )
             else -> throw RuntimeException("invalid error enum value, something is very wrong!!")
@@ -13653,6 +13795,12 @@ public object FfiConverterTypeGyradiusError : FfiConverterRustBuffer<GyradiusExc
                 + FfiConverterOptionalUInt.allocationSize(value.`line`)
             )
             is GyradiusException.Unwritable -> (
+                // Add the size for the Int that specifies the variant plus the size needed for all fields
+                4UL
+                + FfiConverterString.allocationSize(value.`text`)
+                + FfiConverterString.allocationSize(value.`file`)
+            )
+            is GyradiusException.DiskFull -> (
                 // Add the size for the Int that specifies the variant plus the size needed for all fields
                 4UL
                 + FfiConverterString.allocationSize(value.`text`)
@@ -13693,20 +13841,26 @@ public object FfiConverterTypeGyradiusError : FfiConverterRustBuffer<GyradiusExc
                 FfiConverterString.write(value.`file`, buf)
                 Unit
             }
-            is GyradiusException.NoResult -> {
+            is GyradiusException.DiskFull -> {
                 buf.putInt(3)
+                FfiConverterString.write(value.`text`, buf)
+                FfiConverterString.write(value.`file`, buf)
+                Unit
+            }
+            is GyradiusException.NoResult -> {
+                buf.putInt(4)
                 FfiConverterString.write(value.`text`, buf)
                 FfiConverterString.write(value.`what`, buf)
                 Unit
             }
             is GyradiusException.BadArgument -> {
-                buf.putInt(4)
+                buf.putInt(5)
                 FfiConverterString.write(value.`text`, buf)
                 FfiConverterString.write(value.`name`, buf)
                 Unit
             }
             is GyradiusException.Cancelled -> {
-                buf.putInt(5)
+                buf.putInt(6)
                 FfiConverterString.write(value.`text`, buf)
                 Unit
             }
@@ -14590,6 +14744,11 @@ sealed class ProcedureEvent {
          */
         val `atUtc`: kotlin.String, 
         /**
+         * The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
+         * absent.
+         */
+        val `measuredOn`: kotlin.String?, 
+        /**
          * The phone.
          */
         val `phone`: org.gyradius.PhoneInfo, 
@@ -14779,6 +14938,7 @@ public object FfiConverterTypeProcedureEvent : FfiConverterRustBuffer<ProcedureE
         return when(buf.getInt()) {
             1 -> ProcedureEvent.Begin(
                 FfiConverterString.read(buf),
+                FfiConverterOptionalString.read(buf),
                 FfiConverterTypePhoneInfo.read(buf),
                 FfiConverterTypePlacement.read(buf),
                 )
@@ -14823,6 +14983,7 @@ public object FfiConverterTypeProcedureEvent : FfiConverterRustBuffer<ProcedureE
             (
                 4UL
                 + FfiConverterString.allocationSize(value.`atUtc`)
+                + FfiConverterOptionalString.allocationSize(value.`measuredOn`)
                 + FfiConverterTypePhoneInfo.allocationSize(value.`phone`)
                 + FfiConverterTypePlacement.allocationSize(value.`placement`)
             )
@@ -14938,6 +15099,7 @@ public object FfiConverterTypeProcedureEvent : FfiConverterRustBuffer<ProcedureE
             is ProcedureEvent.Begin -> {
                 buf.putInt(1)
                 FfiConverterString.write(value.`atUtc`, buf)
+                FfiConverterOptionalString.write(value.`measuredOn`, buf)
                 FfiConverterTypePhoneInfo.write(value.`phone`, buf)
                 FfiConverterTypePlacement.write(value.`placement`, buf)
                 Unit
@@ -15510,7 +15672,37 @@ sealed class SentenceArgument {
     }
     
     /**
-     * Text as it stands: an id, a file, a reason.
+     * A figure as it is written with a decimal point.
+     */
+    data class Figure(
+        /**
+         * The figure.
+         */
+        val `written`: kotlin.String) : SentenceArgument()
+        
+    {
+        
+
+        companion object
+    }
+    
+    /**
+     * The id of a step or a swing: words with keys of their own, hyphens between them.
+     */
+    data class Id(
+        /**
+         * The id.
+         */
+        val `id`: kotlin.String) : SentenceArgument()
+        
+    {
+        
+
+        companion object
+    }
+    
+    /**
+     * Text as it stands: a file, a reason.
      */
     data class Plain(
         /**
@@ -15562,10 +15754,16 @@ public object FfiConverterTypeSentenceArgument : FfiConverterRustBuffer<Sentence
             2 -> SentenceArgument.Words(
                 FfiConverterString.read(buf),
                 )
-            3 -> SentenceArgument.Plain(
+            3 -> SentenceArgument.Figure(
                 FfiConverterString.read(buf),
                 )
-            4 -> SentenceArgument.Sentences(
+            4 -> SentenceArgument.Id(
+                FfiConverterString.read(buf),
+                )
+            5 -> SentenceArgument.Plain(
+                FfiConverterString.read(buf),
+                )
+            6 -> SentenceArgument.Sentences(
                 FfiConverterSequenceTypeSentence.read(buf),
                 )
             else -> throw RuntimeException("invalid enum value, something is very wrong!!")
@@ -15586,6 +15784,20 @@ public object FfiConverterTypeSentenceArgument : FfiConverterRustBuffer<Sentence
             (
                 4UL
                 + FfiConverterString.allocationSize(value.`keys`)
+            )
+        }
+        is SentenceArgument.Figure -> {
+            // Add the size for the Int that specifies the variant plus the size needed for all fields
+            (
+                4UL
+                + FfiConverterString.allocationSize(value.`written`)
+            )
+        }
+        is SentenceArgument.Id -> {
+            // Add the size for the Int that specifies the variant plus the size needed for all fields
+            (
+                4UL
+                + FfiConverterString.allocationSize(value.`id`)
             )
         }
         is SentenceArgument.Plain -> {
@@ -15617,13 +15829,23 @@ public object FfiConverterTypeSentenceArgument : FfiConverterRustBuffer<Sentence
                 FfiConverterString.write(value.`keys`, buf)
                 Unit
             }
-            is SentenceArgument.Plain -> {
+            is SentenceArgument.Figure -> {
                 buf.putInt(3)
+                FfiConverterString.write(value.`written`, buf)
+                Unit
+            }
+            is SentenceArgument.Id -> {
+                buf.putInt(4)
+                FfiConverterString.write(value.`id`, buf)
+                Unit
+            }
+            is SentenceArgument.Plain -> {
+                buf.putInt(5)
                 FfiConverterString.write(value.`text`, buf)
                 Unit
             }
             is SentenceArgument.Sentences -> {
-                buf.putInt(4)
+                buf.putInt(6)
                 FfiConverterSequenceTypeSentence.write(value.`sentences`, buf)
                 Unit
             }
@@ -18576,6 +18798,21 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
     
 
         /**
+         * The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told; absent where it keeps none.
+         */
+    @Throws(GyradiusException::class) fun `keptCriticism`(`folder`: kotlin.String): Criticism? {
+            return FfiConverterOptionalTypeCriticism.lift(
+    uniffiRustCallWithError(GyradiusException) { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_kept_criticism(
+    
+        
+        FfiConverterString.lower(`folder`),_status)
+}
+    )
+    }
+    
+
+        /**
          * Accelerations of Core Motion (in g, at rest, screen up: z = −1) as specific force, m/s² (z = +9.80665): a block of x, y,
          * z each way.
          */
@@ -18759,6 +18996,66 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
     
 
         /**
+         * The short name of a cause that the criticism tries, in a language.
+         */ fun `causeIn`(`id`: kotlin.String, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_cause_in(
+    
+        
+        FfiConverterString.lower(`id`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
+         * The id of a step or a swing in a language; in English it stands as it is.
+         */ fun `idIn`(`id`: kotlin.String, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_id_in(
+    
+        
+        FfiConverterString.lower(`id`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
+         * A quantity by its key, without its unit, in a language.
+         */ fun `quantityIn`(`name`: kotlin.String, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_quantity_in(
+    
+        
+        FfiConverterString.lower(`name`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
+         * A single route to a quantity by its method, in a language.
+         */ fun `routeIn`(`method`: kotlin.String, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_route_in(
+    
+        
+        FfiConverterString.lower(`method`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
          * A sentence in a language, with what it names.
          */ fun `sentenceIn`(`sentence`: Sentence, `language`: Language): kotlin.String {
             return FfiConverterString.lift(
@@ -18774,8 +19071,8 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
     
 
         /**
-         * Every sentence and word by its key; `{name}` stands for an argument. Keys of the live estimator begin with `live.`, those
-         * of the plan's warnings with `plan.`.
+         * Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
+         * estimator begin with `live.`, those of the plan's warnings with `plan.`, those of the criticism with `critique.`.
          */ fun `texts`(`language`: Language): List<NamedText> {
             return FfiConverterSequenceTypeNamedText.lift(
     uniffiRustCall() { _status ->
@@ -18783,6 +19080,20 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
     
         
         FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
+         * The unit that a quantity's key ends in, as it is printed.
+         */ fun `unitOf`(`name`: kotlin.String): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_unit_of(
+    
+        
+        FfiConverterString.lower(`name`),_status)
 }
     )
     }
