@@ -74,8 +74,23 @@ impl Text {
         Self { english: text.told(Language::English, lookup), ..text }
     }
 
+    /// Whether there is no more of it than English.
+    pub(crate) fn has_no_key(&self) -> bool {
+        self.key.is_empty()
+    }
+
+    /// Without a key, what was said in English.
+    pub(crate) fn or_english(&mut self, english: &str) {
+        if self.has_no_key() {
+            self.english = english.to_owned();
+        }
+    }
+
     /// The sentence in a language, with what it names.
     pub(crate) fn told(&self, language: Language, lookup: Lookup) -> String {
+        if self.has_no_key() {
+            return self.english.clone();
+        }
         let mut text = lookup(&self.key, language).unwrap_or_default();
         for (name, argument) in &self.arguments {
             let shown = argument.shown(language, lookup);

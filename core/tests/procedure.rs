@@ -7,7 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use gyradius_core::Error;
-use gyradius_core::critique::{Criticism, Critique, SwingTrace};
+use gyradius_core::critique::{CauseVerdict, Criticism, Critique, SwingTrace};
+use gyradius_core::language::Language;
 use gyradius_core::plan::{PlannedIncline, Step};
 use gyradius_core::practice::{RigFile, read_rig};
 use gyradius_core::procedure::{
@@ -229,7 +230,13 @@ fn a_criticism_is_kept_with_what_its_pictures_are_drawn_from() {
     let traces = vec![curve([0.25, -1e-17]), curve([f64::NAN, 0.0])];
     keep_criticism(folder.path(), &Criticism { critique: critique.clone(), traces }).unwrap();
     let kept = kept_criticism(folder.path()).unwrap().unwrap();
-    assert_eq!((kept.critique, kept.traces), (critique, vec![curve([0.25, -1e-17])]));
+    assert_eq!((kept.critique, kept.traces), (critique.clone(), vec![curve([0.25, -1e-17])]));
+    // One whose sentences are in English alone tells them in every language.
+    let verdict = CauseVerdict { text: "It sways.".into(), ..CauseVerdict::default() };
+    let english = Criticism { critique: Critique { verdict, ..critique }, traces: vec![] };
+    keep_criticism(folder.path(), &english).unwrap();
+    let kept = kept_criticism(folder.path()).unwrap().unwrap();
+    assert_eq!(kept.critique.verdict.said.in_language(Language::German), "It sways.");
     // One from before curves were kept.
     fs::remove_file(folder.path().join("critique-traces.json")).unwrap();
     assert!(kept_criticism(folder.path()).unwrap().unwrap().traces.is_empty());

@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use gyradius_core::Error;
-use gyradius_core::critique::{self, Progress, SwingTrace};
+use gyradius_core::critique::{self, Critique, Progress, SwingTrace};
 use numpy::{PyArray1, ToPyArray};
 use pyo3::prelude::*;
 
@@ -34,8 +34,9 @@ impl Criticism {
     #[staticmethod]
     fn from_json(py: Python<'_>, critique: &str, traces: &str) -> PyResult<Self> {
         detached(py, || {
-            let critique = from_json("critique", critique)?;
-            let traces = from_json("traces", traces)?;
+            let critique = Critique::from_json(critique)?;
+            let traces =
+                serde_json::from_str(traces).map_err(|error| Error::argument("traces", "its JSON", error))?;
             Ok(Self { inner: critique::Criticism { critique, traces } })
         })
     }
@@ -49,10 +50,6 @@ impl Criticism {
     fn traces<'py>(&self, py: Python<'py>) -> Vec<Trace<'py>> {
         self.inner.traces.iter().map(|swing| trace(py, swing)).collect()
     }
-}
-
-fn from_json<T: serde::de::DeserializeOwned>(name: &str, text: &str) -> gyradius_core::Result<T> {
-    serde_json::from_str(text).map_err(|error| Error::argument(name, "its JSON", error))
 }
 
 fn trace<'py>(py: Python<'py>, trace: &SwingTrace) -> Trace<'py> {

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use gyradius_core::Error;
 use gyradius_core::critique::{self, Critique, SwingTrace};
 use gyradius_core::procedure::{self, keep_criticism};
 use gyradius_core::report::{Curve, thinned};
@@ -64,8 +63,7 @@ impl Criticism {
     /// A criticism from its `gyradius-critique/1` text, for a report; it has no traces.
     #[uniffi::constructor]
     pub fn from_json(text: &str) -> Result<Arc<Self>> {
-        let critique =
-            serde_json::from_str(text).map_err(|error| Error::argument("critique", "its JSON", error))?;
+        let critique = critique::Critique::from_json(text)?;
         Ok(Self::new(critique::Criticism { critique, traces: Vec::new() }))
     }
 

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::{Error, Result};
 use crate::inertia::QuantityResult;
 use crate::language::Text;
 use crate::recording::Excitation;
@@ -37,6 +38,24 @@ pub struct Critique {
     pub warnings: Vec<String>,
 }
 
+impl Critique {
+    /// A criticism from its `gyradius-critique/1` text.
+    pub fn from_json(text: &str) -> Result<Self> {
+        let read: serde_json::Result<Self> = serde_json::from_str(text);
+        Ok(read.map_err(|error| Error::argument("critique", "its JSON", error))?.with_words())
+    }
+
+    /// As read from a file: sentences that it has in English alone are those that are told in every language.
+    pub(crate) fn with_words(mut self) -> Self {
+        let verdict = &mut self.verdict;
+        verdict.said.or_english(&verdict.text);
+        verdict.next_swing.iter_mut().for_each(|next| next.said.or_english(&next.text));
+        self.causes.iter_mut().for_each(|cause| cause.said.or_english(&cause.text));
+        self.discrepancies.iter_mut().for_each(|found| found.said.or_english(&found.text));
+        self
+    }
+}
+
 /// A simulation fitted to the session.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ModelResult {
@@ -65,7 +84,7 @@ pub struct Discrepancy {
     /// In words.
     pub text: String,
     /// The same for every language.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Text::has_no_key")]
     pub said: Text,
 }
 
@@ -99,7 +118,7 @@ pub struct CauseResult {
     #[serde(default)]
     pub text: String,
     /// The same for every language.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Text::has_no_key")]
     pub said: Text,
     /// Whether the extended model has it.
     #[serde(default)]
@@ -132,7 +151,7 @@ pub struct CauseVerdict {
     #[serde(default)]
     pub text: String,
     /// The same for every language.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Text::has_no_key")]
     pub said: Text,
 }
 
@@ -159,7 +178,7 @@ pub struct NextSwing {
     /// In words.
     pub text: String,
     /// The same for every language.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Text::has_no_key")]
     pub said: Text,
 }
 

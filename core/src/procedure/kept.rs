@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::critique::{Criticism, SwingTrace};
+use crate::critique::{Criticism, Critique, SwingTrace};
 use crate::error::{Error, Result};
 use crate::recording::replace_file;
 
@@ -30,9 +30,9 @@ pub fn keep_criticism(folder: impl AsRef<Path>, criticism: &Criticism) -> Result
 /// The criticism that a folder keeps, if it keeps one; without curves where there are none.
 pub fn kept_criticism(folder: impl AsRef<Path>) -> Result<Option<Criticism>> {
     let folder = folder.as_ref();
-    let Some(critique) = read(&folder.join(CRITIQUE))? else { return Ok(None) };
+    let Some(critique) = read::<Critique>(&folder.join(CRITIQUE))? else { return Ok(None) };
     let traces = read(&folder.join(TRACES))?.unwrap_or_default();
-    Ok(Some(Criticism { critique, traces }))
+    Ok(Some(Criticism { critique: critique.with_words(), traces }))
 }
 
 /// Takes away what is kept, if anything is.
