@@ -229,14 +229,25 @@ impl<'a> Samples<'a> {
         let suspects: Vec<_> = taken.into_iter().filter(|t| t.1 > ALIKE * most).collect();
         let again = in_parallel(suspects.len(), |k| {
             let (i, _, x, known) = &suspects[k];
-            let fit = self.fit(*i, std::slice::from_ref(x), known)?;
             let before = fits[*i].as_ref()?;
+            let fit = self.fit(*i, &self.starts_beside(x, before), known)?;
             let misfit: f64 = known.iter().map(|s| s.misfit(before.x()).powi(2)).sum();
             let gain = before.cost() + misfit - fit.cost();
             (gain > CONTRADICTION).then_some((gain, *i, fit))
         });
         let best = again.into_iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0))?;
         Some((best.1, best.2))
+    }
+
+    /// What the others agree on; and the same with what they may say nothing of as the swing itself had it.
+    fn starts_beside(&self, x: &[f64], before: &FittedSwing) -> Vec<Vec<f64>> {
+        let [_, _, yaw] = self.layout.log_gyradii;
+        let with = |own: &[usize]| {
+            let mut start = x.to_vec();
+            own.iter().for_each(|i| start[*i] = before.x()[*i]);
+            start
+        };
+        vec![x.to_vec(), with(&[yaw]), with(&[yaw, self.layout.product_xz])]
     }
 
     /// What a swing misses from its own start, it may find from what the others say.
@@ -263,9 +274,29 @@ impl<'a> Samples<'a> {
             let surest = fits.iter().flatten().map(of).max_by(|a, b| a.1.total_cmp(&b.1))?;
             x[product] = surest.0;
         }
+        let from = [vec![x.clone()], self.other_hangings(fits, &x)].concat();
         let mut fitted: Vec<&mut FittedSwing> = fits.iter_mut().flatten().collect();
-        let agree = FittedSwing::fit_together(&mut fitted, &x).unwrap_or(false);
+        let agree = from.iter().any(|x| FittedSwing::fit_together(&mut fitted, x).unwrap_or(false));
         Some((x, agree))
+    }
+
+    /// Parameters with the pitch of the swing that by itself hangs most unlike them, bow up and bow down, where that is another by
+    /// more than its stated uncertainty: how a hull hangs and how its principal axes lie look much alike, and the sign of both
+    /// hangs on a heading.
+    fn other_hangings(&self, fits: &Fits, x: &[f64]) -> Vec<Vec<f64>> {
+        let own = fits.iter().zip(&self.layout.swings).filter_map(|(fit, index)| {
+            let (pitch, own) = (index.pitch_deg, fit.as_ref()?.x()[index.pitch_deg]);
+            Some((pitch, own, (own - x[pitch]).abs() / self.layout.parameters[pitch].prior.u))
+        });
+        let Some((pitch, own, _)) = own.filter(|o| o.2 > 1.0).max_by(|a, b| a.2.total_cmp(&b.2)) else {
+            return vec![];
+        };
+        let at = |deg: f64| {
+            let mut other = x.to_vec();
+            other[pitch] = deg;
+            other
+        };
+        vec![at(own), at(-own)]
     }
 }
 
