@@ -59,7 +59,9 @@ public final class ProcedureModel {
   /// Begins, phone and placement told; in practice the book says which.
   public func start(phone: String, placement: Placement) async {
     let info = PhoneInfo(model: phone, sensors: recorder.sensors)
-    await act { try await $0.handle(.begin(atUtc: self.utc, measuredOn: self.today, phone: info, placement: placement)) }
+    await act {
+      try await $0.handle(.begin(atUtc: self.utc, measuredOn: self.today, phone: info, placement: placement))
+    }
   }
 
   /// The recording begins.

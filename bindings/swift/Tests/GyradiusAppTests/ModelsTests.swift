@@ -101,7 +101,8 @@ import Testing
     #expect(model.result?.verdicts.count == 2 && model.limits == limits)
     // Kept with the session, and offered for the next.
     #expect(sessions.store.usualLimits == limits)
-    #expect(try String(contentsOf: kept.appending(path: "limits.txt"), encoding: .utf8) == limits.joined(separator: "\n"))
+    #expect(
+      try String(contentsOf: kept.appending(path: "limits.txt"), encoding: .utf8) == limits.joined(separator: "\n"))
     let report = try #require(await model.report(into: folder.url))
     let html = try String(contentsOf: report, encoding: .utf8)
     #expect(html.contains("gyradius-critique") && html.contains("probability that the hull conforms"))
