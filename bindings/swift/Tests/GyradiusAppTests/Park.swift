@@ -26,12 +26,17 @@ import Testing
     get throws { try #require(model.state) }
   }
 
-  /// Plans for the boat, and begins at it.
-  func begin() async throws {
+  /// Plans for the boat, and opens its session.
+  func open() async throws {
     let setup = SetupModel()
     (setup.title, setup.massKg, setup.lengthM, setup.beamM, setup.boatType) = ("Finn", 120, 4.5, 1.5, "dinghy")
     await setup.makePlan()
     await model.measure(in: folder, task: try #require(setup.task), source: source)
+  }
+
+  /// Plans for the boat, and begins at it.
+  func begin() async throws {
+    try await open()
     #expect(try state.phase == .start)
     await model.start(phone: "phone", placement: .flatTopToBow)
     #expect(try state.phase == .level)

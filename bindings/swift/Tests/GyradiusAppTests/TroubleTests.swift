@@ -120,8 +120,10 @@ import Testing
     #expect(try park.state.phase == .interrupted)
     #expect(try park.state.warnings.map(\.key).filter { $0 != "warn_no_rest" } == ["warn_disk"])
     #expect(park.model.error == nil)
-    await park.model.handle(.keep)
-    #expect(park.model.error == .diskFull)
+    // Nothing else begins there.
+    let late = try Park(on: disk)
+    try await late.open()
+    #expect(late.model.error == .diskFull)
     try FileManager.default.removeItem(at: filler)
     await park.model.handle(.continue)
     #expect(try park.state.phase == .record)
