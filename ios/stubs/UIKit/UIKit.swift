@@ -45,7 +45,9 @@ public enum UIUserInterfaceIdiom: Int, Sendable { case unspecified, phone, pad }
   @discardableResult
   open func present(animated: Bool, completionHandler: CompletionHandler?) -> Bool { fatalError() }
   @discardableResult
-  open func present(from rect: CGRect, in view: UIView, animated: Bool, completionHandler: CompletionHandler?) -> Bool { fatalError() }
+  open func present(from rect: CGRect, in view: UIView, animated: Bool, completionHandler: CompletionHandler?) -> Bool {
+    fatalError()
+  }
 }
 
 open class UIColor {
