@@ -64,12 +64,13 @@ pub fn next_swing(one: &Explained, other: &Explained) -> Option<NextSwing> {
         swings.into_iter().flatten().max_by(|a, b| a.0.sigma.total_cmp(&b.0.sigma))
     };
     let (level, release) = best_of(level())?;
-    // A tilt is worth the trouble only where it tells more than the best level swing does. No points that are
-    // moved tilt a hull that hangs by one behind the other.
+    // A tilt is worth the trouble only where no level swing decides. No points that are moved tilt a hull that hangs by one
+    // behind the other.
     let is_athwartships = design.like().suspension.orientation == Orientation::Athwartships;
+    let is_decided = longer(level.clone()).sigma > DECISIVE;
     let tilts = TILTS_DEG
         .iter()
-        .filter(|_| is_athwartships)
+        .filter(|_| is_athwartships && !is_decided)
         .flat_map(|tilt| EXCITED.iter().map(move |excited| (*tilt, *excited)));
     let tilted = best_of(tilts.map(|(tilt_deg, excited)| Release { excited, tilt_deg, ..release }).collect());
     let best = tilted.map(|(swing, _)| swing).filter(|swing| swing.sigma > level.sigma).unwrap_or(level);
