@@ -5,6 +5,7 @@ import android.content.pm.PackageManager.PERMISSION_GRANTED
 import android.hardware.SensorManager
 import android.os.Build
 import android.os.Bundle
+import android.webkit.WebView
 import androidx.activity.ComponentActivity
 import androidx.activity.compose.BackHandler
 import androidx.activity.compose.setContent
@@ -57,6 +58,9 @@ class MainActivity : ComponentActivity() {
     private val result: ResultModel by viewModels { viewModelFactory { initializer { ResultModel(app.store) } } }
     private val chooser = registerForActivityResult(OpenDocument()) { it?.let(sessions::import) }
 
+    /** What is printed; gone, it could not be laid out. */
+    private var printed: WebView? = null
+
     /** Whatever the answer is, the app works. */
     private val permission = registerForActivityResult(RequestPermission()) {}
 
@@ -92,7 +96,7 @@ class MainActivity : ComponentActivity() {
             judge = result::judge,
             criticise = result::criticise,
             share = { result.report(app.store.shared) { shareFile(this, it, "text/html") } },
-            print = { result.report(app.store.shared) { printReport(this, it) } },
+            print = { result.report(app.store.shared) { printed = printReport(this, it) } },
             leave = result::close,
         )
         ResultScreen(shown, deeds)

@@ -4,6 +4,8 @@ import android.content.Intent
 import android.net.Uri
 import android.os.Bundle
 import android.os.CancellationSignal
+import android.os.Handler
+import android.os.Looper
 import android.os.ParcelFileDescriptor
 import android.print.PageRange
 import android.print.PrintAttributes
@@ -40,6 +42,7 @@ class ResultTest {
 
     @Before
     fun open() {
+        forgetSharedFolders()
         val listed = runBlocking { store.import("boat-park.zip", Core.boatParkZip.inputStream()) }
         // As an earlier criticism left it.
         Core.dragged.keep(listed.folder.path)
@@ -116,7 +119,8 @@ class LaidOutPage : ShadowWebView() {
     @Implementation
     public override fun loadDataWithBaseURL(base: String?, data: String?, type: String?, encoding: String?, history: String?) {
         super.loadDataWithBaseURL(base, data, type, encoding, history)
-        view.post { webViewClient?.onPageFinished(view, "about:blank") }
+        // A view that is on no screen would keep what is posted to it.
+        Handler(Looper.getMainLooper()).post { webViewClient?.onPageFinished(view, "about:blank") }
     }
 
     @Implementation

@@ -56,6 +56,7 @@ class SessionsTest {
 
     @Test
     fun `what is shared is offered to other apps, to be read by the chosen one alone`() {
+        forgetSharedFolders()
         recorded()
         click("Share")
         var chooser: Intent? = null

@@ -26,10 +26,10 @@ private fun shareIntent(uri: Uri, type: String): Intent = Intent(Intent.ACTION_S
     addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION)
 }
 
-/** Prints a report, or saves it as PDF: Android asks which. The web view must live until the page is laid out. */
-fun printReport(context: Context, report: File) {
+/** Prints a report, or saves it as PDF: Android asks which. The answer must live until its page is laid out. */
+fun printReport(context: Context, report: File): WebView {
     val name = context.getString(R.string.report)
-    WebView(context).apply {
+    return WebView(context).apply {
         webViewClient = object : WebViewClient() {
             override fun onPageFinished(view: WebView, url: String) {
                 val printer = context.getSystemService(PrintManager::class.java) ?: return
