@@ -92,7 +92,7 @@ def pixels() -> bytes:
     scale = SIZE / float(vector.attrib[f"{ANDROID}viewportWidth"])
     picture = [[(0, 0, 0)] * SIZE for _ in range(SIZE)]
     for path in vector.iter("path"):
-        get = lambda name, path=path: path.attrib.get(ANDROID + name)  # noqa: E731
+        get = lambda name, path=path: path.attrib.get(ANDROID + name)
         lines = paths(get("pathData") or "")
         if stroke := get("strokeColor"):
             shapes = [(stroked(line, float(get("strokeWidth") or 1)), stroke) for line in lines]
