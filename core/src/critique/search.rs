@@ -12,6 +12,7 @@ use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
+use super::verdict::{parameters, simplest_first};
 use super::white::Left;
 
 pub const MOST_CAUSES: usize = 3;
@@ -333,6 +334,7 @@ impl Found<'_> {
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
         tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        simplest_first(&mut tried, parameters);
         Ok(tried)
     }
 

@@ -216,8 +216,41 @@ pub fn are_one_drag(ids: [&str; 2], parameters: impl Fn(usize) -> BTreeMap<Strin
     found.iter().filter(|(name, _)| name.starts_with("exponent")).all(|(_, e)| is_one(e))
 }
 
+/// What a cause that was tried is called, and what it gained: the logarithm of the evidence.
+pub trait Ranked {
+    fn id(&self) -> &'static str;
+    fn gain(&self) -> f64;
+}
+
+impl Ranked for Tried {
+    fn id(&self) -> &'static str {
+        self.cause.id
+    }
+
+    fn gain(&self) -> f64 {
+        self.gain
+    }
+}
+
+/// Puts the quadratic drag before a power law that comes out as it and gains next to nothing more: of two names for one thing the
+/// simpler stands. `tried` comes and goes with the best first.
+pub fn simplest_first<T: Ranked>(
+    tried: &mut [T],
+    parameters: impl Fn(&T) -> BTreeMap<String, ParameterResult>,
+) {
+    let Some(best) = tried.first() else { return };
+    let is_simpler = |t: &T| {
+        t.id() == "quadratic_drag"
+            && best.gain() - t.gain() < NOT_TOLD
+            && are_one_drag([best.id(), t.id()], |k| parameters([best, t][k]))
+    };
+    if let Some(place) = tried.iter().position(is_simpler) {
+        tried[..=place].rotate_right(1);
+    }
+}
+
 /// Parameters of a cause in units of the rig.
-fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
+pub fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
     let cause: &Cause = &tried.cause;
     let values = tried.fitted.point.causes.last().cloned().unwrap_or_default();
     let first = tried.fitted.place_of_last(values.len());
@@ -235,4 +268,41 @@ fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
         found.insert(name, ParameterResult { value, u, unit: parameter.unit.into() });
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Drag(&'static str, f64);
+
+    impl Ranked for Drag {
+        fn id(&self) -> &'static str {
+            self.0
+        }
+
+        fn gain(&self) -> f64 {
+            self.1
+        }
+    }
+
+    /// Which of a power law of an exponent, with its uncertainty and its gain, and a quadratic drag that gained 100 stands first.
+    fn first(exponent: f64, u: f64, gain: f64) -> &'static str {
+        let mut tried =
+            vec![Drag("power_law_damping", gain), Drag("wind", 99.9), Drag("quadratic_drag", 100.0)];
+        tried.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let found = ParameterResult { value: exponent, u, unit: "1".into() };
+        simplest_first(&mut tried, |_| BTreeMap::from([("exponent".to_owned(), found.clone())]));
+        tried[0].0
+    }
+
+    #[test]
+    fn a_power_law_that_is_the_quadratic_drag_is_called_so() {
+        assert_eq!(first(1.1, 0.1, 100.5), "quadratic_drag");
+        assert_eq!(first(1.1, 0.1, 99.0), "quadratic_drag");
+        // Another exponent, one that is hardly known, and far more evidence.
+        assert_eq!(first(0.5, 0.1, 100.5), "power_law_damping");
+        assert_eq!(first(1.1, 0.5, 100.5), "power_law_damping");
+        assert_eq!(first(1.1, 0.1, 110.0), "power_law_damping");
+    }
 }

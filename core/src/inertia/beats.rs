@@ -35,11 +35,15 @@ pub fn counted(evidence: &Evidence, result: &SwingResult) -> Option<CountedBeat>
     }
     let (t_s, x) = channel(evidence, best)?;
     let beat = beat_count(t_s, x).ok()?;
-    let small_over_observed = |i: usize| result.modes[i].period_s / result.modes[i].period_observed_s;
+    // The swing's modes are not the lines of its spectrum: where the simulation explains it, they are the simulation's.
+    let small_over_observed = |name: ModeName| {
+        let mode = result.modes.iter().find(|mode| mode.mode == name)?;
+        Some(mode.period_s / mode.period_observed_s)
+    };
     Some(CountedBeat {
         count: Quantity::new(beat.n, beat.n_u),
         yaw_is_slower: modes[yaw].period_s() > modes[sway].period_s(),
-        small_over_observed: small_over_observed(yaw) / small_over_observed(sway),
+        small_over_observed: small_over_observed(ModeName::Yaw)? / small_over_observed(ModeName::Sway)?,
     })
 }
 

@@ -5,6 +5,7 @@ use super::super::causes::UNKNOWN;
 use super::super::evidence::{LEAST_GAIN, is_missed, pays};
 use super::super::point::{Part, SETTLING_S};
 use super::super::search::{MOST_CAUSES, UNNAMED_FROM, UNNAMED_LEAVES};
+use super::super::verdict::simplest_first;
 use super::super::white::{Left, in_record};
 use super::causes::{Cause, Kind, catalogue};
 use super::fitting::{Fitted, fit, fit_from_afar};
@@ -132,9 +133,9 @@ impl Found<'_> {
                 best.push(t);
             }
         }
-        let Some(unknown) = best.iter().position(|t| t.id == UNKNOWN).map(|k| best.remove(k)) else {
-            return best;
-        };
+        let unknown = best.iter().position(|t| t.id == UNKNOWN).map(|k| best.remove(k));
+        simplest_first(&mut best, |t| self.parameters(t));
+        let Some(unknown) = unknown else { return best };
         let left = best.first().map_or(self.best.left.excess(), |t| t.with.left.excess());
         if left > UNNAMED_FROM * self.base.left.excess() {
             let beats = best.first().is_none_or(|t| unknown.gain > t.gain);

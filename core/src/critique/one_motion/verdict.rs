@@ -4,8 +4,18 @@ use std::collections::BTreeMap;
 
 use super::super::causes::UNKNOWN;
 use super::super::result::{CauseResult, CauseVerdict, ParameterResult};
-use super::super::verdict::{LEFT_SHARE, MOST_NAMED, NOT_TOLD, are_one_drag, judged, ranked, result};
+use super::super::verdict::{LEFT_SHARE, MOST_NAMED, NOT_TOLD, Ranked, are_one_drag, judged, ranked, result};
 use super::search::{Found, Round, Tried};
+
+impl Ranked for Tried {
+    fn id(&self) -> &'static str {
+        self.id
+    }
+
+    fn gain(&self) -> f64 {
+        self.gain
+    }
+}
 
 impl Found<'_> {
     fn names(&self) -> Vec<String> {
@@ -46,7 +56,7 @@ impl Found<'_> {
     }
 
     /// Parameters of the last cause of those tried, swing by swing.
-    fn parameters(&self, tried: &Tried) -> BTreeMap<String, ParameterResult> {
+    pub fn parameters(&self, tried: &Tried) -> BTreeMap<String, ParameterResult> {
         let mut all = BTreeMap::new();
         let Some(place) = tried.with.causes.last() else { return all };
         for (s, (swing, fitted)) in self.swings.iter().zip(&tried.with.fits).enumerate() {
