@@ -50,6 +50,8 @@ pub struct Fitted {
     pub gradient: DVector<f64>,
     /// Derivatives of each swing's rows.
     pub jacobians: Vec<DMatrix<f64>>,
+    /// What its last step gained of χ²: much, where the steps were used up on the way.
+    pub last_gained: f64,
 }
 
 /// Where the parts of the list of all that is fitted begin.
@@ -125,26 +127,27 @@ impl Model<'_> {
         self.fit_with(start, None, CONVERGED_SHARE, stop)
     }
 
-    /// Where fits over longer and longer parts of the recordings lead: a phase known over one stays within a quarter of a cycle over
-    /// the next.
-    pub fn grown(&self, start: &Point) -> Result<Point> {
+    /// Where fits over longer and longer parts of the recordings lead, and χ² of the last: a phase known over one stays within a quarter
+    /// of a cycle over the next.
+    pub fn grown(&self, start: &Point) -> Result<(Point, f64)> {
         let mut point = start.clone();
+        let mut cost = f64::INFINITY;
         for horizon_s in HORIZONS_S {
             let early = Model { part: Part::First(horizon_s), ..self.clone() };
             // A part that cannot be simulated from here leads nowhere; the next may.
             let Ok(fitted) = early.fit_with(&point, None, NEARLY, &|_| false) else { continue };
-            point = fitted.point;
+            (point, cost) = (fitted.point, fitted.cost);
             // A few swings say little of how they die away, and a rate that is wrong runs away over the next part.
             for (own, begun) in point.owns.iter_mut().zip(&start.owns) {
                 own[DAMPING..BIAS].copy_from_slice(&begun[DAMPING..BIAS]);
             }
         }
-        Ok(point)
+        Ok((point, cost))
     }
 
     /// Fits from where that leads; where it leads astray, from the start itself.
     pub fn fit_from_afar(&self, start: &Point) -> Result<Fitted> {
-        let grown = self.grown(start).and_then(|point| self.fit(&point, &|_| false));
+        let grown = self.grown(start).and_then(|(point, _)| self.fit(&point, &|_| false));
         grown.or_else(|_| self.fit(start, &|_| false))
     }
 
@@ -164,6 +167,7 @@ impl Model<'_> {
         let mut damping = 1e-4;
         let mut of_no_use = 0;
         let exact = !self.causes.iter().any(|c| c.apart);
+        let mut last_gained = 0.0;
         for n in 0..self.most_steps() {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
@@ -175,6 +179,7 @@ impl Model<'_> {
                 continue;
             };
             let gained = misfit.cost - step.misfit.cost;
+            last_gained = gained;
             let before = std::mem::replace(&mut misfit, step.misfit);
             point = step.point;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
@@ -199,7 +204,16 @@ impl Model<'_> {
         let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
         self.pin(&point, &mut matrix, &mut gradient);
         let rows = misfit.count();
-        Ok(Fitted { point, cost: misfit.cost, chi2: misfit.chi2(), rows, matrix, gradient, jacobians })
+        Ok(Fitted {
+            point,
+            cost: misfit.cost,
+            chi2: misfit.chi2(),
+            rows,
+            matrix,
+            gradient,
+            jacobians,
+            last_gained,
+        })
     }
 
     /// Derivatives changed by as little as makes them true of a step that was made (C. G. Broyden, *Math. Comp.* 19 (1965) 577),

@@ -38,10 +38,10 @@ pub struct Look {
     pub cause: Cause,
     /// Expected gain of the logarithm of the evidence.
     pub gain: f64,
-    /// Expected gain of χ².
-    pub chi2: f64,
     /// Change of everything that is fitted, the cause's values (from its start) behind the other causes'.
     pub delta: DVector<f64>,
+    /// Other forms of the same cause that promise nearly as much.
+    pub others: Vec<Look>,
 }
 
 impl Look {
@@ -61,7 +61,7 @@ impl Look {
             .collect();
         let rest = seen.delta.remove_rows(split, size);
         let delta = laid_out(model, &rest, &values);
-        Ok(Some(Self { cause: cause.clone(), gain: seen.gain, chi2: seen.chi2, delta }))
+        Ok(Some(Self { cause: cause.clone(), delta, ..seen }))
     }
 
     fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
@@ -79,12 +79,12 @@ impl Look {
         parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, &part));
         let Some(solved) = equations.solved(cause.one_sided) else {
             let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
-            return Ok(Self { cause: cause.clone(), gain: f64::NEG_INFINITY, chi2: 0.0, delta });
+            return Ok(Self { cause: cause.clone(), gain: f64::NEG_INFINITY, delta, others: vec![] });
         };
         let mut values = vec![0.0; cause.size(swings)];
         strengths.iter().zip(solved.strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
         let delta = laid_out(model, &solved.rest, &values);
-        Ok(Self { cause: cause.clone(), gain: solved.gain, chi2: solved.chi2, delta })
+        Ok(Self { cause: cause.clone(), gain: solved.gain, delta, others: vec![] })
     }
 
     /// The point that the look leads to, by a share of the way.
@@ -120,7 +120,6 @@ pub struct Solved {
     pub strength: DVector<f64>,
     pub rest: DVector<f64>,
     pub gain: f64,
-    pub chi2: f64,
 }
 
 impl<'a> Equations<'a> {
@@ -149,19 +148,19 @@ impl<'a> Equations<'a> {
         let absorbed = base.solve(&self.outer);
         let schur = &self.inner - self.outer.tr_mul(&absorbed);
         let score = &self.score - absorbed.tr_mul(&fitted.gradient);
-        let (strength, gain, chi2) = strengths(&schur, &score, &self.u, one_sided)?;
+        let (strength, gain) = strengths(&schur, &score, &self.u, one_sided)?;
         let rest = base.solve(&fitted.gradient) - &absorbed * &strength;
-        Some(Solved { strength, rest, gain, chi2 })
+        Some(Solved { strength, rest, gain })
     }
 }
 
-/// The strengths with the gains of evidence and of χ²; where they are one-sided, those that would be negative are zero.
+/// The strengths with the gain of evidence; where they are one-sided, those that would be negative are zero.
 fn strengths(
     schur: &DMatrix<f64>,
     score: &DVector<f64>,
     u: &DVector<f64>,
     one_sided: bool,
-) -> Option<(DVector<f64>, f64, f64)> {
+) -> Option<(DVector<f64>, f64)> {
     let mut open: Vec<usize> = (0..score.len()).collect();
     loop {
         let part = DMatrix::from_fn(open.len(), open.len(), |i, j| schur[(open[i], open[j])]);
@@ -179,8 +178,7 @@ fn strengths(
         open.iter().zip(found.iter()).for_each(|(k, x)| strength[*k] = *x);
         let log_determinant: f64 = factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
         let occam = log_determinant + open.iter().map(|k| u[*k].ln()).sum::<f64>();
-        let chi2 = wanted.dot(&found);
-        return Some((strength, 0.5 * chi2 - occam, chi2));
+        return Some((strength, 0.5 * wanted.dot(&found) - occam));
     }
 }
 

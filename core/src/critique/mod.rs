@@ -24,6 +24,7 @@ mod seen;
 mod shape;
 mod tell_apart;
 mod traces;
+mod trial;
 mod verdict;
 mod white;
 mod words;
@@ -51,8 +52,9 @@ use learned::learned;
 use next_swing::{Explained, next_swing};
 use point::{Model, Part};
 use quantities::quantities;
-use search::{Found, Tried, search};
+use search::{Found, search};
 use traces::traces;
+use trial::Tried;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-critique/1";

@@ -123,8 +123,8 @@ impl Scan<'_> {
         let mut equations = Equations::new(self.standing, self.strength_u(event));
         equations.add(s, &self.simulated(event, (s, t_s), over_s, s)?);
         later.iter().for_each(|(later, part)| equations.add(*later, part));
-        let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
-        Some(Seen { s, t_s, over_s, gain, chi2, strength, rest })
+        let Solved { strength, rest, gain } = equations.solved(false)?;
+        Some(Seen { s, t_s, over_s, gain, strength, rest })
     }
 
     /// When most is left of a swing, s.
@@ -154,8 +154,8 @@ impl Scan<'_> {
                 equations.add(swing, &self.part(swing, &self.columns(event, swing, from_s)));
             }
         }
-        let Solved { strength, rest, gain, chi2 } = equations.solved(false)?;
-        Some(Seen { s, t_s, over_s: SLIP_S, gain, chi2, strength, rest })
+        let Solved { strength, rest, gain } = equations.solved(false)?;
+        Some(Seen { s, t_s, over_s: SLIP_S, gain, strength, rest })
     }
 
     /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
@@ -205,7 +205,7 @@ impl Scan<'_> {
             values[count + 1] = seen.over_s.ln() - cause.start(self.times.len())[count + 1];
         }
         let delta = laid_out(&self.standing.model, &seen.rest, &values);
-        Look { cause, gain: seen.gain, chi2: seen.chi2, delta }
+        Look { cause, gain: seen.gain, delta, others: vec![] }
     }
 }
 
@@ -215,7 +215,6 @@ struct Seen {
     /// Length of a slip, s.
     over_s: f64,
     gain: f64,
-    chi2: f64,
     strength: DVector<f64>,
     rest: DVector<f64>,
 }

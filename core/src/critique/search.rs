@@ -8,10 +8,11 @@ use super::causes::{
     GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, seconds,
 };
 use super::evidence::{FURTHER_GAIN, LEAST_GAIN, ODDS_BEFORE, gain, is_missed, pays};
-use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
+use super::fitting::Fitted;
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
+use super::trial::Tried;
 use super::verdict::{parameters, simplest_first};
 use super::white::Left;
 
@@ -25,15 +26,10 @@ const FULL: &str = "fitting the leading causes in full";
 const LEADING: usize = 4;
 /// And in a further round.
 const FURTHER: usize = 3;
-/// Shares of the way to where the first look points, from which a full fit may begin.
-const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 /// A wind that gains this share of what the best cause does may gain more than that by its gusts.
 const GUSTY: f64 = 0.15;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
-/// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
-const HOPELESS: f64 = 0.5;
-
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
@@ -44,21 +40,6 @@ pub const UNNAMED_LEAVES: f64 = 0.1;
 /// Names of the parameters that say when something happened and what shows only while it does: how fast it went, and how far a phone
 /// was pushed along, which its place shows a hundred times less than the push.
 const OF_MOMENT: [&str; 5] = ["at_s", "over_s", "shift_x_m", "shift_y_m", "shift_z_m"];
-
-/// A cause fitted in full beside those taken before.
-#[derive(Clone)]
-pub struct Tried {
-    pub cause: Cause,
-    /// Those taken before, and this one.
-    pub causes: Vec<Cause>,
-    pub fitted: Fitted,
-    /// Of the logarithm of the evidence, over the model without it.
-    pub gain: f64,
-    /// What is left, χ² beyond noise.
-    pub left: Left,
-    /// Where it was looked for.
-    from: Point,
-}
 
 /// One round: what was tried, the best first.
 #[derive(Clone)]
@@ -78,7 +59,7 @@ pub struct Found<'a> {
     /// Where the last cause was looked for.
     pub looked_from: Point,
     /// Where the fits of single swings lead.
-    begin: Point,
+    pub begin: Point,
 }
 
 /// Searches from a fitted base and from where its fit began.
@@ -278,8 +259,12 @@ impl Found<'_> {
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         let mut leading: Vec<Look> = Vec::new();
         for look in looks {
-            if look.cause.id == UNKNOWN || !leading.iter().any(|known| known.cause.id == look.cause.id) {
-                leading.push(look);
+            let same =
+                leading.iter_mut().find(|known| known.cause.id == look.cause.id && look.cause.id != UNKNOWN);
+            match same {
+                None => leading.push(look),
+                Some(best) if look.gain > RIVAL_SHARE * best.gain => best.others.push(look),
+                Some(_) => {}
             }
         }
         Ok(leading)
@@ -334,40 +319,10 @@ impl Found<'_> {
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
         tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        let better = tried.first().and_then(|best| self.led_on(best));
+        tried.first_mut().zip(better).into_iter().for_each(|(best, better)| *best = better);
         simplest_first(&mut tried, parameters);
         Ok(tried)
-    }
-
-    /// Fits a cause in full; `None` where no start leads anywhere.
-    fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
-        let mut model = self.model.with(&look.cause);
-        model.alone = alone;
-        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
-        let hopeless = |cost| cost > best + behind;
-        let fitted = if self.fitted.rms() > FAR {
-            // Far from the data the base has bent itself to whatever helped: the way begins where the swings alone lead.
-            let mut start = self.begin.clone();
-            start.causes = self.fitted.point.causes.clone();
-            start.causes.push(look.cause.start(model.base.swings.len()));
-            model.fit(&model.grown(&start).ok()?, &hopeless).ok()?
-        } else {
-            let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
-            let costs = starts.iter().map(|start| (model.cost(start).unwrap_or(f64::INFINITY), start));
-            let (cost, start) =
-                costs.filter(|(cost, _)| cost.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0))?;
-            if cost > self.fitted.cost {
-                // So far from linear that the way there leads over short parts of the recordings.
-                model.fit(&model.grown(&starts[0]).ok()?, &hopeless).ok()?
-            } else {
-                let known = model.each(|s| model.widened(&self.fitted.jacobians[s], start, s));
-                let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
-                model.fit_with(start, known, CONVERGED_SHARE, &hopeless).ok()?
-            }
-        };
-        let gain = gain(&self.fitted, &fitted, &look.cause, model.base.swings.len())?;
-        let left = Left::of(&model, &fitted.point).ok()?;
-        let from = self.fitted.point.clone();
-        Some(Tried { cause: look.cause.clone(), causes: model.causes, fitted, gain, left, from })
     }
 
     fn pays(&self, best: &Tried) -> bool {

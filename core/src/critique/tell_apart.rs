@@ -11,7 +11,8 @@ use super::by_periods::tell_apart_by_periods;
 use super::next_swing::{Explained, next_swing};
 use super::point::{Model, Part};
 use super::result::{NextSwing, Progress};
-use super::search::{Found, Tried};
+use super::search::Found;
+use super::trial::Tried;
 
 /// The swing, among those thought of, in which the two causes, each fitted to the session beside nothing else, differ most:
 /// that of the criticism's verdict, for causes of one's own choice.

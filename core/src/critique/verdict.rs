@@ -10,7 +10,8 @@ use super::evidence::ODDS_BEFORE;
 use super::fitting::Fitted;
 use super::point::{Cause, Form, Model};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
-use super::search::{Found, Round, Tried};
+use super::search::{Found, Round};
+use super::trial::Tried;
 use super::words;
 use crate::language::{Argument, Text};
 

@@ -13,7 +13,7 @@
 use std::ops::Range;
 
 use super::effects::{AddedMass, Effect, Loads, Now, Solved, Support};
-use super::real::{M3, Real, V3, inverse, solve, times};
+use super::real::{Decomposed, M3, Real, V3, inverse, solve, times};
 
 /// Where the parts of the state begin.
 pub(super) const TIME: usize = 0;
@@ -114,7 +114,7 @@ struct Grip<S: Real> {
 /// Mass in its general form: rigid, or with masses that effects add.
 enum Mass<'a, S: Real> {
     Rigid { inverse_mass: S, inverse_inertia: &'a M3<S> },
-    Full { matrix: [[S; 6]; 6], turn: M3<S> },
+    Full { matrix: Decomposed<S, 6>, turn: M3<S> },
 }
 
 impl<S: Real> Mass<'_, S> {
@@ -126,8 +126,7 @@ impl<S: Real> Mass<'_, S> {
             }
             Mass::Full { matrix, turn } => {
                 let f = turn.tr_mul(force);
-                let mut x = [f.x, f.y, f.z, torque.x, torque.y, torque.z];
-                solve(&mut matrix.clone(), &mut x, 6);
+                let x = matrix.solve(&[f.x, f.y, f.z, torque.x, torque.y, torque.z]);
                 (times(turn, &V3::new(x[0], x[1], x[2])), V3::new(x[3], x[4], x[5]))
             }
         }
@@ -224,7 +223,7 @@ impl<S: Real> Equations<S> {
         }
         loads.force += times(&now.turn, &added.force);
         loads.torque += added.torque;
-        Mass::Full { matrix: added.matrix, turn: now.turn }
+        Mass::Full { matrix: Decomposed::new(added.matrix), turn: now.turn }
     }
 
     pub fn support(&self, now: &Now<S>, y: &[S]) -> Option<Support<S>> {

@@ -2,7 +2,7 @@
 
 use super::{AddedMass, Described, Effect, Now, Solved};
 use crate::dynamics::numbers::numbers;
-use crate::dynamics::real::{M3, Real, V3};
+use crate::dynamics::real::{M3, Real, V3, times};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
@@ -75,7 +75,7 @@ impl<S: Real> Effect<S> for InternalMotion<S> {
         let coriolis = now.rate.cross(&u) * (self.mass_kg * memory[1]);
         let applied = weight - coriolis - coriolis;
         let across = M3::identity() - u * u.transpose();
-        let force = across * applied + u * self.grip(memory);
+        let force = times(&across, &applied) + u * self.grip(memory);
         mass.add_at(&(across * self.mass_kg), &arm, &force, now);
     }
 

@@ -1,0 +1,98 @@
+//! A cause tried: fitted in full beside those that were taken before.
+
+use crate::error::Result;
+
+use super::evidence::gain;
+use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
+use super::look::Look;
+use super::point::{Cause, Model, Point};
+use super::search::Found;
+use super::white::Left;
+
+/// Shares of the way to where the first look points, from which a full fit may begin.
+const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
+/// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
+const HOPELESS: f64 = 0.5;
+/// A fit whose last step gained more of χ² than this has not come to its end.
+const STILL_GAINS: f64 = 1.0;
+
+/// A cause fitted in full beside those taken before.
+#[derive(Clone)]
+pub struct Tried {
+    pub cause: Cause,
+    /// Those taken before, and this one.
+    pub causes: Vec<Cause>,
+    pub fitted: Fitted,
+    /// Of the logarithm of the evidence, over the model without it.
+    pub gain: f64,
+    /// What is left, χ² beyond noise.
+    pub left: Left,
+    /// Where it was looked for.
+    pub from: Point,
+}
+
+impl Found<'_> {
+    /// Fits a cause in full; `None` where no start leads anywhere.
+    pub fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
+        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
+        let hopeless = |cost| cost > best + behind;
+        let model = Model { alone, ..self.model.with(&look.cause) };
+        if let Some(start) = self.near(look, &model) {
+            let known = model.each(|s| model.widened(&self.fitted.jacobians[s], &start, s));
+            let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
+            let fitted = model.fit_with(&start, known, CONVERGED_SHARE, &hopeless).ok()?;
+            return self.weighed_up(&look.cause, model, fitted);
+        }
+        // So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part.
+        let led = [look].into_iter().chain(&look.others).filter_map(|form| {
+            let model = Model { alone, ..self.model.with(&form.cause) };
+            let (point, cost) = model.grown(&self.afar(form, &model)).ok()?;
+            Some((cost, &form.cause, model, point))
+        });
+        let (_, cause, model, point) = led.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let fitted = model.fit(&point, &hopeless).ok()?;
+        self.weighed_up(cause, model, fitted)
+    }
+
+    /// The start of a cause's fit from where its look leads, if that is better than without the cause.
+    fn near(&self, look: &Look, model: &Model) -> Option<Point> {
+        if self.fitted.rms() > FAR {
+            return None;
+        }
+        let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
+        let costs = starts.into_iter().map(|start| (model.cost(&start).unwrap_or(f64::INFINITY), start));
+        let (cost, start) = costs.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (cost <= self.fitted.cost).then_some(start)
+    }
+
+    /// Where a fit over longer and longer parts begins: where the look leads. Far from the data the base has bent itself to whatever
+    /// helped, and the way begins where the swings alone lead.
+    fn afar(&self, look: &Look, model: &Model) -> Point {
+        if self.fitted.rms() <= FAR {
+            return look.start(&self.model, &self.fitted, 1.0);
+        }
+        let mut start = self.begin.clone();
+        start.causes = self.fitted.point.causes.clone();
+        start.causes.push(look.cause.start(model.base.swings.len()));
+        start
+    }
+
+    /// A fitted model with one more cause, weighed against that without it.
+    fn weighed_up(&self, cause: &Cause, model: Model, fitted: Fitted) -> Option<Tried> {
+        let gain = gain(&self.fitted, &fitted, cause, model.base.swings.len())?;
+        let left = Left::of(&model, &fitted.point).ok()?;
+        let from = self.fitted.point.clone();
+        Some(Tried { cause: cause.clone(), causes: model.causes, fitted, gain, left, from })
+    }
+
+    /// What was tried, with its fit led to its end where that used up its steps on the way.
+    pub fn led_on(&self, tried: &Tried) -> Option<Tried> {
+        if tried.fitted.last_gained < STILL_GAINS {
+            return None;
+        }
+        let model = Model { causes: tried.causes.clone(), ..self.model.clone() };
+        let known = Some(tried.fitted.jacobians.clone());
+        let fitted = model.fit_with(&tried.fitted.point, known, CONVERGED_SHARE, &|_| false).ok()?;
+        self.weighed_up(&tried.cause, model, fitted)
+    }
+}
