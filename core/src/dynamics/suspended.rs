@@ -112,6 +112,10 @@ struct Grip<S: Real> {
 }
 
 /// Mass in its general form: rigid, or with masses that effects add.
+#[allow(
+    clippy::large_enum_variant,
+    reason = "it lives for one evaluation, on the stack: a box would be an allocation for each"
+)]
 enum Mass<'a, S: Real> {
     Rigid { inverse_mass: S, inverse_inertia: &'a M3<S> },
     Full { matrix: Decomposed<S, 6>, turn: M3<S> },
