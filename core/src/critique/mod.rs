@@ -43,7 +43,6 @@ use std::collections::BTreeMap;
 use crate::error::Result;
 use crate::inertia::measure::{Prepared, prepare, title};
 use crate::inertia::{COVERAGE_95, MeasureOptions, QuantityResult, analyse};
-use crate::language::{Text, english};
 use crate::progress::tell;
 use crate::recording::{LoadedData, LoadedSession, Quantity};
 
@@ -79,7 +78,9 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
     let Ok(fitted) = model.fit_from_afar(&start) else {
         let mut judged = by_periods_alone()?;
-        judged.critique.warn(words::said("no_fit", []));
+        let text =
+            "no simulation of all swings together could be fitted to the samples: their periods were judged";
+        judged.critique.warnings.push(text.into());
         return Ok(judged);
     };
     let found = search(model.clone(), start, fitted, progress)?;
@@ -92,7 +93,7 @@ fn conclude(
     base: &Model,
     found: &Found,
     inclines: &[Option<Quantity>],
-    warnings: Vec<Text>,
+    warnings: Vec<String>,
 ) -> Result<Criticism> {
     let (before, rows) = Found::held_out(base, &found.base)?;
     let after = match found.model.causes[..] {
@@ -126,8 +127,7 @@ fn conclude(
         extended,
         gain,
         learned: learned(found, rms(after)),
-        warnings: english(&warnings),
-        warnings_said: warnings,
+        warnings,
     };
     Ok(Criticism { critique, traces: traces(base, found)? })
 }

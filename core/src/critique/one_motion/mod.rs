@@ -28,7 +28,6 @@ use crate::inertia::estimate::{Observed, System};
 use crate::inertia::measure::{SwingWork, title};
 use crate::inertia::outputs::write_quantities;
 use crate::inertia::{COVERAGE_95, Measurement, QuantityResult};
-use crate::language::{Text, english};
 use crate::progress::{Progress, tell};
 use crate::recording::{LoadedSession, Quantity};
 use findings::findings;
@@ -42,7 +41,7 @@ pub fn criticise(
     loaded: &LoadedSession,
     system: &System,
     (works, x): (&[SwingWork], &[f64]),
-    warnings: Vec<Text>,
+    warnings: Vec<String>,
     progress: &Progress,
 ) -> Result<Option<Criticism>> {
     let swings: Vec<Swing> = (works.iter().enumerate())
@@ -62,7 +61,7 @@ fn conclude(
     loaded: &LoadedSession,
     session: (&System, &[f64]),
     found: &Found,
-    mut warnings: Vec<Text>,
+    mut warnings: Vec<String>,
 ) -> Option<Criticism> {
     let (before, rows) = found.held_out(&found.base)?;
     let (after, _) = found.held_out(&found.best)?;
@@ -75,7 +74,10 @@ fn conclude(
     let (baseline, extended) = (result(&found.base, before), result(&found.best, after));
     let gain = gain((before, after), rows, &baseline, &extended);
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|r| next_swing(found, r));
-    warnings.push(words::said("turns_alone", []));
+    warnings.push(
+        "No swing was recorded by gyroscope and accelerometer on two lines: each was criticised in its strongest motion alone, by its turn."
+            .into(),
+    );
     let critique = Critique {
         format: FORMAT.into(),
         title: title(&loaded.session),
@@ -86,8 +88,7 @@ fn conclude(
         extended,
         gain,
         learned: learned::force(found, rms(after)),
-        warnings: english(&warnings),
-        warnings_said: warnings,
+        warnings,
     };
     Some(Criticism { critique, traces: traces(found)? })
 }
