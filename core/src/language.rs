@@ -67,11 +67,33 @@ pub enum Argument {
 /// The sentence or word of a key in a language, where there is one.
 pub(crate) type Lookup = fn(&str, Language) -> Option<String>;
 
+/// The sentence or word of a key in a table.
+pub(crate) fn entry(table: &[(&str, &str)], key: &str) -> Option<String> {
+    table.iter().find(|(known, _)| *known == key).map(|(_, text)| (*text).to_owned())
+}
+
+/// The English of sentences.
+pub(crate) fn english(said: &[Text]) -> Vec<String> {
+    said.iter().map(|text| text.english.clone()).collect()
+}
+
+/// Without sentences, what was said in English.
+pub(crate) fn or_english(said: &mut Vec<Text>, english: &[String]) {
+    if said.is_empty() {
+        *said = english.iter().map(Text::in_english).collect();
+    }
+}
+
 impl Text {
     /// The sentence of a key with what it names. `{name}` stands for an argument, `{^name}` for one that begins a sentence.
     pub(crate) fn of(key: String, arguments: BTreeMap<String, Argument>, lookup: Lookup) -> Self {
         let text = Self { key, arguments, english: String::new() };
         Self { english: text.told(Language::English, lookup), ..text }
+    }
+
+    /// A sentence of which there is no more than English.
+    pub(crate) fn in_english(english: impl Into<String>) -> Self {
+        Self { english: english.into(), ..Self::default() }
     }
 
     /// Whether there is no more of it than English.

@@ -3,20 +3,23 @@
 #![allow(clippy::unwrap_used)]
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
-use gyradius_core::language::Language;
+use gyradius_core::inertia::{MeasureOptions, Measurement, measure};
+use gyradius_core::language::{Language, Text};
 use gyradius_core::plan::{Warning, WarningKind};
-use gyradius_core::{critique, inertia, live, plan, procedure};
+use gyradius_core::recording::load_session;
+use gyradius_core::{critique, inertia, live, plan, procedure, signal};
 
 /// Every sentence and word by key.
 fn all(language: Language) -> Vec<(String, String)> {
     let of_live = live::sentences(language).iter().map(|(key, text)| (format!("live.{key}"), *text));
-    let of_plan = plan::sentences(language).iter().map(|(kind, text)| (format!("plan.{kind:?}"), *text));
     let routes = inertia::routes_in(language).iter().map(|(key, text)| (format!("route.{key}"), *text));
     let of_procedure = procedure::sentences(language).iter().map(|(key, text)| ((*key).to_owned(), *text));
-    let others = of_live.chain(of_plan).chain(routes).chain(of_procedure);
+    let others = of_live.chain(routes).chain(of_procedure);
     let others = others.map(|(key, text)| (key, text.to_owned()));
-    others.chain(critique::sentences(language)).collect()
+    let rooms = [signal::sentences, inertia::sentences, critique::sentences, plan::sentences];
+    others.chain(rooms.iter().flat_map(|sentences| sentences(language))).collect()
 }
 
 /// Names in braces by key; a capital that a language gives one is its own affair.
@@ -31,7 +34,7 @@ fn names(language: Language) -> BTreeMap<String, BTreeSet<String>> {
 #[test]
 fn every_language_has_the_same_sentences() {
     let english = names(Language::English);
-    assert!(english.len() > 250 && english.values().any(|names| names.len() > 4));
+    assert!(english.len() > 300 && english.values().any(|names| names.len() > 4));
     assert_eq!(english, names(Language::German));
 }
 
@@ -82,7 +85,70 @@ fn quantities_routes_and_causes_have_names_and_units() {
 fn a_warning_is_told_with_its_numbers_and_names() {
     let numbers = [("u_percent", 20.0)];
     let warning = Warning::new(WarningKind::RoughHull, None, &numbers, &[("quantity", "k_yaw_m")]);
-    let german = warning.in_language(Language::German);
+    let german = warning.said().in_language(Language::German);
     assert!(german.starts_with("k_yaw_m des Rumpfs ist nur auf 20 % bekannt"), "{german}");
-    assert_eq!(warning.text, warning.in_language(Language::English));
+    assert_eq!(warning.text, warning.said().in_language(Language::English));
+    let numbers = [("reached_u", 0.02), ("wanted_u", 0.01), ("contribution_u", 0.015), ("times_better", 3.0)];
+    let names = [("quantity", "depth"), ("input", "line_length")];
+    let warning = Warning::new(WarningKind::NotReached, None, &numbers, &names);
+    let german = warning.said().in_language(Language::German);
+    let begins =
+        "Schwerpunkttiefe erreicht u = 0,020, nicht 0,010: das meiste kommt von: Leinenlänge (0,015).";
+    assert!(german.starts_with(begins), "{german}");
+    assert!(warning.text.contains("most of it comes from line_length (0.015)"), "{}", warning.text);
+}
+
+/// Everything that the measurement of a session says, with its sentence; inputs of budgets by their labels.
+fn told(measured: &Measurement) -> Vec<(&str, Text)> {
+    let of_swings = measured.swings.iter().map(|swing| (&swing.warnings, &swing.warnings_said));
+    let lists = of_swings.chain([(&measured.warnings, &measured.warnings_said)]);
+    let mut all = Vec::new();
+    for (warnings, said) in lists {
+        assert_eq!(warnings.len(), said.len());
+        all.extend(warnings.iter().map(String::as_str).zip(said.iter().cloned()));
+    }
+    all.extend(measured.consistency.iter().map(|claim| (claim.text.as_str(), claim.said.clone())));
+    let lines = measured.budget.values().flatten();
+    all.extend(lines.map(|line| (line.input.as_str(), inertia::input(&line.input))));
+    all
+}
+
+#[test]
+fn a_measurement_is_told_in_every_language() {
+    let sessions = Path::new(env!("CARGO_MANIFEST_DIR")).join("../python/gyradius/sessions");
+    for name in ["boat-park", "keelboat", "model-hull"] {
+        let loaded = load_session(sessions.join(name)).unwrap();
+        // A limit of what is not measured is warned of.
+        let limits = vec!["ballast >= 1".parse().unwrap()];
+        let measured = measure(&loaded, &MeasureOptions { limits }).unwrap();
+        let all = told(&measured);
+        assert!(all.len() > 10 && !measured.warnings.is_empty(), "{name}: {all:?}");
+        for (english, said) in all {
+            assert_eq!(english, said.in_language(Language::English));
+            let german = said.in_language(Language::German);
+            println!("  {german}");
+            assert!(
+                !german.is_empty() && german != english && !german.contains(['{', '_']),
+                "{english}: {german}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_input_of_a_budget_has_a_name() {
+    let told = |label: &str| Language::ALL.map(|language| inertia::input(label).in_language(language));
+    assert_eq!(told("line_length"), ["line_length", "Leinenlänge"]);
+    assert_eq!(
+        told("yaw period of yaw-sway"),
+        ["yaw period of yaw-sway", "Gierperiode von Gieren-Querschwingen"]
+    );
+    assert_eq!(told("mass of keel"), ["mass of keel", "Masse von keel"]);
+    assert_eq!(
+        told("unknown tilt of the principal axes"),
+        ["unknown tilt of the principal axes", "unbekannte Neigung der Hauptachsen"]
+    );
+    // What is none is the id of a swing.
+    assert_eq!(told("bow-up"), ["bow-up", "Bug-hoch"]);
+    assert_eq!(told("Day of rest"), ["Day of rest", "Day of rest"]);
 }

@@ -3,7 +3,7 @@
 use gyradius_core::language::Language;
 use gyradius_core::plan::Warning;
 use gyradius_core::procedure::Text;
-use gyradius_core::{critique, inertia, live, plan, procedure};
+use gyradius_core::{critique, inertia, live, plan, procedure, signal};
 
 use crate::data::NamedText;
 
@@ -17,16 +17,16 @@ pub enum Language {
 }
 
 /// Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
-/// estimator begin with `live.`, those of the plan's warnings with `plan.`, those of the criticism with `critique.`.
+/// estimator begin with `live.`, those of the plan with `plan.`, of a measurement with `inertia.` and `signal.`, of the criticism
+/// with `critique.`.
 #[uniffi::export]
 pub fn texts(language: Language) -> Vec<NamedText> {
     let of_live = live::sentences(language).iter().map(|(key, text)| (format!("live.{key}"), *text));
     let of_procedure = procedure::sentences(language).iter().map(|(key, text)| ((*key).to_owned(), *text));
-    let of_plan =
-        plan::sentences(language).iter().map(|(kind, text)| (format!("plan.{}", key_of(kind)), *text));
-    let of_critique = critique::sentences(language).into_iter();
-    let all = of_procedure.chain(of_live).chain(of_plan).map(|(name, text)| (name, text.to_owned()));
-    all.chain(of_critique).map(|(name, text)| NamedText { name, text }).collect()
+    let all = of_procedure.chain(of_live).map(|(name, text)| (name, text.to_owned()));
+    let rooms = [plan::sentences, signal::sentences, inertia::sentences, critique::sentences];
+    let of_rooms = rooms.iter().flat_map(|sentences| sentences(language));
+    all.chain(of_rooms).map(|(name, text)| NamedText { name, text }).collect()
 }
 
 /// A sentence in a language, with what it names.
@@ -38,7 +38,7 @@ pub fn sentence_in(sentence: &Text, language: Language) -> String {
 /// The sentence of a plan's warning in a language.
 #[uniffi::export]
 pub fn warning_in(warning: &Warning, language: Language) -> String {
-    warning.in_language(language)
+    warning.said().in_language(language)
 }
 
 /// The id of a step or a swing in a language; in English it stands as it is.
@@ -51,6 +51,12 @@ pub fn id_in(id: &str, language: Language) -> String {
 #[uniffi::export]
 pub fn quantity_in(name: &str, language: Language) -> String {
     inertia::quantity_in(name, language)
+}
+
+/// An input of a budget by its label, in a language; in English it stands as it is.
+#[uniffi::export]
+pub fn input_in(label: &str, language: Language) -> String {
+    inertia::input(label).in_language(language)
 }
 
 /// A single route to a quantity by its method, in a language.
@@ -69,10 +75,4 @@ pub fn cause_in(id: &str, language: Language) -> String {
 #[uniffi::export]
 pub fn unit_of(name: &str) -> String {
     inertia::unit_of(name).into()
-}
-
-/// The name that a kind of warning has in JSON.
-fn key_of(kind: &plan::WarningKind) -> String {
-    let name = serde_json::to_value(kind).ok();
-    name.as_ref().and_then(|name| name.as_str()).unwrap_or_default().to_owned()
 }

@@ -144,6 +144,18 @@ pub const GERMAN: &[(&str, &str)] = &[
         "periods_hang",
         " Der Trägheitsradius im Gieren hängt daran: {least} nach der einen, {most} nach einer anderen.",
     ),
+    (
+        "periods_alone",
+        "Die Messung enthält nur Perioden: was sich innerhalb einer Schwingung zeigt (Dämpfung, Drift, ein loses Telefon), wurde nicht gesucht.",
+    ),
+    (
+        "no_fit",
+        "Den Messwerten ließ sich keine Simulation aller Schwingungen zusammen anpassen: beurteilt wurden ihre Perioden",
+    ),
+    (
+        "turns_alone",
+        "Keine Schwingung an zwei Leinen wurde mit Drehraten- und Beschleunigungssensor aufgenommen: jede wurde nur in ihrer stärksten Bewegung beurteilt, nach ihrer Drehung.",
+    ),
     ("cause.added_mass", "Luft bewegt sich mit dem Rumpf mit und lässt ihn schwerer und träger erscheinen"),
     (
         "cause.amplitude_added_mass",

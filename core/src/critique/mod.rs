@@ -43,6 +43,7 @@ use std::collections::BTreeMap;
 use crate::error::Result;
 use crate::inertia::measure::{Prepared, prepare, title};
 use crate::inertia::{COVERAGE_95, MeasureOptions, QuantityResult, analyse};
+use crate::language::{Text, english};
 use crate::progress::tell;
 use crate::recording::{LoadedData, LoadedSession, Quantity};
 
@@ -78,9 +79,7 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     let model = Model { base: &base, causes: vec![], part: Part::All, alone: false };
     let Ok(fitted) = model.fit_from_afar(&start) else {
         let mut judged = by_periods_alone()?;
-        let text =
-            "no simulation of all swings together could be fitted to the samples: their periods were judged";
-        judged.critique.warnings.push(text.into());
+        judged.critique.warn(words::said("no_fit", []));
         return Ok(judged);
     };
     let found = search(model.clone(), start, fitted, progress)?;
@@ -93,7 +92,7 @@ fn conclude(
     base: &Model,
     found: &Found,
     inclines: &[Option<Quantity>],
-    warnings: Vec<String>,
+    warnings: Vec<Text>,
 ) -> Result<Criticism> {
     let (before, rows) = Found::held_out(base, &found.base)?;
     let after = match found.model.causes[..] {
@@ -127,7 +126,8 @@ fn conclude(
         extended,
         gain,
         learned: learned(found, rms(after)),
-        warnings,
+        warnings: english(&warnings),
+        warnings_said: warnings,
     };
     Ok(Criticism { critique, traces: traces(base, found)? })
 }

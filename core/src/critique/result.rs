@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::inertia::QuantityResult;
-use crate::language::Text;
+use crate::language::{Text, or_english};
 use crate::recording::Excitation;
 
 /// The criticism of a session.
@@ -36,9 +36,18 @@ pub struct Critique {
     /// What a reader must know.
     #[serde(default)]
     pub warnings: Vec<String>,
+    /// The same for every language.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings_said: Vec<Text>,
 }
 
 impl Critique {
+    /// One thing more that a reader must know.
+    pub(super) fn warn(&mut self, said: Text) {
+        self.warnings.push(said.english.clone());
+        self.warnings_said.push(said);
+    }
+
     /// A criticism from its `gyradius-critique/1` text.
     pub fn from_json(text: &str) -> Result<Self> {
         let read: serde_json::Result<Self> = serde_json::from_str(text);
@@ -52,6 +61,7 @@ impl Critique {
         verdict.next_swing.iter_mut().for_each(|next| next.said.or_english(&next.text));
         self.causes.iter_mut().for_each(|cause| cause.said.or_english(&cause.text));
         self.discrepancies.iter_mut().for_each(|found| found.said.or_english(&found.text));
+        or_english(&mut self.warnings_said, &self.warnings);
         self
     }
 }

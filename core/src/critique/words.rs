@@ -16,7 +16,7 @@ use crate::recording::ModeName;
 const OF_CRITIQUE: &str = "critique.";
 
 /// Sentences by key; `{name}` stands for an argument.
-const ENGLISH: [(&str, &str); 61] = [
+const ENGLISH: [(&str, &str); 64] = [
     ("adequate", "The simulation accounts for everything that the recordings show."),
     ("explained", "What the simulation left out: {causes}."),
     (
@@ -144,6 +144,18 @@ const ENGLISH: [(&str, &str); 61] = [
     ),
     ("periods_instead", ", which these periods cannot tell from {others}"),
     ("periods_hang", " The yaw gyradius hangs on it: {least} by one, {most} by another."),
+    (
+        "periods_alone",
+        "The session holds periods alone: what shows within a swing (damping, drift, a loose phone) was not looked for.",
+    ),
+    (
+        "no_fit",
+        "no simulation of all swings together could be fitted to the samples: their periods were judged",
+    ),
+    (
+        "turns_alone",
+        "No swing was recorded by gyroscope and accelerometer on two lines: each was criticised in its strongest motion alone, by its turn.",
+    ),
 ];
 
 /// A sentence of the criticism with what it names.

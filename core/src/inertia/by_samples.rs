@@ -380,19 +380,19 @@ impl SwingWork {
             modes.iter().map(|m| NamedMode { name: m.mode, angle_rad: m.amplitude }).collect();
         let mut warnings = evidence.warnings.clone();
         // Those of the damped oscillations, which no longer stand.
-        warnings.retain(|w| !evidence.found.warnings.contains(w));
+        warnings.retain(|w| !evidence.found.warnings_said.contains(w));
         warnings.extend(hints_contradicted(&named, Some(stated)));
         for (mode, (db, parasitic)) in modes.iter_mut().zip(parasites(&named, Some(stated), &mut warnings)) {
             (mode.relative_db, mode.parasitic) = (db, parasitic);
         }
         self.periods = vec![];
-        self.result = SwingResult {
+        let result = SwingResult {
             modes,
-            warnings,
             rms_over_noise: Some(rms_over_noise),
             simulated: true,
             ..std::mem::take(&mut self.result)
         };
+        self.result = result.warned(warnings);
     }
 }
 

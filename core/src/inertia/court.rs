@@ -4,6 +4,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::language::{Argument, Text};
 use crate::recording::{ModeName, Quantity};
 
 use super::alternatives::RouteCalculation;
@@ -11,7 +12,8 @@ use super::estimate::{Observed, Solution, System};
 use super::measurement::Claim;
 use super::parameters::Role;
 use super::routes::ratio::line_length_m;
-use super::words::{claim_name, claim_unit, quantity_name, route, spaced, unit_of};
+use super::sentences::{inputs, name, said};
+use super::words::{claim_unit, spaced, unit_of};
 
 /// A difference this large speaks up: chance does that once in 370 for a normal error.
 pub const FLAG_SIGMA: f64 = 3.0;
@@ -46,12 +48,8 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
             let implied = line_length_m(o.value.value, gravity.value).ok()?;
             let relative = (2.0 * o.value.u / o.value.value).hypot(gravity.u / gravity.value);
             let implied = Quantity::new(implied, implied * relative);
-            Some(claim(
-                "line_length",
-                stated,
-                implied,
-                &format!("the sway period of {}", system.session.swings[i].id),
-            ))
+            let swing = Argument::Id(system.session.swings[i].id.clone());
+            Some(claim("line_length", stated, implied, said("by_sway", [("swing", swing)])))
         })
         .collect()
 }
@@ -75,27 +73,26 @@ fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
     if derived.u > MOST_IMPLIED_RELATIVE_U * stated.prior.value {
         return None;
     }
-    let from = super::outputs::budget(&opened, &freed, &derived)
-        .into_iter()
-        .take(2)
-        .map(|line| spaced(&line.input))
-        .collect::<Vec<_>>()
-        .join(", ");
+    let budget = super::outputs::budget(&opened, &freed, &derived);
+    let largest: Vec<String> = budget.iter().take(2).map(|line| spaced(&line.input)).collect();
     let implied = Quantity::new(derived.value, derived.u);
-    Some(claim(&stated.name, stated.prior, implied, &format!("all swings together ({from})")))
+    Some(claim(&stated.name, stated.prior, implied, said("by_all", [("inputs", inputs(&largest))])))
 }
 
-fn claim(name: &str, stated: Quantity, implied: Quantity, from: &str) -> Claim {
+fn claim(name: &str, stated: Quantity, implied: Quantity, by: Text) -> Claim {
     let sigma = (implied.value - stated.value).abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
-    let flagged = sigma > FLAG_SIGMA;
-    let text = format!(
-        "{} is stated as {}; by {from} it is {}: {} ({sigma:.1} standard uncertainties).",
-        claim_name(name),
-        figure(&stated, claim_unit(name)),
-        figure(&implied, claim_unit(name)),
-        verdict(flagged),
-    );
-    Claim { text, ..bare_claim(name, (stated, implied), sigma, from.into()) }
+    let bare = bare_claim(name, (stated, implied), sigma, by.english.clone());
+    bare.told(said(
+        "stated",
+        [
+            ("name", inputs(&[spaced(name)])),
+            ("stated", figure(&stated, claim_unit(name))),
+            ("by", Argument::Texts(vec![by])),
+            ("implied", figure(&implied, claim_unit(name))),
+            ("verdict", verdict(sigma)),
+            ("sigma", Argument::Number(sigma, 1)),
+        ],
+    ))
 }
 
 fn bare_claim(name: &str, (stated, implied): (Quantity, Quantity), sigma: f64, from: String) -> Claim {
@@ -109,17 +106,18 @@ fn bare_claim(name: &str, (stated, implied): (Quantity, Quantity), sigma: f64, f
         from,
         flagged: sigma > FLAG_SIGMA,
         text: String::new(),
+        said: Text::default(),
         pairs: 1,
         sigma_range: None,
     }
 }
 
-fn figure(value: &Quantity, unit: &str) -> String {
-    format!("{:.4} ± {:.4} {unit}", value.value, value.u).trim_end().into()
+fn figure(value: &Quantity, unit: &str) -> Argument {
+    Argument::Figure(format!("{:.4} ± {:.4} {unit}", value.value, value.u).trim_end().into())
 }
 
-fn verdict(flagged: bool) -> &'static str {
-    if flagged { "they contradict each other" } else { "they agree" }
+fn verdict(sigma: f64) -> Argument {
+    name(if sigma > FLAG_SIGMA { "contradict" } else { "agree" })
 }
 
 /// Single routes to the same quantity, method against method: of all pairs of swings the one that differs most.
@@ -156,30 +154,40 @@ fn worst_of(pairs: &[Pair]) -> Option<Claim> {
     let least = pairs.iter().map(|p| p.sigma).fold(f64::INFINITY, f64::min);
     let quantity = |r: &RouteCalculation| Quantity::new(r.figure.value, r.figure.u());
     let (first, second) = (quantity(worst.first), quantity(worst.second));
-    let named = |r: &RouteCalculation| format!("the {} ({})", route(r.method), r.from.join(", "));
-    let (name, unit) = (worst.first.quantity, unit_of(worst.first.quantity));
-    let others = match pairs.len() {
-        1 => String::new(),
-        n => {
-            format!(" The same two ways differ by {least:.1} to {:.1} over {n} pairs of swings.", worst.sigma)
-        }
-    };
-    let text = format!(
-        "{}: {} gives {}, {} gives {}: {} ({:.1} standard uncertainties of the difference).{others}",
-        quantity_name(name),
-        named(worst.first),
-        figure(&first, unit),
-        named(worst.second),
-        figure(&second, unit),
-        verdict(worst.sigma > FLAG_SIGMA),
-        worst.sigma,
+    let (name_of, unit) = (worst.first.quantity, unit_of(worst.first.quantity));
+    let way = |r: &RouteCalculation| name(&format!("route.{}", r.method));
+    let told = said(
+        "against",
+        [
+            ("quantity", name(&format!("quantity.{name_of}"))),
+            ("one", way(worst.first)),
+            ("one_from", inputs(&worst.first.from)),
+            ("first", figure(&first, unit)),
+            ("other", way(worst.second)),
+            ("other_from", inputs(&worst.second.from)),
+            ("second", figure(&second, unit)),
+            ("verdict", verdict(worst.sigma)),
+            ("sigma", Argument::Number(worst.sigma, 1)),
+            ("pairs", Argument::Texts(others(pairs.len(), [least, worst.sigma]))),
+        ],
     );
     let from = format!("{} against {}", spaced(worst.second.method), spaced(worst.first.method));
     let sigma_range = (pairs.len() > 1).then_some([least, worst.sigma]);
-    Some(Claim {
-        text,
-        pairs: pairs.len(),
-        sigma_range,
-        ..bare_claim(name, (first, second), worst.sigma, from)
-    })
+    let bare = bare_claim(name_of, (first, second), worst.sigma, from);
+    Some(Claim { pairs: pairs.len(), sigma_range, ..bare }.told(told))
+}
+
+/// How far all pairs of swings differ by the same two ways, where there are several.
+fn others(count: usize, [least, most]: [f64; 2]) -> Vec<Text> {
+    let arguments = [("count", count as f64, 0), ("least", least, 1), ("most", most, 1)];
+    let told =
+        || said("pairs", arguments.map(|(name, value, places)| (name, Argument::Number(value, places))));
+    (count > 1).then(told).into_iter().collect()
+}
+
+impl Claim {
+    /// With its sentence.
+    fn told(self, said: Text) -> Self {
+        Self { text: said.english.clone(), said, ..self }
+    }
 }

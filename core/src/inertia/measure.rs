@@ -6,6 +6,7 @@ use num_complex::Complex64;
 
 use crate::error::{Error, Result};
 use crate::frames::Vec3;
+use crate::language::{Argument, Text};
 use crate::modes::{Hanging, tilt_between_rad};
 use crate::progress::{Progress, UNWATCHED, tell};
 use crate::recording::{
@@ -13,8 +14,8 @@ use crate::recording::{
     Session, Swing, SwingData,
 };
 use crate::signal::{
-    FittedMode, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude, period_from_list,
-    small_amplitude_limit,
+    FittedMode, FlaggedPeriod, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude,
+    period_from_list, small_amplitude_limit,
 };
 
 use super::alternatives::{RouteCalculation, routes};
@@ -29,6 +30,7 @@ use super::observe::{
 use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
+use super::sentences::{name, plain, said};
 use super::twin::{Correction, corrections};
 use super::words::period_label;
 
@@ -92,7 +94,7 @@ pub(crate) struct Prepared<'a> {
     pub(crate) works: Vec<SwingWork>,
     pub(crate) inclines: Vec<Option<Quantity>>,
     pub(crate) system: System<'a>,
-    pub(crate) warnings: Vec<String>,
+    pub(crate) warnings: Vec<Text>,
 }
 
 /// Observes every swing and lays out the session's parameters.
@@ -135,8 +137,8 @@ pub fn analyse_watched(
 ) -> Result<Analysis> {
     let session = &loaded.session;
     let Prepared { mut works, inclines, mut system, warnings } = prepare_watched(loaded, progress)?;
-    let mut result =
-        Measurement { format: FORMAT.into(), title: title(session), warnings, ..Default::default() };
+    let mut result = Measurement { format: FORMAT.into(), title: title(session), ..Default::default() };
+    warnings.into_iter().for_each(|said| result.warn(said));
     tell(progress, OBSERVED_SHARE, "solving the periods")?;
     let estimated = estimate(&mut system, session, &mut works, &inclines);
     tell(progress, SOLVED_SHARE, "fitting the simulation to the samples")?;
@@ -148,7 +150,7 @@ pub fn analyse_watched(
             let routes = routes(&system, &solution, &beats);
             conclude(&system, &solution, &routes, options, &mut result);
         }
-        Err(error) => result.warnings.push(format!("no joint estimate: {error}")),
+        Err(error) => result.warn(said("no_joint_estimate", [("reason", plain(error))])),
     }
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
@@ -242,34 +244,31 @@ fn conclude(
         known.push(calculation.route());
     }
     result.consistency = court::sit(system, solution, calculations);
-    result.warnings.extend(worst_of_each(&result.consistency));
+    worst_of_each(&result.consistency).into_iter().for_each(|said| result.warn(said));
     if solution.birge > 1.0 {
-        result.warnings.push(format!(
-            "the session contradicts itself (χ² = {:.1} with {:.1} degrees of freedom): all uncertainties are widened by {:.1}",
-            solution.chi2, solution.dof, solution.birge
-        ));
+        let arguments = [("chi2", solution.chi2), ("dof", solution.dof), ("factor", solution.birge)];
+        result.warn(said("widened", arguments.map(|(name, value)| (name, Argument::Number(value, 1)))));
     }
     for limit in &options.limits {
+        let quantity = ("quantity", name(&format!("id.{}", limit.quantity)));
         match result.quantities.get(&limit.quantity).and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?))) {
             Some((value, u)) => match verdict(Quantity::new(value, u), limit) {
                 Ok(judged) => result.verdicts.push(judged),
-                Err(error) => result.warnings.push(format!("no verdict on {}: {error}", limit.quantity)),
+                Err(error) => result.warn(said("no_verdict", [quantity, ("reason", plain(error))])),
             },
-            None => result
-                .warnings
-                .push(format!("no verdict on {}: the swings do not determine it", limit.quantity)),
+            None => result.warn(said("no_verdict_undetermined", [quantity])),
         }
     }
 }
 
 /// The worst contradiction of each claim; the court's full list stands in `consistency`.
-fn worst_of_each(claims: &[Claim]) -> Vec<String> {
+fn worst_of_each(claims: &[Claim]) -> Vec<Text> {
     let mut names: Vec<&str> = Vec::new();
     let mut said = Vec::new();
     for claim in claims.iter().filter(|c| c.flagged) {
         if !names.contains(&claim.claim.as_str()) {
             names.push(&claim.claim);
-            said.push(claim.text.clone());
+            said.push(claim.said.clone());
         }
     }
     said
@@ -289,7 +288,8 @@ fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork 
         LoadedData::Typed => Ok(work_typed(swing)),
     };
     worked.unwrap_or_else(|error| SwingWork {
-        result: SwingResult { id: swing.id.clone(), warnings: vec![error.to_string()], ..Default::default() },
+        result: SwingResult { id: swing.id.clone(), ..Default::default() }
+            .warned(vec![Text::in_english(error.to_string())]),
         evidence: None,
         periods: vec![],
     })
@@ -324,10 +324,10 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         span_s: Some([evidence.span.start_s, evidence.span.end_s]),
         modes,
         repairs: evidence.repairs.clone(),
-        warnings,
         rms_over_noise: Some(evidence.found.rms_over_noise),
-        simulated: false,
+        ..Default::default()
     };
+    let result = result.warned(warnings);
     SwingWork { result, evidence: Some(evidence), periods }
 }
 
@@ -458,19 +458,17 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
     let found = period_from_list(list)?;
     let period = Quantity::new(found.period_s, found.u_s);
     let name = names_by_period(&[period.value], hanging, swing)[0];
-    let mut result =
-        SwingResult { id: swing.id.clone(), repairs: list.repairs.clone(), ..Default::default() };
-    result.warnings = found
-        .flagged
-        .iter()
-        .map(|f| {
-            format!(
-                "the entry at {:.1} s ({:.4} s) is no single period of this motion: left out",
-                f.t_s, f.period_s
-            )
-        })
-        .collect();
-    result.modes = vec![typed_mode(name, period, None)];
+    let left_out = |entry: &FlaggedPeriod| {
+        let (at_s, period_s) = (Argument::Number(entry.t_s, 1), Argument::Number(entry.period_s, 4));
+        said("no_single_period", [("at_s", at_s), ("period_s", period_s)])
+    };
+    let result = SwingResult {
+        id: swing.id.clone(),
+        repairs: list.repairs.clone(),
+        modes: vec![typed_mode(name, period, None)],
+        ..Default::default()
+    };
+    let result = result.warned(found.flagged.iter().map(left_out).collect());
     let u = period.u.max(TYPED_PERIOD_U_RELATIVE * period.value);
     let periods = if name == ModeName::Other { vec![] } else { vec![(0, Quantity::new(period.value, u))] };
     Ok(SwingWork { result, evidence: None, periods })
@@ -558,9 +556,7 @@ pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Re
     let work = work(evidence, None);
     let mut result =
         Measurement { format: FORMAT.into(), title: file_name(&recording.name).into(), ..Default::default() };
-    result
-        .warnings
-        .push("a bare recording gives modes alone; a session with dimensions gives inertia".into());
+    result.warn(said("bare_recording", []));
     result.swings.push(work.result);
     Ok(Analysis { measurement: result, evidence: vec![work.evidence] })
 }

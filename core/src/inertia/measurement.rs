@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::language::{Text, english};
 use crate::recording::{ModeName, Repair};
 
 /// A session's or a bare recording's result.
@@ -31,6 +32,17 @@ pub struct Measurement {
     pub verdicts: Vec<Verdict>,
     /// What a reader must know.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings_said: Vec<Text>,
+}
+
+impl Measurement {
+    /// One thing more that a reader must know.
+    pub(super) fn warn(&mut self, said: Text) {
+        self.warnings.push(said.english.clone());
+        self.warnings_said.push(said);
+    }
 }
 
 /// One swing's modes.
@@ -46,11 +58,21 @@ pub struct SwingResult {
     pub repairs: Vec<Repair>,
     /// What a reader must know of this swing.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings_said: Vec<Text>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
     #[serde(default)]
     pub simulated: bool,
+}
+
+impl SwingResult {
+    /// With what a reader must know of it.
+    pub(super) fn warned(self, said: Vec<Text>) -> Self {
+        Self { warnings: english(&said), warnings_said: said, ..self }
+    }
 }
 
 /// One mode of one swing.
@@ -164,6 +186,9 @@ pub struct Claim {
     pub flagged: bool,
     /// A sentence for the report.
     pub text: String,
+    /// The same for every language.
+    #[serde(default, skip_serializing_if = "Text::has_no_key")]
+    pub said: Text,
     /// Routes: how many pairs of swings stand behind this one, which differs most.
     #[serde(skip_serializing_if = "is_one", default = "one")]
     pub pairs: usize,

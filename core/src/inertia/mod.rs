@@ -16,6 +16,7 @@ pub(crate) mod outputs;
 pub(crate) mod parameters;
 pub mod routes;
 pub(crate) mod samples;
+mod sentences;
 pub(crate) mod theory;
 mod traced;
 mod twin;
@@ -28,4 +29,6 @@ pub use measurement::{
 };
 pub use observe::Evidence;
 pub(crate) use outputs::COVERAGE_95;
+pub(crate) use sentences::sentence;
+pub use sentences::{input, sentences};
 pub use words::{quantity_in, route_in, routes as routes_in, unit_of};

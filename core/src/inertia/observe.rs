@@ -2,12 +2,14 @@
 
 use crate::error::Result;
 use crate::frames::Vec3;
+use crate::language::{Argument, Text};
 use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
 use crate::recording::{Excitation, ModeName, Recording, Repair, RepairKind, Sensor, Swing, Track, Triad};
 use crate::signal::{
     ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose, free_swing_span,
 };
 
+use super::sentences::{motion, said};
 use super::words::mode_text;
 
 /// A parasitic motion is worth a warning from this share of the strongest, dB.
@@ -34,8 +36,8 @@ pub struct Evidence {
     pub amplitude_unit: &'static str,
     /// Repairs, those of the reader and what was trimmed.
     pub repairs: Vec<Repair>,
-    /// Warnings.
-    pub warnings: Vec<String>,
+    /// What a reader must know of it.
+    pub warnings: Vec<Text>,
 }
 
 /// A phone's channels: gyroscope first, then whichever accelerometer there is.
@@ -85,7 +87,7 @@ fn found_in(
     let span = free_swing_span(all);
     let groups = clipped(all, &span);
     let found = decompose(&groups, &DecomposeOptions::default())?;
-    let mut warnings = found.warnings.clone();
+    let mut warnings = found.warnings_said.clone();
     let mut repairs = merged(repairs);
     repairs.extend(trimmed(&span, &mut warnings));
     let (id, named, up) = (id.into(), vec![], None);
@@ -131,30 +133,29 @@ fn merged(repairs: &[Repair]) -> Vec<Repair> {
 }
 
 /// Without gravity in the record a shape has no name: the strongest turn takes the operator's word.
-fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> String {
-    let reason = "no accelerometer that sees gravity: the vertical is unknown";
+fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> Text {
     let meant = swing.filter(|s| s.excited.first() == Some(&Excitation::Yaw));
     match (meant, named.first_mut()) {
         (Some(_), Some(strongest)) => {
             strongest.name = ModeName::Yaw;
-            format!("{reason}, so the strongest mode is called yaw on the operator's word alone")
+            said("yaw_by_word", [])
         }
-        _ => format!("{reason}, so the modes cannot be named by shape"),
+        _ => said("no_shapes", []),
     }
 }
 
-fn trimmed(span: &FreeSpan, warnings: &mut Vec<String>) -> Vec<Repair> {
+fn trimmed(span: &FreeSpan, warnings: &mut Vec<Text>) -> Vec<Repair> {
     span.notes
         .iter()
         .filter_map(|note| {
-            warnings.push(note.text.clone());
+            warnings.push(note.said.clone());
             (note.kind == SpanNoteKind::SecondSwing).then(|| Repair {
                 kind: RepairKind::SecondSwing,
                 sensor: Sensor::Gyroscope,
                 count: 1,
                 first_s: note.from_s,
                 last_s: note.to_s,
-                text: note.text.clone(),
+                text: note.said.english.clone(),
             })
         })
         .collect()
@@ -174,25 +175,18 @@ pub fn is_meant(excitation: Excitation, mode: ModeName) -> bool {
 }
 
 /// The excitation is a hint only; where the data contradict it, that is said aloud.
-pub fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<String> {
+pub fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<Text> {
     let Some(swing) = swing else { return vec![] };
     let is_seen = |e: &Excitation| named.iter().any(|n| is_meant(*e, n.name));
-    let mut said: Vec<String> = swing
-        .excited
-        .iter()
-        .filter(|e| !is_seen(e))
-        .map(|e| format!("{e:?} was meant to be excited but does not show in the data").to_lowercase())
-        .collect();
+    let not_seen = |e: &Excitation| said("not_seen", [("motion", motion(&format!("{e:?}").to_lowercase()))]);
+    let mut all: Vec<Text> = swing.excited.iter().filter(|e| !is_seen(e)).map(not_seen).collect();
     let strongest = named.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
     if let Some(strongest) = strongest.filter(|n| n.name != ModeName::Other && !swing.excited.is_empty())
         && !swing.excited.iter().any(|e| is_meant(*e, strongest.name))
     {
-        said.push(format!(
-            "the strongest motion is {}, which was not meant to be excited",
-            mode_text(strongest.name)
-        ));
+        all.push(said("not_meant", [("motion", motion(mode_text(strongest.name)))]));
     }
-    said
+    all
 }
 
 /// A mode's angle, 0 where unknown.
@@ -201,7 +195,7 @@ pub fn size(named: &NamedMode) -> f64 {
 }
 
 /// Relative sizes, dB below the largest, and which of them nobody meant; with a warning for those that matter.
-pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<String>) -> Vec<(f64, bool)> {
+pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<Text>) -> Vec<(f64, bool)> {
     let largest = named.iter().map(size).fold(0.0, f64::max);
     named
         .iter()
@@ -210,11 +204,9 @@ pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<
             let meant = swing
                 .is_none_or(|s| s.excited.is_empty() || s.excited.iter().any(|e| is_meant(*e, mode.name)));
             if !meant && db > PARASITIC_DB {
-                warnings.push(format!(
-                    "parasitic {} at {:.1} % of the strongest motion",
-                    mode_text(mode.name),
-                    100.0 * 10f64.powf(db / 20.0)
-                ));
+                let percent = Argument::Number(100.0 * 10f64.powf(db / 20.0), 1);
+                let arguments = [("motion", motion(mode_text(mode.name))), ("percent", percent)];
+                warnings.push(said("parasitic", arguments));
             }
             (db, !meant)
         })
@@ -226,9 +218,7 @@ pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<
 pub fn observe_track(id: &str, track: &Track, hanging: &Hanging, swing: &Swing) -> Result<Evidence> {
     let all = vec![ChannelGroup { t_s: track.t_s.clone(), channels: vec![track.y_m.clone()] }];
     let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs)?;
-    evidence
-        .warnings
-        .push("a displacement alone does not show shapes: modes are named by their periods".into());
+    evidence.warnings.push(said("track_alone", []));
     evidence.named = name_track_modes(&evidence.found, hanging, swing);
     Ok(evidence)
 }

@@ -12,10 +12,12 @@ use crate::constants::{
     PHONE_CLOCK_BETWEEN_SWINGS_U_RELATIVE, PHONE_CLOCK_U_RELATIVE, STANDARD_GRAVITY_M_S2,
 };
 use crate::error::Result;
+use crate::language::Text;
 use crate::recording::{Quantity, Session, SwingData};
 
 use super::routes::corrections::{NORMAL_GRAVITY_U_M_S2, buoyant_gravity_m_s2, normal_gravity_m_s2};
 use super::routes::yaw::{Lines, yaw_gyradius_m};
+use super::sentences::said;
 
 /// Uncertainty of the level of a hull whose pitch nobody stated, degrees: what a spirit level and an eye give.
 const UNSTATED_PITCH_U_DEG: f64 = 0.2;
@@ -240,7 +242,7 @@ fn length_scale_m(session: &Session, gravity_m_s2: f64, yaw_periods_s: &[Option<
 
 /// Gravity as stated, or computed from the latitude, or standard with what that leaves open on Earth; times the
 /// buoyancy factor (1 − ρ_air/ρ) where a density is stated.
-pub fn effective_gravity(session: &Session) -> Result<(Quantity, Option<String>)> {
+pub fn effective_gravity(session: &Session) -> Result<(Quantity, Option<Text>)> {
     let site = &session.site;
     let (free_fall, warning) = match (site.gravity_m_s2, site.latitude_deg) {
         (Some(g), _) => (g, None),
@@ -249,12 +251,7 @@ pub fn effective_gravity(session: &Session) -> Result<(Quantity, Option<String>)
             (Quantity::new(normal, NORMAL_GRAVITY_U_M_S2), None)
         }
         // Sea-level gravity runs from 9.780 at the equator to 9.832 at the poles: rectangular, u = 0.026/√3.
-        (None, None) => (
-            Quantity::new(STANDARD_GRAVITY_M_S2, 0.015),
-            Some(
-                "neither gravity nor latitude is stated: standard gravity with u = 0.015 m/s² is used".into(),
-            ),
-        ),
+        (None, None) => (Quantity::new(STANDARD_GRAVITY_M_S2, 0.015), Some(said("no_gravity", []))),
     };
     let Some(density) = session.body.density_kg_m3 else { return Ok((free_fall, warning)) };
     let air = site.air_density_kg_m3.unwrap_or(DEFAULT_AIR_DENSITY_KG_M3);

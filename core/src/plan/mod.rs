@@ -42,4 +42,5 @@ pub use suggested::suggested;
 pub use tell_apart::plan_to_tell_apart;
 pub use wanted::Wanted;
 pub use warnings::{NEAR_IN_PHASE, Warning, WarningKind};
+pub(crate) use words::sentence;
 pub use words::sentences;

@@ -14,9 +14,11 @@ use super::search::{Way, search};
 use super::step::Step;
 use super::wanted::Wanted;
 use super::warnings::{of_swings, predicted};
+use super::words::said;
 use crate::error::{Error, Result};
 use crate::inertia::{MeasureOptions, Measurement, measure};
-use crate::recording::{LoadedSession, Orientation, Suspension};
+use crate::language::{Argument, Text};
+use crate::recording::{LoadedSession, Orientation, Quantity, Suspension};
 
 /// What is asked for, as apps and commands send it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -146,30 +148,32 @@ fn advice(hung: &Suspension, id: &str) -> HangingAdvice {
         (Orientation::Athwartships, true, true) => ("A-G", &["psi_deg", "k_pitch_m", "cm_depth_m"]),
         (Orientation::Athwartships, true, false) => ("C-E", &["psi_deg", "k_pitch_m", "cm_depth_m"]),
     };
-    let (length_m, spacing_m) =
-        (hung.line_length_m.map_or(0.0, |q| q.value), hung.spacing_m.map_or(0.0, |q| q.value));
-    let lines = format!("two lines of {length_m:.3} m, {spacing_m:.3} m apart");
-    let text = match (hung.orientation, hung.points_moved_m) {
-        (Orientation::ForeAndAft, _) => {
-            format!("level, {lines}, one behind the other in the centre plane (H-D)")
-        }
-        (Orientation::Athwartships, None) => {
-            format!("level, {lines}, side by side over the centre of mass (B-F)")
-        }
-        (Orientation::Athwartships, Some(moved)) => {
-            let (end, way) = if moved.value > 0.0 { ("up", "forward") } else { ("down", "aft") };
-            format!(
-                "{lines}, side by side, {:.3} m {way} of the level ones (towards {points}): the bow hangs {:.0}° {end}",
-                moved.value.abs(),
-                tilt_deg.abs()
-            )
-        }
-    };
+    let said = said_of(hung, points, tilt_deg);
     HangingAdvice {
         frame_points: points.into(),
         suspension: hung.clone(),
         gives: gives.iter().map(|g| (*g).into()).collect(),
         swings: vec![id.into()],
-        text,
+        text: said.english.clone(),
+        said,
     }
+}
+
+/// How to hang it, in words.
+fn said_of(hung: &Suspension, points: &str, tilt_deg: f64) -> Text {
+    let metres = |q: Option<Quantity>| Argument::Number(q.map_or(0.0, |q| q.value.abs()), 3);
+    let key = match (hung.orientation, hung.points_moved_m) {
+        (Orientation::ForeAndAft, _) => "hang_fore_and_aft",
+        (Orientation::Athwartships, None) => "hang_level",
+        (Orientation::Athwartships, Some(moved)) if moved.value > 0.0 => "hang_bow_up",
+        (Orientation::Athwartships, Some(_)) => "hang_bow_down",
+    };
+    let arguments = [
+        ("length_m", metres(hung.line_length_m)),
+        ("spacing_m", metres(hung.spacing_m)),
+        ("moved_m", metres(hung.points_moved_m)),
+        ("points", Argument::Plain(points.to_owned())),
+        ("tilt_deg", Argument::Number(tilt_deg.abs(), 0)),
+    ];
+    said(key, arguments)
 }

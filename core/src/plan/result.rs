@@ -11,6 +11,7 @@ use super::step::Step;
 use super::warnings::Warning;
 use crate::critique::NextSwing;
 use crate::inertia::BudgetLine;
+use crate::language::Text;
 use crate::recording::{ModeName, Suspension};
 
 /// Name and version of the result's format.
@@ -60,6 +61,9 @@ pub struct HangingAdvice {
     pub swings: Vec<String>,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    #[serde(default, skip_serializing_if = "Text::has_no_key")]
+    pub said: Text,
 }
 
 /// What a planned swing will show.

@@ -11,14 +11,12 @@ use super::optimum::yaw_meets_in_phase_m;
 use super::predict::{Let, scene, swings};
 use super::result::{Beat, PredictedSwing};
 use super::step::{PlannedSwing, Step};
-use super::words::sentence;
 use crate::dynamics::Fineness;
 use crate::error::Result;
 use crate::inertia::expected::Prospect;
 use crate::inertia::routes::beat::{average_period_s, beat_period_s, oscillations_per_beat};
 use crate::inertia::routes::finite_amplitude::{pendulum_period_ratio, yaw_period_at_amplitude_s};
 use crate::inertia::routes::yaw::{Lines, yaw_period_s};
-use crate::language::Language;
 use crate::recording::{Excitation, ModeName, Orientation};
 
 /// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %, Fig. 15).
@@ -73,13 +71,8 @@ impl Warning {
     ) -> Self {
         let numbers: BTreeMap<String, f64> = numbers.iter().map(|(n, v)| ((*n).into(), *v)).collect();
         let names: BTreeMap<String, String> = names.iter().map(|(n, v)| ((*n).into(), (*v).into())).collect();
-        let text = sentence(kind, swing, &numbers, &names, Language::English);
-        Self { kind, swing: swing.map(Into::into), numbers, names, text }
-    }
-
-    /// The sentence in a language.
-    pub fn in_language(&self, language: Language) -> String {
-        sentence(self.kind, self.swing.as_deref(), &self.numbers, &self.names, language)
+        let bare = Self { kind, swing: swing.map(Into::into), numbers, names, text: String::new() };
+        Self { text: bare.said().english, ..bare }
     }
 }
 

@@ -145,6 +145,7 @@ impl Outcome {
                     session: SESSION.to_owned(),
                     quantities: measurement.quantities,
                     warnings: measurement.warnings,
+                    warnings_said: measurement.warnings_said,
                 },
             },
             Outcome::Criticised(criticism, suggestion) => {

@@ -140,14 +140,14 @@ impl Memory {
             Entry::Levelled { up } => self.level = Some(Vec3::from(up)),
             Entry::Rested { rest } => self.rest = Some(Some(rest)),
             Entry::RestSkipped => self.rest = Some(None),
-            Entry::Measured { result } => (self.result, self.failed) = (Some(result), None),
+            Entry::Measured { result } => (self.result, self.failed) = (Some(result.with_words()), None),
             Entry::Failed { work: Work::Measure, reason } => self.failed = Some((Work::Measure, reason)),
             Entry::Failed { work: Work::Critique, reason } => {
                 (self.critique, self.critique_failed) = (Some(None), Some(reason));
             }
             Entry::Retried => self.failed = None,
             Entry::Criticised { critique, suggestion } => {
-                (self.critique, self.suggestion) = (Some(Some(critique)), suggestion);
+                (self.critique, self.suggestion) = (Some(Some(critique.with_words())), suggestion);
             }
             Entry::CritiqueSkipped => self.critique = Some(None),
             Entry::SuggestionDeclined => self.suggestion = None,
@@ -198,5 +198,24 @@ impl Memory {
     fn forget_result(&mut self) {
         (self.result, self.failed) = (None, None);
         (self.critique, self.critique_failed, self.suggestion) = (None, None, None);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::Language;
+
+    #[test]
+    fn what_an_older_journal_has_in_english_is_told_in_every_language() {
+        let mut memory = Memory::default();
+        let result = r#"{"session": "s", "quantities": {}, "warnings": ["It sways."]}"#;
+        memory.take(Entry::Measured { result: serde_json::from_str(result).unwrap() });
+        let critique = r#"{"status": "adequate", "text": "It swings.", "causes": 0, "quantities": {}}"#;
+        memory
+            .take(Entry::Criticised { critique: serde_json::from_str(critique).unwrap(), suggestion: None });
+        let warnings = memory.result.unwrap().warnings_said;
+        assert_eq!(warnings[0].in_language(Language::German), "It sways.");
+        assert_eq!(memory.critique.flatten().unwrap().said.in_language(Language::German), "It swings.");
     }
 }

@@ -8,7 +8,7 @@ use super::judgement::Judgement;
 use super::rest::{Moving, Rest};
 use super::tilt::Tilt;
 use crate::inertia::QuantityResult;
-use crate::language::Text;
+use crate::language::{Text, or_english};
 use crate::live::Estimate;
 use crate::plan::Step;
 use crate::recording::Suspension;
@@ -186,6 +186,17 @@ pub struct ResultView {
     pub quantities: BTreeMap<String, QuantityResult>,
     /// What a reader must know.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    #[serde(default)]
+    pub warnings_said: Vec<Text>,
+}
+
+impl ResultView {
+    /// As read from a journal: what it has in English alone is told in every language.
+    pub(super) fn with_words(mut self) -> Self {
+        or_english(&mut self.warnings_said, &self.warnings);
+        self
+    }
 }
 
 /// What the criticism says in short.
@@ -202,4 +213,12 @@ pub struct CritiqueView {
     pub causes: usize,
     /// The figures by the simulation with the causes that were found in it.
     pub quantities: BTreeMap<String, QuantityResult>,
+}
+
+impl CritiqueView {
+    /// As read from a journal: what it has in English alone is told in every language.
+    pub(super) fn with_words(mut self) -> Self {
+        self.said.or_english(&self.text);
+        self
+    }
 }

@@ -3,11 +3,11 @@
 //! What the live estimator says has its own sentences (`live::sentences`); their keys begin with `live.` here.
 
 use super::german::GERMAN;
-use crate::critique;
 use crate::error::Error;
-use crate::language::{self, Argument, Language, Text};
+use crate::language::{self, Argument, Language, Text, entry};
 use crate::live::{self, Advice, Parameter};
 use crate::recording::Sensor;
+use crate::{critique, inertia, plan};
 
 /// What the keys of the live estimator begin with.
 const OF_LIVE: &str = "live.";
@@ -253,14 +253,15 @@ pub fn sentences(language: Language) -> &'static [(&'static str, &'static str)] 
     }
 }
 
-/// The sentence of a key, where there is one: the procedure's own, the live estimator's or the criticism's.
+/// The sentence of a key, where there is one: the procedure's own or another room's.
 fn sentence(key: &str, language: Language) -> Option<String> {
-    if let Some(found) = critique::sentence(key, language) {
+    let other_rooms = [critique::sentence, plan::sentence, inertia::sentence];
+    if let Some(found) = other_rooms.iter().find_map(|sentence| sentence(key, language)) {
         return Some(found);
     }
     let (all, key) = match key.strip_prefix(OF_LIVE) {
         Some(key) => (live::sentences(language), key),
         None => (sentences(language), key),
     };
-    all.iter().find(|(known, _)| *known == key).map(|(_, text)| (*text).to_owned())
+    entry(all, key)
 }

@@ -12,7 +12,9 @@ use super::types::{
     AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode,
 };
 use super::uncertainty::{Errors, mean_rates};
+use super::words::said;
 use crate::Result;
+use crate::language::{Text, english};
 
 /// Noise per sample, over that in the band, from which cells are not trusted.
 const ABOVE_BAND: f64 = 2.0;
@@ -69,6 +71,7 @@ fn summarize(record: &Record, search: &Search, noise: &[ChannelNoise]) -> Result
     let order: Vec<usize> = strongest.iter().map(|(m, _)| *m).collect();
     let (baseline, level) = baselines(record, &fit);
     let rms_over_noise = rms_over_noise(noise, &fit);
+    let warnings_said = warnings(search, rms_over_noise);
     Ok(Decomposition {
         t_ref_s: record.clock.t_ref_s,
         t_end_s: record.clock.t_ref_s + record.clock.span_s,
@@ -78,7 +81,8 @@ fn summarize(record: &Record, search: &Search, noise: &[ChannelNoise]) -> Result
         baseline,
         level,
         rms_over_noise,
-        warnings: warnings(search, rms_over_noise),
+        warnings: english(&warnings_said),
+        warnings_said,
     })
 }
 
@@ -179,22 +183,16 @@ fn rms_over_noise(noise: &[ChannelNoise], fit: &Fit) -> f64 {
     if dof > 0.0 { (sum / dof).sqrt() } else { 1.0 }
 }
 
-fn warnings(search: &Search, rms_over_noise: f64) -> Vec<String> {
+fn warnings(search: &Search, rms_over_noise: f64) -> Vec<Text> {
     let mut all = Vec::new();
     if rms_over_noise > 1.1 {
-        all.push(format!(
-            "the residual is {rms_over_noise:.2} times the white noise: coloured noise or motion that the model \
-             does not hold; the standard errors are widened for it"
-        ));
+        all.push(said("misfit", [("times", rms_over_noise, 2)]));
     }
     if search.held_growing > 0 {
-        all.push(format!(
-            "{} of the modes would grow, which a free swing does not: their decay is held at zero",
-            search.held_growing
-        ));
+        all.push(said("growing", [("count", search.held_growing as f64, 0)]));
     }
     if search.options.mode_count.is_none() && search.fit.model.modes.len() >= search.options.max_modes {
-        all.push("as many modes as allowed were found; there may be more".to_owned());
+        all.push(said("many", []));
     }
     all
 }

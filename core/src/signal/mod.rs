@@ -12,6 +12,7 @@ mod evaluate;
 mod fit;
 mod floor;
 mod gates;
+mod german;
 mod marquardt;
 mod modulation;
 mod motion;
@@ -26,6 +27,7 @@ mod spectrum;
 mod trim;
 mod types;
 mod uncertainty;
+mod words;
 
 pub use amplitude::{Pole, WindowPoint, WindowedMode, against_amplitude};
 pub use beat::{BeatCount, beat_count};
@@ -43,3 +45,5 @@ pub use trim::{FreeSpan, SpanNote, SpanNoteKind, free_swing_span};
 pub use types::{
     AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode, Spectrum,
 };
+pub(crate) use words::sentence;
+pub use words::sentences;

@@ -8,6 +8,8 @@
 
 use super::prediction::{BlockSeries, Surprise};
 use super::types::ChannelGroup;
+use super::words::said;
+use crate::language::Text;
 
 /// The part of a record that swings freely.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,8 +42,8 @@ pub struct SpanNote {
     pub from_s: f64,
     /// To, s.
     pub to_s: f64,
-    /// A sentence for the report.
-    pub text: String,
+    /// In words.
+    pub said: Text,
 }
 
 /// A stretch without a disturbance, in blocks (end excluded), and its size.
@@ -132,21 +134,14 @@ fn notes(
 }
 
 fn note(kind: SpanNoteKind, from_s: f64, to_s: f64) -> SpanNote {
-    let text = match kind {
-        SpanNoteKind::LeadIn => {
-            format!("the first {:.1} s (waiting, handling, release) are left out", to_s - from_s)
-        }
-        SpanNoteKind::LeadOut => {
-            format!(
-                "the last {:.1} s, from {from_s:.1} s on, are left out: the swing was disturbed",
-                to_s - from_s
-            )
-        }
-        SpanNoteKind::SecondSwing => format!(
-            "another swing between {from_s:.1} s and {to_s:.1} s (the hull was touched or released again) is left out"
-        ),
+    let length = ("length_s", to_s - from_s, 1);
+    let (from, to) = (("from_s", from_s, 1), ("to_s", to_s, 1));
+    let said = match kind {
+        SpanNoteKind::LeadIn => said("lead_in", [length]),
+        SpanNoteKind::LeadOut => said("lead_out", [length, from]),
+        SpanNoteKind::SecondSwing => said("second_swing", [from, to]),
     };
-    SpanNote { kind, from_s, to_s, text }
+    SpanNote { kind, from_s, to_s, said }
 }
 
 #[cfg(test)]

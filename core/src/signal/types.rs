@@ -3,6 +3,8 @@
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
+use crate::language::Text;
+
 /// Channels that share one clock: a sensor's three axes, or a displacement.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ChannelGroup {
@@ -65,6 +67,9 @@ pub struct Decomposition {
     pub rms_over_noise: f64,
     /// What a reader should know.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings_said: Vec<Text>,
 }
 
 /// One damped oscillation.

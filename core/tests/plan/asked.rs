@@ -1,6 +1,8 @@
 //! What may be asked, what is refused, and that a plan survives being written.
 
 use gyradius_core::Error;
+use gyradius_core::inertia::input;
+use gyradius_core::language::{Language, Text};
 use gyradius_core::plan::{
     BOAT_TYPES, BoatType, Plan, Request, Wanted, WarningKind, plan, rig_toml, session_toml,
 };
@@ -101,6 +103,21 @@ fn a_plan_survives_being_written() {
     assert!((tilt.numbers["corner_tilt_deg"] - corner).abs() < 1e-9);
     let moved = depth * tilt.numbers["tilt_deg"].to_radians().tan();
     assert!((tilt.numbers["points_moved_m"] - moved).abs() < 1e-9);
+    told_in_german(&plan);
+}
+
+/// Nothing of a plan is in English alone; what is spelled as in the format is the symbol of a quantity.
+fn told_in_german(plan: &Plan) {
+    let mut all: Vec<(&str, Text)> = plan.warnings.iter().map(|w| (w.text.as_str(), w.said())).collect();
+    all.extend(plan.suspensions.iter().map(|hung| (hung.text.as_str(), hung.said.clone())));
+    all.extend(plan.budget.values().flatten().map(|line| (line.input.as_str(), input(&line.input))));
+    assert!(plan.suspensions.len() > 1 && all.len() > plan.suspensions.len() + 10);
+    for (text, said) in all {
+        assert_eq!(text, said.in_language(Language::English));
+        let german = said.in_language(Language::German);
+        let of_english = [" of ", " period", "lines", "swing "].iter().find(|word| german.contains(**word));
+        assert!(german != *text && !german.contains('{') && of_english.is_none(), "{text}: {german}");
+    }
 }
 
 #[test]

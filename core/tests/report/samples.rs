@@ -9,6 +9,7 @@ use gyradius_core::critique::{Criticism, SwingTrace};
 use gyradius_core::inertia::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
 };
+use gyradius_core::language::Text;
 use gyradius_core::recording::{ModeName, Quantity, Repair, RepairKind, Sensor};
 use gyradius_core::report::{
     BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
@@ -165,6 +166,7 @@ fn claims() -> Vec<Claim> {
                 implied.0,
                 implied.1
             ),
+            said: Text::default(),
             pairs: 1,
             sigma_range: None,
         }
@@ -204,7 +206,7 @@ pub fn keelboat() -> ReportSource {
         }],
         warnings: vec!["yaw depends on amplitude: the small-amplitude limit is used".into()],
         rms_over_noise: Some(1.03),
-        simulated: false,
+        ..Default::default()
     }];
     swings[0].modes[1].relative_db = -21.3;
     swings[0].modes[1].parasitic = true;
@@ -257,6 +259,7 @@ pub fn keelboat() -> ReportSource {
                     .into(),
                 "the session contradicts itself: all uncertainties are widened by 3.2".into(),
             ],
+            warnings_said: vec![],
         },
         body: BodyFacts {
             name: "Yngling".into(),

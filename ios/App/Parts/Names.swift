@@ -24,6 +24,9 @@ func quantityName(_ name: String) -> String { quantityIn(name: name, language: l
 /// A step or a swing by its id, in words where the library has them.
 func idName(_ id: String) -> String { idIn(id: id, language: libraryLanguage) }
 
+/// An input of a budget by its label, in words.
+func inputName(_ label: String) -> String { inputIn(label: label, language: libraryLanguage) }
+
 /// A single route to a quantity, in words.
 func routeName(_ method: String) -> String { routeIn(method: method, language: libraryLanguage) }
 

@@ -19,7 +19,7 @@ struct PhaseView: View {
     if let judgement = state.judgement { JudgementBody(judgement: judgement) }
     if let result = state.result {
       Quantities(quantities: result.quantities)
-      ForEach(result.warnings, id: \.self) { Advice(text: $0) }
+      ForEach(result.warningsSaid, id: \.self) { Advice(text: spoken($0)) }
     }
   }
 }

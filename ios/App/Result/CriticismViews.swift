@@ -48,7 +48,7 @@ private struct CritiqueBody: View {
 
   var body: some View {
     CritiqueStatus(status: critique.verdict.status, said: critique.verdict.said)
-    ForEach(critique.warnings, id: \.self) { Advice(text: $0) }
+    ForEach(critique.warningsSaid, id: \.self) { Advice(text: spoken($0)) }
     residuals
     if !critique.causes.isEmpty {
       Fold(Words.causes, isOpenAtFirst: true) {

@@ -49,7 +49,7 @@ private struct Hung: View {
 
   var body: some View {
     Text(Words.framePoints(one.framePoints, one.swings.map(idName).joined(separator: ", "))).font(.headline)
-    Text(one.text)
+    Text(spoken(one.said))
     FrameSketch(points: one.framePoints)
   }
 }
@@ -83,7 +83,7 @@ struct Budget: View {
   var body: some View {
     Text(quantityName(one.name)).font(.headline)
     ForEach(one.lines.prefix(Self.mostLines), id: \.input) { line in
-      LabeledContent(line.input, value: Words.contribution(line.uContribution, unitOf(name: one.name)))
+      LabeledContent(inputName(line.input), value: Words.contribution(line.uContribution, unitOf(name: one.name)))
     }
   }
 }

@@ -74,6 +74,8 @@ pub struct Critique {
     pub learned: Option<LearnedForce>,
     /// What a reader must know.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    pub warnings_said: Vec<Sentence>,
 }
 
 /// A simulation fitted to the session.

@@ -5,6 +5,7 @@ use gyradius_core::inertia::{
 };
 use gyradius_core::recording::{ModeName, Repair};
 
+use super::sentence::Sentence;
 use super::{BudgetsByName, Count, Ends, QuantitiesByName, RoutesByName};
 
 /// What a quantity's value or uncertainty is.
@@ -105,6 +106,8 @@ pub struct InertiaResult {
     pub verdicts: Vec<Verdict>,
     /// What a reader must know.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    pub warnings_said: Vec<Sentence>,
 }
 
 /// One swing's modes.
@@ -120,6 +123,8 @@ pub struct SwingResult {
     pub repairs: Vec<Repair>,
     /// What a reader must know of this swing.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    pub warnings_said: Vec<Sentence>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
@@ -234,6 +239,8 @@ pub struct Claim {
     pub flagged: bool,
     /// A sentence for the report.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
     /// Routes: how many pairs of swings stand behind this one, which differs most.
     pub pairs: Count,
     /// Routes: the smallest and the largest difference among those pairs, standard uncertainties.

@@ -7,6 +7,7 @@ use gyradius_core::plan::{
 };
 use gyradius_core::recording::{AddedMass, End, Excitation, Quantity, Suspension};
 
+use super::sentence::Sentence;
 use super::{BudgetsByName, NumbersByMode, NumbersByName, PredictionsByName, TextsByName};
 
 /// What is asked of the planner.
@@ -204,6 +205,8 @@ pub struct HangingAdvice {
     pub swings: Vec<String>,
     /// In words.
     pub text: String,
+    /// The same for every language.
+    pub said: Sentence,
 }
 
 /// What a planned swing will show.

@@ -325,6 +325,8 @@ pub struct ResultView {
     pub quantities: QuantitiesByName,
     /// What a reader must know.
     pub warnings: Vec<String>,
+    /// The same for every language.
+    pub warnings_said: Vec<Sentence>,
 }
 
 /// What the criticism says in short.

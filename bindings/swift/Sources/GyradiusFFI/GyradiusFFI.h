@@ -874,6 +874,11 @@ RustBuffer uniffi_gyradius_ffi_fn_func_cause_in(RustBuffer id, RustBuffer langua
 RustBuffer uniffi_gyradius_ffi_fn_func_id_in(RustBuffer id, RustBuffer language, RustCallStatus *_Nonnull out_status
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_INPUT_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_INPUT_IN
+RustBuffer uniffi_gyradius_ffi_fn_func_input_in(RustBuffer label, RustBuffer language, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_QUANTITY_IN
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_FUNC_QUANTITY_IN
 RustBuffer uniffi_gyradius_ffi_fn_func_quantity_in(RustBuffer name, RustBuffer language, RustCallStatus *_Nonnull out_status
@@ -1257,6 +1262,12 @@ uint16_t uniffi_gyradius_ffi_checksum_func_cause_in(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ID_IN
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_ID_IN
 uint16_t uniffi_gyradius_ffi_checksum_func_id_in(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_INPUT_IN
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_FUNC_INPUT_IN
+uint16_t uniffi_gyradius_ffi_checksum_func_input_in(void
     
 );
 #endif

@@ -72,6 +72,8 @@ import Testing
     let wantedU = try #require(yaw.wantedU)
     #expect(abs(wantedU - 0.005 * yaw.value) < 1e-12)
     #expect(try yaw.isReached == (#require(yaw.u) <= wantedU))
+    let hung = try #require(plan.suspensions.first).said
+    #expect(sentenceIn(sentence: hung, language: .german).hasPrefix("Waagerecht, zwei Leinen von "))
   }
 
   @Test func oscillationsOfAnyRecord() throws {
@@ -95,12 +97,21 @@ import Testing
     #expect(loaded.statedToml()?.contains("line_length") == true)
   }
 
+  @Test func aResultIsToldInGerman() async throws {
+    let result = try await Self.boatPark.value.result()
+    let claim = try #require(result.consistency.first { $0.claim == "line_length" })
+    #expect(claim.text == sentenceIn(sentence: claim.said, language: .english))
+    #expect(sentenceIn(sentence: claim.said, language: .german).hasPrefix("Leinenlänge: angegeben "))
+    #expect(result.warnings == result.warningsSaid.map { sentenceIn(sentence: $0, language: .english) })
+    #expect(inputIn(label: "spacing", language: .german) == "Abstand der Leinen")
+  }
+
   @Test func everyTextHasAKeyOfItsOwn() {
     let texts = GyradiusKit.texts(language: .english)
     #expect(texts.map(\.name) == GyradiusKit.texts(language: .german).map(\.name))
     #expect(Set(texts.map(\.name)).count == texts.count)
     #expect(texts.allSatisfy { !$0.name.isEmpty && !$0.text.isEmpty })
-    #expect(["", "live.", "plan."].allSatisfy { room in texts.contains { $0.name.hasPrefix(room) } })
+    #expect(["", "live.", "plan.", "inertia.", "critique."].allSatisfy { room in texts.contains { $0.name.hasPrefix(room) } })
     #expect(libraryVersion() == "0.1.0")
   }
 }

@@ -14,9 +14,11 @@ use std::collections::BTreeMap;
 use crate::error::{Error, Result};
 use crate::inertia::outputs::write_quantities;
 use crate::inertia::{Analysis, Measurement, QuantityResult, solved_periods};
+use crate::language::{Text, english};
 use crate::recording::LoadedSession;
 
 use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing};
+use super::words::said;
 use super::{FORMAT, shifts};
 pub use causes::CAUSES;
 use choice::Choice;
@@ -30,6 +32,7 @@ use words::Standing;
 pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<Criticism> {
     let setting = Setting::new(solved_periods(loaded)?, analysis)?;
     let choice = Choice::of(&setting)?;
+    let warnings_said = warnings(analysis);
     let critique = Critique {
         format: FORMAT.into(),
         title: analysis.measurement.title.clone(),
@@ -40,7 +43,8 @@ pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<
         extended: model_result(choice.extended()),
         gain: gain(&choice.base, choice.extended()),
         learned: None,
-        warnings: warnings(analysis),
+        warnings: english(&warnings_said),
+        warnings_said,
     };
     Ok(Criticism { critique, traces: vec![] })
 }
@@ -68,15 +72,11 @@ fn fitted<'a>(setting: &Setting<'a>, name: &str) -> Result<Fitted<'a>> {
     setting.fit(&[cause]).ok_or_else(|| Error::no_result(name, "it cannot be fitted to this session"))
 }
 
-fn warnings(analysis: &Analysis) -> Vec<String> {
-    let mut warnings = vec![
-        "The session holds periods alone: what shows within a swing (damping, drift, a loose phone) was not looked for."
-            .into(),
-    ];
+fn warnings(analysis: &Analysis) -> Vec<Text> {
     // What the joint estimate says of contradictions, the criticism says itself.
-    let other = |w: &&String| w.contains("gravity") || w.contains("no joint estimate");
-    warnings.extend(analysis.measurement.warnings.iter().filter(other).cloned());
-    warnings
+    let other = |w: &&Text| w.english.contains("gravity") || w.english.contains("no joint estimate");
+    let others = analysis.measurement.warnings_said.iter().filter(other).cloned();
+    [said("periods_alone", [])].into_iter().chain(others).collect()
 }
 
 fn quantities(fitted: &Fitted) -> BTreeMap<String, QuantityResult> {

@@ -28,6 +28,7 @@ use crate::inertia::estimate::{Observed, System};
 use crate::inertia::measure::{SwingWork, title};
 use crate::inertia::outputs::write_quantities;
 use crate::inertia::{COVERAGE_95, Measurement, QuantityResult};
+use crate::language::{Text, english};
 use crate::progress::{Progress, tell};
 use crate::recording::{LoadedSession, Quantity};
 use findings::findings;
@@ -41,7 +42,7 @@ pub fn criticise(
     loaded: &LoadedSession,
     system: &System,
     (works, x): (&[SwingWork], &[f64]),
-    warnings: Vec<String>,
+    warnings: Vec<Text>,
     progress: &Progress,
 ) -> Result<Option<Criticism>> {
     let swings: Vec<Swing> = (works.iter().enumerate())
@@ -61,7 +62,7 @@ fn conclude(
     loaded: &LoadedSession,
     session: (&System, &[f64]),
     found: &Found,
-    mut warnings: Vec<String>,
+    mut warnings: Vec<Text>,
 ) -> Option<Criticism> {
     let (before, rows) = found.held_out(&found.base)?;
     let (after, _) = found.held_out(&found.best)?;
@@ -74,10 +75,7 @@ fn conclude(
     let (baseline, extended) = (result(&found.base, before), result(&found.best, after));
     let gain = gain((before, after), rows, &baseline, &extended);
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|r| next_swing(found, r));
-    warnings.push(
-        "No swing was recorded by gyroscope and accelerometer on two lines: each was criticised in its strongest motion alone, by its turn."
-            .into(),
-    );
+    warnings.push(words::said("turns_alone", []));
     let critique = Critique {
         format: FORMAT.into(),
         title: title(&loaded.session),
@@ -88,7 +86,8 @@ fn conclude(
         extended,
         gain,
         learned: learned::force(found, rms(after)),
-        warnings,
+        warnings: english(&warnings),
+        warnings_said: warnings,
     };
     Some(Criticism { critique, traces: traces(found)? })
 }

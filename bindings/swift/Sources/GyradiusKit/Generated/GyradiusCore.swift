@@ -4430,6 +4430,10 @@ public struct Claim: Equatable, Hashable {
      */
     public let text: String
     /**
+     * The same for every language.
+     */
+    public let said: Sentence
+    /**
      * Routes: how many pairs of swings stand behind this one, which differs most.
      */
     public let pairs: Count
@@ -4469,6 +4473,9 @@ public struct Claim: Equatable, Hashable {
          * A sentence for the report.
          */text: String, 
         /**
+         * The same for every language.
+         */said: Sentence, 
+        /**
          * Routes: how many pairs of swings stand behind this one, which differs most.
          */pairs: Count, 
         /**
@@ -4483,6 +4490,7 @@ public struct Claim: Equatable, Hashable {
         self.from = from
         self.flagged = flagged
         self.text = text
+        self.said = said
         self.pairs = pairs
         self.sigmaRange = sigmaRange
     }
@@ -4512,6 +4520,7 @@ public struct FfiConverterTypeClaim: FfiConverterRustBuffer {
                 from: FfiConverterString.read(from: &buf), 
                 flagged: FfiConverterBool.read(from: &buf), 
                 text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf), 
                 pairs: FfiConverterTypeCount.read(from: &buf), 
                 sigmaRange: FfiConverterOptionTypeEnds.read(from: &buf)
         )
@@ -4527,6 +4536,7 @@ public struct FfiConverterTypeClaim: FfiConverterRustBuffer {
         FfiConverterString.write(value.from, into: &buf)
         FfiConverterBool.write(value.flagged, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
         FfiConverterTypeCount.write(value.pairs, into: &buf)
         FfiConverterOptionTypeEnds.write(value.sigmaRange, into: &buf)
     }
@@ -4869,6 +4879,10 @@ public struct Critique: Equatable, Hashable {
      * What a reader must know.
      */
     public let warnings: [String]
+    /**
+     * The same for every language.
+     */
+    public let warningsSaid: [Sentence]
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -4902,7 +4916,10 @@ public struct Critique: Equatable, Hashable {
          */learned: LearnedForce?, 
         /**
          * What a reader must know.
-         */warnings: [String]) {
+         */warnings: [String], 
+        /**
+         * The same for every language.
+         */warningsSaid: [Sentence]) {
         self.format = format
         self.title = title
         self.baseline = baseline
@@ -4913,6 +4930,7 @@ public struct Critique: Equatable, Hashable {
         self.gain = gain
         self.learned = learned
         self.warnings = warnings
+        self.warningsSaid = warningsSaid
     }
 
     
@@ -4940,7 +4958,8 @@ public struct FfiConverterTypeCritique: FfiConverterRustBuffer {
                 extended: FfiConverterTypeModelResult.read(from: &buf), 
                 gain: FfiConverterTypeGain.read(from: &buf), 
                 learned: FfiConverterOptionTypeLearnedForce.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf)
+                warnings: FfiConverterSequenceString.read(from: &buf), 
+                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
 
@@ -4955,6 +4974,7 @@ public struct FfiConverterTypeCritique: FfiConverterRustBuffer {
         FfiConverterTypeGain.write(value.gain, into: &buf)
         FfiConverterOptionTypeLearnedForce.write(value.learned, into: &buf)
         FfiConverterSequenceString.write(value.warnings, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
     }
 }
 
@@ -5473,6 +5493,10 @@ public struct HangingAdvice: Equatable, Hashable {
      * In words.
      */
     public let text: String
+    /**
+     * The same for every language.
+     */
+    public let said: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -5491,12 +5515,16 @@ public struct HangingAdvice: Equatable, Hashable {
          */swings: [String], 
         /**
          * In words.
-         */text: String) {
+         */text: String, 
+        /**
+         * The same for every language.
+         */said: Sentence) {
         self.framePoints = framePoints
         self.suspension = suspension
         self.gives = gives
         self.swings = swings
         self.text = text
+        self.said = said
     }
 
     
@@ -5519,7 +5547,8 @@ public struct FfiConverterTypeHangingAdvice: FfiConverterRustBuffer {
                 suspension: FfiConverterTypeSuspension.read(from: &buf), 
                 gives: FfiConverterSequenceString.read(from: &buf), 
                 swings: FfiConverterSequenceString.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf)
+                text: FfiConverterString.read(from: &buf), 
+                said: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
@@ -5529,6 +5558,7 @@ public struct FfiConverterTypeHangingAdvice: FfiConverterRustBuffer {
         FfiConverterSequenceString.write(value.gives, into: &buf)
         FfiConverterSequenceString.write(value.swings, into: &buf)
         FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.said, into: &buf)
     }
 }
 
@@ -5869,6 +5899,10 @@ public struct InertiaResult: Equatable, Hashable {
      * What a reader must know.
      */
     public let warnings: [String]
+    /**
+     * The same for every language.
+     */
+    public let warningsSaid: [Sentence]
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -5902,7 +5936,10 @@ public struct InertiaResult: Equatable, Hashable {
          */verdicts: [Verdict], 
         /**
          * What a reader must know.
-         */warnings: [String]) {
+         */warnings: [String], 
+        /**
+         * The same for every language.
+         */warningsSaid: [Sentence]) {
         self.format = format
         self.title = title
         self.swings = swings
@@ -5913,6 +5950,7 @@ public struct InertiaResult: Equatable, Hashable {
         self.consistency = consistency
         self.verdicts = verdicts
         self.warnings = warnings
+        self.warningsSaid = warningsSaid
     }
 
     
@@ -5940,7 +5978,8 @@ public struct FfiConverterTypeInertiaResult: FfiConverterRustBuffer {
                 correlations: FfiConverterSequenceTypeCorrelationTuple.read(from: &buf), 
                 consistency: FfiConverterSequenceTypeClaim.read(from: &buf), 
                 verdicts: FfiConverterSequenceTypeVerdict.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf)
+                warnings: FfiConverterSequenceString.read(from: &buf), 
+                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
 
@@ -5955,6 +5994,7 @@ public struct FfiConverterTypeInertiaResult: FfiConverterRustBuffer {
         FfiConverterSequenceTypeClaim.write(value.consistency, into: &buf)
         FfiConverterSequenceTypeVerdict.write(value.verdicts, into: &buf)
         FfiConverterSequenceString.write(value.warnings, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
     }
 }
 
@@ -10554,6 +10594,10 @@ public struct ResultView: Equatable, Hashable {
      * What a reader must know.
      */
     public let warnings: [String]
+    /**
+     * The same for every language.
+     */
+    public let warningsSaid: [Sentence]
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -10566,10 +10610,14 @@ public struct ResultView: Equatable, Hashable {
          */quantities: QuantitiesByName, 
         /**
          * What a reader must know.
-         */warnings: [String]) {
+         */warnings: [String], 
+        /**
+         * The same for every language.
+         */warningsSaid: [Sentence]) {
         self.session = session
         self.quantities = quantities
         self.warnings = warnings
+        self.warningsSaid = warningsSaid
     }
 
     
@@ -10590,7 +10638,8 @@ public struct FfiConverterTypeResultView: FfiConverterRustBuffer {
             try ResultView(
                 session: FfiConverterString.read(from: &buf), 
                 quantities: FfiConverterTypeQuantitiesByName.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf)
+                warnings: FfiConverterSequenceString.read(from: &buf), 
+                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
 
@@ -10598,6 +10647,7 @@ public struct FfiConverterTypeResultView: FfiConverterRustBuffer {
         FfiConverterString.write(value.session, into: &buf)
         FfiConverterTypeQuantitiesByName.write(value.quantities, into: &buf)
         FfiConverterSequenceString.write(value.warnings, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
     }
 }
 
@@ -11929,6 +11979,10 @@ public struct SwingResult: Equatable, Hashable {
      */
     public let warnings: [String]
     /**
+     * The same for every language.
+     */
+    public let warningsSaid: [Sentence]
+    /**
      * Residual over noise: 1 where the fit explains everything.
      */
     public let rmsOverNoise: Double?
@@ -11956,6 +12010,9 @@ public struct SwingResult: Equatable, Hashable {
          * What a reader must know of this swing.
          */warnings: [String], 
         /**
+         * The same for every language.
+         */warningsSaid: [Sentence], 
+        /**
          * Residual over noise: 1 where the fit explains everything.
          */rmsOverNoise: Double?, 
         /**
@@ -11966,6 +12023,7 @@ public struct SwingResult: Equatable, Hashable {
         self.modes = modes
         self.repairs = repairs
         self.warnings = warnings
+        self.warningsSaid = warningsSaid
         self.rmsOverNoise = rmsOverNoise
         self.simulated = simulated
     }
@@ -11991,6 +12049,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
                 modes: FfiConverterSequenceTypeModeResult.read(from: &buf), 
                 repairs: FfiConverterSequenceTypeRepair.read(from: &buf), 
                 warnings: FfiConverterSequenceString.read(from: &buf), 
+                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf), 
                 rmsOverNoise: FfiConverterOptionDouble.read(from: &buf), 
                 simulated: FfiConverterBool.read(from: &buf)
         )
@@ -12002,6 +12061,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
         FfiConverterSequenceTypeModeResult.write(value.modes, into: &buf)
         FfiConverterSequenceTypeRepair.write(value.repairs, into: &buf)
         FfiConverterSequenceString.write(value.warnings, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
         FfiConverterOptionDouble.write(value.rmsOverNoise, into: &buf)
         FfiConverterBool.write(value.simulated, into: &buf)
     }
@@ -18769,6 +18829,18 @@ public func idIn(id: String, language: Language) -> String  {
 })
 }
 /**
+ * An input of a budget by its label, in a language; in English it stands as it is.
+ */
+public func inputIn(label: String, language: Language) -> String  {
+    return try!  FfiConverterString.lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_func_input_in(
+        FfiConverterString.lower(label),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
+    )
+})
+}
+/**
  * A quantity by its key, without its unit, in a language.
  */
 public func quantityIn(name: String, language: Language) -> String  {
@@ -18806,7 +18878,8 @@ public func sentenceIn(sentence: Sentence, language: Language) -> String  {
 }
 /**
  * Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
- * estimator begin with `live.`, those of the plan's warnings with `plan.`, those of the criticism with `critique.`.
+ * estimator begin with `live.`, those of the plan with `plan.`, of a measurement with `inertia.` and `signal.`, of the criticism
+ * with `critique.`.
  */
 public func texts(language: Language) -> [NamedText]  {
     return try!  FfiConverterSequenceTypeNamedText.lift(try! rustCall() {
@@ -18903,6 +18976,9 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_id_in() != 17347) {
         return InitializationResult.apiChecksumMismatch
     }
+    if (uniffi_gyradius_ffi_checksum_func_input_in() != 47815) {
+        return InitializationResult.apiChecksumMismatch
+    }
     if (uniffi_gyradius_ffi_checksum_func_quantity_in() != 42672) {
         return InitializationResult.apiChecksumMismatch
     }
@@ -18912,7 +18988,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_sentence_in() != 38777) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_texts() != 5861) {
+    if (uniffi_gyradius_ffi_checksum_func_texts() != 4015) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_unit_of() != 21247) {

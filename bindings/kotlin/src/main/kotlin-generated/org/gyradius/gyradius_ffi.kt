@@ -729,6 +729,8 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_id_in(
     ): Int
+    external fun uniffi_gyradius_ffi_checksum_func_input_in(
+    ): Int
     external fun uniffi_gyradius_ffi_checksum_func_quantity_in(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_func_route_in(
@@ -1162,6 +1164,8 @@ internal object UniffiLib {
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_id_in(`id`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_func_input_in(`label`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_quantity_in(`name`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
     external fun uniffi_gyradius_ffi_fn_func_route_in(`method`: RustBuffer.ByValue,`language`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
@@ -1341,6 +1345,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_func_id_in() and 0xFFFF) != 17347) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
+    if ((lib.uniffi_gyradius_ffi_checksum_func_input_in() and 0xFFFF) != 47815) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
     if ((lib.uniffi_gyradius_ffi_checksum_func_quantity_in() and 0xFFFF) != 42672) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
@@ -1350,7 +1357,7 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
     if ((lib.uniffi_gyradius_ffi_checksum_func_sentence_in() and 0xFFFF) != 38777) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
-    if ((lib.uniffi_gyradius_ffi_checksum_func_texts() and 0xFFFF) != 5861) {
+    if ((lib.uniffi_gyradius_ffi_checksum_func_texts() and 0xFFFF) != 4015) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_func_unit_of() and 0xFFFF) != 21247) {
@@ -7575,6 +7582,11 @@ data class Claim (
     val `text`: kotlin.String
     , 
     /**
+     * The same for every language.
+     */
+    val `said`: Sentence
+    , 
+    /**
      * Routes: how many pairs of swings stand behind this one, which differs most.
      */
     val `pairs`: Count
@@ -7608,6 +7620,7 @@ public object FfiConverterTypeClaim: FfiConverterRustBuffer<Claim> {
             FfiConverterString.read(buf),
             FfiConverterBoolean.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
             FfiConverterTypeCount.read(buf),
             FfiConverterOptionalTypeEnds.read(buf),
         )
@@ -7623,6 +7636,7 @@ public object FfiConverterTypeClaim: FfiConverterRustBuffer<Claim> {
             FfiConverterString.allocationSize(value.`from`) +
             FfiConverterBoolean.allocationSize(value.`flagged`) +
             FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`) +
             FfiConverterTypeCount.allocationSize(value.`pairs`) +
             FfiConverterOptionalTypeEnds.allocationSize(value.`sigmaRange`)
     )
@@ -7637,6 +7651,7 @@ public object FfiConverterTypeClaim: FfiConverterRustBuffer<Claim> {
             FfiConverterString.write(value.`from`, buf)
             FfiConverterBoolean.write(value.`flagged`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
             FfiConverterTypeCount.write(value.`pairs`, buf)
             FfiConverterOptionalTypeEnds.write(value.`sigmaRange`, buf)
     }
@@ -7894,6 +7909,11 @@ data class Critique (
      * What a reader must know.
      */
     val `warnings`: List<kotlin.String>
+    , 
+    /**
+     * The same for every language.
+     */
+    val `warningsSaid`: List<Sentence>
     
 ){
     
@@ -7920,6 +7940,7 @@ public object FfiConverterTypeCritique: FfiConverterRustBuffer<Critique> {
             FfiConverterTypeGain.read(buf),
             FfiConverterOptionalTypeLearnedForce.read(buf),
             FfiConverterSequenceString.read(buf),
+            FfiConverterSequenceTypeSentence.read(buf),
         )
     }
 
@@ -7933,7 +7954,8 @@ public object FfiConverterTypeCritique: FfiConverterRustBuffer<Critique> {
             FfiConverterTypeModelResult.allocationSize(value.`extended`) +
             FfiConverterTypeGain.allocationSize(value.`gain`) +
             FfiConverterOptionalTypeLearnedForce.allocationSize(value.`learned`) +
-            FfiConverterSequenceString.allocationSize(value.`warnings`)
+            FfiConverterSequenceString.allocationSize(value.`warnings`) +
+            FfiConverterSequenceTypeSentence.allocationSize(value.`warningsSaid`)
     )
 
     override fun write(value: Critique, buf: ByteBuffer) {
@@ -7947,6 +7969,7 @@ public object FfiConverterTypeCritique: FfiConverterRustBuffer<Critique> {
             FfiConverterTypeGain.write(value.`gain`, buf)
             FfiConverterOptionalTypeLearnedForce.write(value.`learned`, buf)
             FfiConverterSequenceString.write(value.`warnings`, buf)
+            FfiConverterSequenceTypeSentence.write(value.`warningsSaid`, buf)
     }
 }
 
@@ -8319,6 +8342,11 @@ data class HangingAdvice (
      * In words.
      */
     val `text`: kotlin.String
+    , 
+    /**
+     * The same for every language.
+     */
+    val `said`: Sentence
     
 ){
     
@@ -8340,6 +8368,7 @@ public object FfiConverterTypeHangingAdvice: FfiConverterRustBuffer<HangingAdvic
             FfiConverterSequenceString.read(buf),
             FfiConverterSequenceString.read(buf),
             FfiConverterString.read(buf),
+            FfiConverterTypeSentence.read(buf),
         )
     }
 
@@ -8348,7 +8377,8 @@ public object FfiConverterTypeHangingAdvice: FfiConverterRustBuffer<HangingAdvic
             FfiConverterTypeSuspension.allocationSize(value.`suspension`) +
             FfiConverterSequenceString.allocationSize(value.`gives`) +
             FfiConverterSequenceString.allocationSize(value.`swings`) +
-            FfiConverterString.allocationSize(value.`text`)
+            FfiConverterString.allocationSize(value.`text`) +
+            FfiConverterTypeSentence.allocationSize(value.`said`)
     )
 
     override fun write(value: HangingAdvice, buf: ByteBuffer) {
@@ -8357,6 +8387,7 @@ public object FfiConverterTypeHangingAdvice: FfiConverterRustBuffer<HangingAdvic
             FfiConverterSequenceString.write(value.`gives`, buf)
             FfiConverterSequenceString.write(value.`swings`, buf)
             FfiConverterString.write(value.`text`, buf)
+            FfiConverterTypeSentence.write(value.`said`, buf)
     }
 }
 
@@ -8612,6 +8643,11 @@ data class InertiaResult (
      * What a reader must know.
      */
     val `warnings`: List<kotlin.String>
+    , 
+    /**
+     * The same for every language.
+     */
+    val `warningsSaid`: List<Sentence>
     
 ){
     
@@ -8638,6 +8674,7 @@ public object FfiConverterTypeInertiaResult: FfiConverterRustBuffer<InertiaResul
             FfiConverterSequenceTypeClaim.read(buf),
             FfiConverterSequenceTypeVerdict.read(buf),
             FfiConverterSequenceString.read(buf),
+            FfiConverterSequenceTypeSentence.read(buf),
         )
     }
 
@@ -8651,7 +8688,8 @@ public object FfiConverterTypeInertiaResult: FfiConverterRustBuffer<InertiaResul
             FfiConverterSequenceTypeCorrelationTuple.allocationSize(value.`correlations`) +
             FfiConverterSequenceTypeClaim.allocationSize(value.`consistency`) +
             FfiConverterSequenceTypeVerdict.allocationSize(value.`verdicts`) +
-            FfiConverterSequenceString.allocationSize(value.`warnings`)
+            FfiConverterSequenceString.allocationSize(value.`warnings`) +
+            FfiConverterSequenceTypeSentence.allocationSize(value.`warningsSaid`)
     )
 
     override fun write(value: InertiaResult, buf: ByteBuffer) {
@@ -8665,6 +8703,7 @@ public object FfiConverterTypeInertiaResult: FfiConverterRustBuffer<InertiaResul
             FfiConverterSequenceTypeClaim.write(value.`consistency`, buf)
             FfiConverterSequenceTypeVerdict.write(value.`verdicts`, buf)
             FfiConverterSequenceString.write(value.`warnings`, buf)
+            FfiConverterSequenceTypeSentence.write(value.`warningsSaid`, buf)
     }
 }
 
@@ -11962,6 +12001,11 @@ data class ResultView (
      * What a reader must know.
      */
     val `warnings`: List<kotlin.String>
+    , 
+    /**
+     * The same for every language.
+     */
+    val `warningsSaid`: List<Sentence>
     
 ){
     
@@ -11981,19 +12025,22 @@ public object FfiConverterTypeResultView: FfiConverterRustBuffer<ResultView> {
             FfiConverterString.read(buf),
             FfiConverterTypeQuantitiesByName.read(buf),
             FfiConverterSequenceString.read(buf),
+            FfiConverterSequenceTypeSentence.read(buf),
         )
     }
 
     override fun allocationSize(value: ResultView) = (
             FfiConverterString.allocationSize(value.`session`) +
             FfiConverterTypeQuantitiesByName.allocationSize(value.`quantities`) +
-            FfiConverterSequenceString.allocationSize(value.`warnings`)
+            FfiConverterSequenceString.allocationSize(value.`warnings`) +
+            FfiConverterSequenceTypeSentence.allocationSize(value.`warningsSaid`)
     )
 
     override fun write(value: ResultView, buf: ByteBuffer) {
             FfiConverterString.write(value.`session`, buf)
             FfiConverterTypeQuantitiesByName.write(value.`quantities`, buf)
             FfiConverterSequenceString.write(value.`warnings`, buf)
+            FfiConverterSequenceTypeSentence.write(value.`warningsSaid`, buf)
     }
 }
 
@@ -12952,6 +12999,11 @@ data class SwingResult (
     val `warnings`: List<kotlin.String>
     , 
     /**
+     * The same for every language.
+     */
+    val `warningsSaid`: List<Sentence>
+    , 
+    /**
      * Residual over noise: 1 where the fit explains everything.
      */
     val `rmsOverNoise`: kotlin.Double?
@@ -12981,6 +13033,7 @@ public object FfiConverterTypeSwingResult: FfiConverterRustBuffer<SwingResult> {
             FfiConverterSequenceTypeModeResult.read(buf),
             FfiConverterSequenceTypeRepair.read(buf),
             FfiConverterSequenceString.read(buf),
+            FfiConverterSequenceTypeSentence.read(buf),
             FfiConverterOptionalDouble.read(buf),
             FfiConverterBoolean.read(buf),
         )
@@ -12992,6 +13045,7 @@ public object FfiConverterTypeSwingResult: FfiConverterRustBuffer<SwingResult> {
             FfiConverterSequenceTypeModeResult.allocationSize(value.`modes`) +
             FfiConverterSequenceTypeRepair.allocationSize(value.`repairs`) +
             FfiConverterSequenceString.allocationSize(value.`warnings`) +
+            FfiConverterSequenceTypeSentence.allocationSize(value.`warningsSaid`) +
             FfiConverterOptionalDouble.allocationSize(value.`rmsOverNoise`) +
             FfiConverterBoolean.allocationSize(value.`simulated`)
     )
@@ -13002,6 +13056,7 @@ public object FfiConverterTypeSwingResult: FfiConverterRustBuffer<SwingResult> {
             FfiConverterSequenceTypeModeResult.write(value.`modes`, buf)
             FfiConverterSequenceTypeRepair.write(value.`repairs`, buf)
             FfiConverterSequenceString.write(value.`warnings`, buf)
+            FfiConverterSequenceTypeSentence.write(value.`warningsSaid`, buf)
             FfiConverterOptionalDouble.write(value.`rmsOverNoise`, buf)
             FfiConverterBoolean.write(value.`simulated`, buf)
     }
@@ -19026,6 +19081,21 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
     
 
         /**
+         * An input of a budget by its label, in a language; in English it stands as it is.
+         */ fun `inputIn`(`label`: kotlin.String, `language`: Language): kotlin.String {
+            return FfiConverterString.lift(
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_func_input_in(
+    
+        
+        FfiConverterString.lower(`label`),
+        FfiConverterTypeLanguage.lower(`language`),_status)
+}
+    )
+    }
+    
+
+        /**
          * A quantity by its key, without its unit, in a language.
          */ fun `quantityIn`(`name`: kotlin.String, `language`: Language): kotlin.String {
             return FfiConverterString.lift(
@@ -19072,7 +19142,8 @@ public typealias FfiConverterTypeVector3 = FfiConverterTypeAxes
 
         /**
          * Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
-         * estimator begin with `live.`, those of the plan's warnings with `plan.`, those of the criticism with `critique.`.
+         * estimator begin with `live.`, those of the plan with `plan.`, of a measurement with `inertia.` and `signal.`, of the criticism
+         * with `critique.`.
          */ fun `texts`(`language`: Language): List<NamedText> {
             return FfiConverterSequenceTypeNamedText.lift(
     uniffiRustCall() { _status ->

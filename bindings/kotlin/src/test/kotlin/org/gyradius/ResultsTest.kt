@@ -68,6 +68,7 @@ class ResultsTest {
         val yaw = plan.quantities.first { it.name == "k_yaw_m" }.quantity
         assertEquals(0.005 * yaw.value, yaw.wantedU!!, 1e-12)
         assertEquals(yaw.isReached, yaw.u!! <= yaw.wantedU)
+        assertTrue(sentenceIn(plan.suspensions.first().said, Language.GERMAN).startsWith("Waagerecht, zwei Leinen von "))
     }
 
     @Test
@@ -92,12 +93,22 @@ class ResultsTest {
     }
 
     @Test
+    fun `a result is told in German`() = runBlocking {
+        val result = boatPark.result()
+        val claim = result.consistency.first { it.claim == "line_length" }
+        assertEquals(claim.text, sentenceIn(claim.said, Language.ENGLISH))
+        assertTrue(sentenceIn(claim.said, Language.GERMAN).startsWith("Leinenlänge: angegeben "))
+        assertEquals(result.warnings, result.warningsSaid.map { sentenceIn(it, Language.ENGLISH) })
+        assertEquals("Abstand der Leinen", inputIn("spacing", Language.GERMAN))
+    }
+
+    @Test
     fun `every text has a key of its own`() {
         val (texts, german) = Language.entries.map { texts(it) }
         assertEquals(texts.map { it.name }, german.map { it.name })
         assertEquals(texts.size, texts.map { it.name }.toSet().size)
         assertTrue(texts.all { it.name.isNotEmpty() && it.text.isNotEmpty() })
-        assertTrue(listOf("", "live.", "plan.").all { room -> texts.any { it.name.startsWith(room) } })
+        assertTrue(listOf("", "live.", "plan.", "inertia.", "critique.").all { room -> texts.any { it.name.startsWith(room) } })
         assertEquals("0.1.0", libraryVersion())
     }
 

@@ -1,8 +1,10 @@
 package org.gyradius.app
 
 import androidx.test.ext.junit.runners.AndroidJUnit4
+import java.util.Locale
 import org.gyradius.app.ui.Goal
 import org.gyradius.app.ui.LimitTyped
+import org.gyradius.app.ui.asTyped
 import org.gyradius.app.ui.withUncertainty
 import org.junit.Assert.assertEquals
 import org.junit.Test
@@ -25,5 +27,18 @@ class FiguresTest {
         assertEquals(typed.copy(value = "1.18"), LimitTyped.of("k_pitch_m<=1.18"))
         assertEquals(null, LimitTyped.of("mast_m<=1.18"))
         assertEquals(null, LimitTyped.of("k_pitch_m"))
+    }
+
+    @Test
+    fun `figures have the decimal sign of the language`() {
+        val before = Locale.getDefault()
+        try {
+            Locale.setDefault(Locale.GERMANY)
+            assertEquals("9,80665", asTyped(9.80665))
+            assertEquals("1,18", LimitTyped.of("k_pitch_m<=1.18")?.value)
+            assertEquals("k_pitch_m<=1.18", LimitTyped.of("k_pitch_m<=1.18")?.text())
+        } finally {
+            Locale.setDefault(before)
+        }
     }
 }

@@ -25,7 +25,7 @@ fun CritiqueBody(critique: Critique, compared: List<ComparedSwing>) {
     SectionHead(stringResource(R.string.criticism))
     Advice(stringResource(statusOf(critique.verdict.status)), toneOf(critique.verdict.status))
     Text(spoken(critique.verdict.said), style = MaterialTheme.typography.bodyLarge)
-    critique.warnings.forEach { Advice(it) }
+    critique.warningsSaid.forEach { Advice(spoken(it)) }
     Residuals(critique)
     if (critique.causes.isNotEmpty()) Fold(R.string.causes, isOpenAtFirst = true) { critique.causes.take(MOST_CAUSES).forEach { Cause(it) } }
     compared.forEach { Compared(it) }

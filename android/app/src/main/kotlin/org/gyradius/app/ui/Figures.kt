@@ -3,6 +3,7 @@ package org.gyradius.app.ui
 import java.math.BigDecimal
 import java.math.MathContext
 import java.math.RoundingMode
+import java.text.DecimalFormatSymbols
 import java.util.Locale
 
 /** A figure and its uncertainty as text, the uncertainty with two digits and the figure as many places: layout only. */
@@ -17,4 +18,8 @@ private fun plain(value: Double, places: Int): String = String.format(Locale.get
 
 /** A figure as it stands in a field before anybody types: six digits, no exponent. */
 internal fun asTyped(value: Double): String =
-    BigDecimal(value).round(MathContext(6)).stripTrailingZeros().toPlainString()
+    withDecimalSign(BigDecimal(value).round(MathContext(6)).stripTrailingZeros().toPlainString())
+
+/** A figure that is written with a decimal point, as the language of the screen writes it. */
+internal fun withDecimalSign(written: String): String =
+    written.replace('.', DecimalFormatSymbols.getInstance(Locale.getDefault()).decimalSeparator)

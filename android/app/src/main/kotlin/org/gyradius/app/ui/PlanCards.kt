@@ -64,7 +64,7 @@ private fun Hung(one: HangingAdvice) {
     Panel(Tone.INFO) {
         val points = stringResource(R.string.frame_points, one.framePoints, one.swings.map { idName(it) }.joinToString())
         Text(points, style = MaterialTheme.typography.titleMedium)
-        Text(one.text, style = MaterialTheme.typography.bodyLarge)
+        Text(spoken(one.said), style = MaterialTheme.typography.bodyLarge)
     }
     FrameSketch(one.framePoints)
 }
@@ -92,7 +92,7 @@ fun Budget(one: NamedBudget) {
 @Composable
 private fun Contribution(line: BudgetLine, unit: String) {
     Row(Modifier.fillMaxWidth().semantics(mergeDescendants = true) {}, Arrangement.spacedBy(16.dp)) {
-        Text(line.input, Modifier.weight(1f), style = MaterialTheme.typography.bodyLarge)
+        Text(inputName(line.input), Modifier.weight(1f), style = MaterialTheme.typography.bodyLarge)
         Text(stringResource(R.string.contribution, line.uContribution, unit), style = MaterialTheme.typography.bodyLarge)
     }
 }

@@ -62,7 +62,7 @@ data class LimitTyped(val goal: Goal, val isLeast: Boolean, val value: String) :
             val isLeast = LEAST in text
             val (measured, value) = text.split(if (isLeast) LEAST else MOST).takeIf { it.size == 2 } ?: return null
             val goal = Goal.entries.firstOrNull { it.measured == measured } ?: return null
-            return LimitTyped(goal, isLeast, value)
+            return LimitTyped(goal, isLeast, withDecimalSign(value))
         }
     }
 }

@@ -13,6 +13,7 @@ import org.gyradius.app.Failure
 import org.gyradius.app.R
 import org.gyradius.causeIn
 import org.gyradius.idIn
+import org.gyradius.inputIn
 import org.gyradius.quantityIn
 import org.gyradius.routeIn
 import org.gyradius.sentenceIn
@@ -87,6 +88,10 @@ internal fun quantityName(name: String): String = quantityIn(name, libraryLangua
 /** A step or a swing by its id, in words where the library has them. */
 @Composable
 internal fun idName(id: String): String = idIn(id, libraryLanguage())
+
+/** An input of a budget by its label, in words. */
+@Composable
+internal fun inputName(label: String): String = inputIn(label, libraryLanguage())
 
 /** A single route to a quantity, in words. */
 @Composable
