@@ -143,6 +143,7 @@ fn an_input_of_a_budget_has_a_name() {
         told("yaw period of yaw-sway"),
         ["yaw period of yaw-sway", "Gierperiode von Gieren-Querschwingen"]
     );
+    assert_eq!(told("roll out of phase period of roll")[1], "Rollperiode im Gegentakt von Rollen");
     assert_eq!(told("mass of keel"), ["mass of keel", "Masse von keel"]);
     assert_eq!(
         told("unknown tilt of the principal axes"),

@@ -33,7 +33,7 @@ pub const ROUTES: [(&str, &str); 16] = [
 pub const SENTENCES: [(&str, &str); 22] = [
     (
         "stated",
-        "{name}: angegeben {stated}; nach {by} {implied}: {verdict} ({sigma} Standardunsicherheiten).",
+        "{name}: angegeben {stated}; nach {by} sind es {implied}: {verdict} ({sigma} Standardunsicherheiten).",
     ),
     ("by_sway", "der Querperiode von {swing}"),
     ("by_all", "allen Schwingungen zusammen ({inputs})"),

@@ -120,10 +120,12 @@ pub fn motion(english: &str) -> Argument {
 
 /// An input of a budget by its label: `spacing`, `yaw period of bow-up`. What is no input is an id. In English it stands as it is.
 pub fn input(label: &str) -> Text {
-    let is_known = |what: &str| INPUTS.contains(&spaced(what).as_str());
-    let of_one = label.split_once(" of ").filter(|(what, _)| is_known(what));
+    if INPUTS.contains(&spaced(label).as_str()) {
+        return said(&format!("input.{label}"), []);
+    }
+    // A name may hold an "of" of its own: "pitch out of phase period of bow-up".
+    let of_one = INPUTS.iter().find_map(|what| Some((what, label.strip_prefix(what)?.strip_prefix(" of ")?)));
     match of_one {
-        _ if is_known(label) => said(&format!("input.{label}"), []),
         Some((what, which)) => {
             said("of", [("what", name(&format!("input.{what}"))), ("which", Argument::Id(which.to_owned()))])
         }

@@ -9,6 +9,8 @@ pub fn told_in_every_language(critique: &Critique) {
     all.extend(critique.verdict.next_swing.iter().map(|next| (&next.text, &next.said)));
     all.extend(critique.causes.iter().map(|cause| (&cause.text, &cause.said)));
     all.extend(critique.discrepancies.iter().map(|found| (&found.text, &found.said)));
+    assert_eq!(critique.warnings.len(), critique.warnings_said.len());
+    all.extend(critique.warnings.iter().zip(&critique.warnings_said));
     for (text, said) in all {
         assert_eq!(*text, said.in_language(Language::English));
         let german = said.in_language(Language::German);
