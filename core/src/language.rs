@@ -77,6 +77,11 @@ pub(crate) fn english(said: &[Text]) -> Vec<String> {
     said.iter().map(|text| text.english.clone()).collect()
 }
 
+/// Whether there is no more of them than English, which stands beside them.
+pub(crate) fn english_alone(said: &[Text]) -> bool {
+    said.iter().all(Text::has_no_key)
+}
+
 /// Without sentences, what was said in English.
 pub(crate) fn or_english(said: &mut Vec<Text>, english: &[String]) {
     if said.is_empty() {

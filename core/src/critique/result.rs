@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::inertia::QuantityResult;
-use crate::language::{Text, or_english};
+use crate::language::{Text, english_alone, or_english};
 use crate::recording::Excitation;
 
 /// The criticism of a session.
@@ -37,7 +37,7 @@ pub struct Critique {
     #[serde(default)]
     pub warnings: Vec<String>,
     /// The same for every language.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "english_alone")]
     pub warnings_said: Vec<Text>,
 }
 

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::language::{Text, english};
+use crate::language::{Text, english, english_alone};
 use crate::recording::{ModeName, Repair};
 
 /// A session's or a bare recording's result.
@@ -33,7 +33,7 @@ pub struct Measurement {
     /// What a reader must know.
     pub warnings: Vec<String>,
     /// The same for every language.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "english_alone")]
     pub warnings_said: Vec<Text>,
 }
 
@@ -59,7 +59,7 @@ pub struct SwingResult {
     /// What a reader must know of this swing.
     pub warnings: Vec<String>,
     /// The same for every language.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "english_alone")]
     pub warnings_said: Vec<Text>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,

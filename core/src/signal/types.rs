@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
-use crate::language::Text;
+use crate::language::{Text, english_alone};
 
 /// Channels that share one clock: a sensor's three axes, or a displacement.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -68,7 +68,7 @@ pub struct Decomposition {
     /// What a reader should know.
     pub warnings: Vec<String>,
     /// The same for every language.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "english_alone")]
     pub warnings_said: Vec<Text>,
 }
 

@@ -111,7 +111,8 @@ import Testing
     #expect(texts.map(\.name) == GyradiusKit.texts(language: .german).map(\.name))
     #expect(Set(texts.map(\.name)).count == texts.count)
     #expect(texts.allSatisfy { !$0.name.isEmpty && !$0.text.isEmpty })
-    #expect(["", "live.", "plan.", "inertia.", "critique."].allSatisfy { room in texts.contains { $0.name.hasPrefix(room) } })
+    #expect(
+      ["", "live.", "plan.", "inertia.", "critique."].allSatisfy { room in texts.contains { $0.name.hasPrefix(room) } })
     #expect(libraryVersion() == "0.1.0")
   }
 }
