@@ -77,9 +77,10 @@ bindings:
 generated: bindings
 	@$(STEP) generated bindings/check-generated
 
-# What Python gives, for the other faces to be held against.
-faces: package
+# What Python gives, for the other faces to be held against; Rust at once.
+faces: package bindings
 	@$(STEP) faces $(BIN)/python tests/faces/write_results.py build/faces
+	@$(STEP) faces-rust tests/faces/check-rust build/faces
 
 # Kotlin's tests on the JVM, the shared vectors bit by bit as Python's.
 test-kotlin: generated faces
