@@ -31,6 +31,7 @@ def read(path: Path) -> Words:
 
 
 def unescaped(text: str) -> str:
+    text = re.sub(r"\\u([0-9A-Fa-f]{4})", lambda code: chr(int(code[1], 16)), text)
     return text.replace("\\n", "\n").replace("\\'", "'").replace('\\"', '"')
 
 

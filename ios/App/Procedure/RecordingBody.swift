@@ -8,7 +8,7 @@ struct RecordingBody: View {
 
   var body: some View {
     if let leftS = recording.leftS {
-      LargeFigure(label: Words.toGo, value: Words.seconds(leftS))
+      LargeFigure(label: Words.toGo, value: Words.seconds(leftS.rounded(.up)))
     } else {
       LargeFigure(label: Words.recorded, value: Words.seconds(recording.recordedS))
     }

@@ -4,6 +4,7 @@ import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.util.Locale
 import org.gyradius.app.ui.Goal
 import org.gyradius.app.ui.LimitTyped
+import org.gyradius.app.ui.asShown
 import org.gyradius.app.ui.asTyped
 import org.gyradius.app.ui.withUncertainty
 import org.junit.Assert.assertEquals
@@ -18,6 +19,12 @@ class FiguresTest {
         assertEquals("2.34568" to "0.00012", withUncertainty(2.345678, 0.000123))
         assertEquals("212" to "15", withUncertainty(212.4, 15.2))
         assertEquals("2.3457" to "–", withUncertainty(2.345678, 0.0))
+    }
+
+    @Test
+    fun `a sentence begins with a capital and keeps figures beside their units`() {
+        assertEquals("Wait 3\u00A0s, 5\u00A0% of 2 swings, 9.81\u00A0m/s².", asShown("wait 3 s, 5 % of 2 swings, 9.81 m/s²."))
+        for (symbol in listOf("ψ is not known", "k_yaw_m is", "χ² is")) assertEquals(symbol, asShown(symbol))
     }
 
     @Test

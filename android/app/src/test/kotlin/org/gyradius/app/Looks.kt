@@ -33,6 +33,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import java.io.File
+import java.util.Locale
 import org.gyradius.app.ui.GyradiusTheme
 import org.junit.Assert.assertTrue
 
@@ -74,12 +75,16 @@ fun ComposeContentTestRule.looks(name: String, content: @Composable () -> Unit) 
             key(look) { GyradiusTheme { Surface(Modifier.fillMaxSize().testTag(SCREEN)) { content() } } }
         }
     }
+    val before = Locale.getDefault()
     val wrong = LOOKS.flatMap { one ->
+        // Android does so itself where the phone's language changes.
+        Locale.setDefault(Locale.forLanguageTag(one.language))
         look = one
         waitForIdle()
         picture("$name-${one.name}")
         faults(one).map { "$name-${one.name}: $it" }
     }
+    Locale.setDefault(before)
     assertTrue(wrong.joinToString("\n"), wrong.isEmpty())
 }
 
@@ -90,14 +95,15 @@ private fun ComposeContentTestRule.picture(name: String) {
     File(folder, "$name.png").outputStream().use { bitmap.compress(Bitmap.CompressFormat.PNG, 100, it) }
 }
 
-/** Text that is cut off, lies over other text or beside the screen; what is to be touched and is too small. */
+/** Text that is cut off, lies over other text or beside the screen; what is to be touched and is too small, or has no name for a
+ * screen reader. */
 private fun ComposeContentTestRule.faults(look: Look): List<String> {
     val nodes = onRoot(useUnmergedTree = true).fetchSemanticsNode().andBelow().filter { it.size.width > 0 && it.size.height > 0 }
     val texts = nodes.filter { it.config.contains(SemanticsProperties.Text) }
     val none = listOf("shows no text").filter { texts.isEmpty() }
     val cut = texts.filter { it.isCutOff }.map { "cut off: ${it.words}" }
     val beside = texts.filter { it.place.left < -1 || it.place.right > px(look.size.width) + 1 }.map { "beside the screen: ${it.words}" }
-    return none + cut + beside + overlaps(texts) + tooSmall(nodes, px(look.size.height))
+    return none + cut + beside + overlaps(texts) + tooSmall(nodes, px(look.size.height)) + nameless()
 }
 
 private fun overlaps(texts: List<SemanticsNode>): List<String> = texts.flatMapIndexed { at, one ->
@@ -112,6 +118,13 @@ private fun ComposeContentTestRule.tooSmall(nodes: List<SemanticsNode>, height: 
     nodes.filter { it.config.contains(SemanticsActions.OnClick) && it.place.top >= 0 && it.place.bottom <= height }
         .filter { minOf(it.touchBoundsInRoot.width, it.touchBoundsInRoot.height) < px(LEAST_TARGET) - 1 }
         .map { "too small to touch: ${it.words}, ${it.touchBoundsInRoot}" }
+
+private fun ComposeContentTestRule.nameless(): List<String> {
+    val names = listOf(SemanticsProperties.Text, SemanticsProperties.ContentDescription)
+    return onRoot().fetchSemanticsNode().andBelow()
+        .filter { it.config.contains(SemanticsActions.OnClick) && names.none { name -> it.config.contains(name) } }
+        .map { "nothing to be read aloud: node ${it.id} at ${it.place}" }
+}
 
 private fun ComposeContentTestRule.px(length: Dp) = with(density) { length.toPx() }
 

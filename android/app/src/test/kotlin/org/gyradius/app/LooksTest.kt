@@ -15,6 +15,8 @@ import org.gyradius.ProcedurePhase
 import org.gyradius.ProcedureState
 import org.gyradius.Recommend
 import org.gyradius.MeasuredDimensions
+import org.gyradius.Tilt
+import org.gyradius.TiltAgainst
 import org.gyradius.app.result.ResultShown
 import org.gyradius.app.run.Planned
 import org.gyradius.app.run.Shown
@@ -67,6 +69,13 @@ class LooksTest {
 
     @Test
     fun level() = procedure("level", Core.byTheBook.last { it.phase == ProcedurePhase.LEVEL && it.tilt != null })
+
+    @Test
+    fun `the bubble of a phone that knows where the bow is`() {
+        val state = first(ProcedurePhase.LEVEL)
+        val tilt = Tilt(TiltAgainst.PHONE_PLANE, angleDeg = 0.36, bowUpDeg = 0.34, starboardDownDeg = -0.12)
+        procedure("level-bubble", state.copy(tilt = tilt), isPractice = false)
+    }
 
     @Test
     fun `a rest that is being taken`() = procedure("rest", Core.byTheBook.middle { it.rest != null && it.rest?.found == null })

@@ -63,7 +63,7 @@ class ResultTest {
         click("Add a limit")
         rule.onNodeWithText("Limit, m").performScrollTo().performTextReplacement("1,1")
         click("Judge by these limits")
-        rule.patient("the verdict") { rule.texts().any { "Yaw gyradius ≥ 1.1 m" in it } }
+        rule.patient("the verdict") { rule.texts().any { "Yaw gyradius ≥\u00A01.1\u00A0m" in it } }
         rule.patient("the limits kept") { store.usualLimits() == listOf("k_yaw_m>=1.1") }
         assertEquals(listOf("k_yaw_m>=1.1"), runBlocking { store.list() }.map { store.measurable(it.folder)!!.limits }.single())
         click("Share the report")

@@ -31,7 +31,7 @@ import org.gyradius.app.run.Shown
 @Composable
 fun Actions(shown: Shown, deeds: Deeds) {
     val state = shown.state ?: return
-    val advised = if (state.judgement?.recommend == Recommend.REPEAT) ProcedureAction.REPEAT else state.actions.firstOrNull()
+    val advised = advised(state)
     for (action in state.actions) {
         when (action) {
             ProcedureAction.BEGIN -> Begin(shown.isPractice, deeds)
@@ -46,6 +46,13 @@ fun Actions(shown: Shown, deeds: Deeds) {
             }
         }
     }
+}
+
+/** The action that stands out; none while there is nothing to do but wait. */
+private fun advised(state: ProcedureState): ProcedureAction? = when {
+    state.phase == ProcedurePhase.REST && state.rest?.found == null -> null
+    state.judgement?.recommend == Recommend.REPEAT -> ProcedureAction.REPEAT
+    else -> state.actions.firstOrNull()
 }
 
 /** Actions that need nothing but a touch. */

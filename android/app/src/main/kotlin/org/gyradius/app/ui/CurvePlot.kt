@@ -56,13 +56,18 @@ fun CurvePlot(@StringRes says: Int, drawn: List<Drawn>, unit: String, windowS: D
             drawn.zip(colours).forEach { (one, colour) -> curve(one, colour, Frame(fromS, shownS, top, size)) }
         }
     }
-    Text(stringResource(R.string.plot_scale, top, unit, fromS, fromS + shownS), style = MaterialTheme.typography.bodyMedium)
+    PlotScale(top, unit, fromS, fromS + shownS)
     Legend(drawn.map { stringResource(it.name) }.zip(colours))
     if (shownS < spanS) {
         val label = stringResource(R.string.plot_from)
         Slider(from, { from = it }, Modifier.semantics { contentDescription = label })
     }
 }
+
+/** How high and how wide a plot is. */
+@Composable
+internal fun PlotScale(top: Double, unit: String, fromS: Double, toS: Double) =
+    Text(stringResource(R.string.plot_scale, top, unit, fromS, toS), style = MaterialTheme.typography.bodyMedium)
 
 /** What part of the plane a picture shows. */
 private class Frame(val fromS: Double, val spanS: Double, val top: Double, val size: Size) {

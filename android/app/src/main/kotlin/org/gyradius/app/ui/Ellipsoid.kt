@@ -6,6 +6,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.res.stringResource
 import kotlin.math.PI
 import kotlin.math.cos
+import kotlin.math.hypot
 import kotlin.math.sin
 import org.gyradius.NamedQuantity
 import org.gyradius.app.R
@@ -28,7 +29,9 @@ fun Ellipsoid(quantities: List<NamedQuantity>) {
             val (x, y) = axis.seen(scale)
             line(1 - x, 0.8f - y, x, y, accent)
             dot(x, y)
-            words(MIDDLE_X + 1.18f * (x - MIDDLE_X), MIDDLE_Y + 1.18f * (y - MIDDLE_Y), name, style)
+            val long = hypot(x - MIDDLE_X, y - MIDDLE_Y)
+            val beyond = 1 + NAME_AWAY / long
+            words(MIDDLE_X + beyond * (x - MIDDLE_X), MIDDLE_Y + beyond * (y - MIDDLE_Y), name, style)
         }
         words(0.93f, 0.74f, "$bow →", style, ink)
     }
@@ -68,5 +71,8 @@ private fun Pen.ring(one: Point, other: Point, scale: Float) = shape(fill = null
 }
 
 private const val STEPS = 72
+
+/** So far from its end the name of an axis stands. */
+private const val NAME_AWAY = 0.08f
 private const val MIDDLE_X = 0.5f
 private const val MIDDLE_Y = 0.4f

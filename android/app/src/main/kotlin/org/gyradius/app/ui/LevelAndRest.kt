@@ -53,7 +53,7 @@ fun TiltFigures(tilt: Tilt) {
     tilt.starboardDownDeg?.let {
         Large(stringResource(if (it < 0) R.string.port_down else R.string.starboard_down), degrees(it))
     }
-    if (bowUpDeg == null) Large(stringResource(R.string.tilt), tilt.angleDeg?.let { degrees(it) } ?: "–")
+    if (bowUpDeg == null) tilt.angleDeg?.let { Large(stringResource(R.string.tilt), degrees(it)) }
 }
 
 /** The size of an angle; the words beside it say which way. */

@@ -1,12 +1,9 @@
 package org.gyradius.app.ui
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.res.stringResource
-import androidx.compose.ui.unit.dp
 import org.gyradius.Verdict
 import org.gyradius.app.R
 import org.gyradius.unitOf
@@ -23,10 +20,10 @@ fun Limits(limits: List<LimitTyped>, onLimits: (List<LimitTyped>) -> Unit) {
 
 @Composable
 private fun Limit(one: LimitTyped, onLimit: (LimitTyped) -> Unit, onRemove: () -> Unit) {
-    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+    Chips {
         for (goal in Goal.entries) Chip(quantityName(goal.measured), goal == one.goal) { onLimit(one.copy(goal = goal)) }
     }
-    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+    Chips {
         Chip(stringResource(R.string.limit_least), one.isLeast) { onLimit(one.copy(isLeast = true)) }
         Chip(stringResource(R.string.limit_most), !one.isLeast) { onLimit(one.copy(isLeast = false)) }
     }
@@ -46,7 +43,7 @@ fun VerdictCard(one: Verdict) {
     val unit = unitOf(one.quantity)
     Panel(tone) {
         Text(stringResource(words), style = MaterialTheme.typography.headlineSmall)
-        Text(stringResource(R.string.limit_is, quantityName(one.quantity), sign, asTyped(one.limit), unit), style = MaterialTheme.typography.titleMedium)
+        Text(inUnit(R.string.limit_is, quantityName(one.quantity), sign, asTyped(one.limit), unit), style = MaterialTheme.typography.titleMedium)
         Text(stringResource(R.string.limit_probability, 100 * one.conformanceProbability), style = MaterialTheme.typography.bodyLarge)
     }
 }

@@ -5,11 +5,13 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Button
+import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.Card
 import androidx.compose.material3.CardDefaults
 import androidx.compose.material3.FilterChip
@@ -26,6 +28,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.rotate
+import androidx.compose.ui.graphics.SolidColor
 import androidx.compose.ui.res.painterResource
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -46,7 +49,10 @@ fun WideButton(text: String, isMain: Boolean = true, isEnabled: Boolean = true, 
     val label: @Composable () -> Unit = {
         Text(text, style = MaterialTheme.typography.titleLarge, textAlign = TextAlign.Center)
     }
-    if (isMain) Button(onClick, modifier, isEnabled) { label() } else OutlinedButton(onClick, modifier, isEnabled) { label() }
+    if (isMain) return Button(onClick, modifier, isEnabled) { label() }
+    // The usual rim is hardly seen in the sun.
+    val rim = ButtonDefaults.outlinedButtonBorder(isEnabled).copy(brush = SolidColor(MaterialTheme.colorScheme.outline))
+    OutlinedButton(onClick, modifier, isEnabled, border = rim) { label() }
 }
 
 /** One of some choices; the chosen one stands out on every ground. */
@@ -54,7 +60,14 @@ fun WideButton(text: String, isMain: Boolean = true, isEnabled: Boolean = true, 
 fun Chip(text: String, isChosen: Boolean, onChoice: () -> Unit) {
     val scheme = MaterialTheme.colorScheme
     val colours = FilterChipDefaults.filterChipColors(selectedContainerColor = scheme.primary, selectedLabelColor = scheme.onPrimary)
-    FilterChip(isChosen, onChoice, { Text(text) }, Modifier.heightIn(min = 56.dp), colors = colours)
+    val rim = FilterChipDefaults.filterChipBorder(enabled = true, isChosen, borderColor = scheme.outline)
+    FilterChip(isChosen, onChoice, { Text(text) }, Modifier.heightIn(min = 56.dp), colors = colours, border = rim)
+}
+
+/** Choices beside each other, and in further rows where there is no room. */
+@Composable
+fun Chips(content: @Composable () -> Unit) {
+    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) { content() }
 }
 
 /** A figure and what it is; read as one by a screen reader. */
@@ -115,7 +128,7 @@ fun Fold(@StringRes title: Int, isOpenAtFirst: Boolean = false, content: @Compos
                 .clickable(role = Role.Button) { isOpen = !isOpen }
                 .heightIn(min = 56.dp)
                 .semantics { stateDescription = state },
-            Arrangement.SpaceBetween,
+            Arrangement.spacedBy(8.dp),
             Alignment.CenterVertically,
         ) {
             SectionHead(stringResource(title), Modifier.weight(1f))

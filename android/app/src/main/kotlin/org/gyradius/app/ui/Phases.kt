@@ -48,7 +48,7 @@ fun Details(shown: Shown, state: ProcedureState, deeds: Deeds) {
         Advice(stringResource(statusOf(it.status)), toneOf(it.status))
         Text(spoken(it.said), style = MaterialTheme.typography.bodyLarge)
     }
-    if (state.result != null) WideButton(stringResource(R.string.whole_result), isMain = false, onClick = deeds.openResult)
+    if (state.result != null) WideButton(stringResource(R.string.whole_result), isMain = state.phase == ProcedurePhase.DONE, onClick = deeds.openResult)
 }
 
 @StringRes

@@ -27,7 +27,7 @@ import org.gyradius.unitOf
 fun PlanCards(plan: PlanResult) {
     plan.warnings.forEach { Advice(spoken(it)) }
     SectionHead(stringResource(R.string.expected))
-    plan.quantities.forEach { Expected(it) }
+    plan.quantities.inOrder { it.name }.forEach { Expected(it) }
     Figure(stringResource(R.string.effort), stringResource(R.string.minutes, plan.effortS / SECONDS_PER_MINUTE))
     SectionHead(stringResource(R.string.how_to_hang))
     plan.suspensions.forEach { Hung(it) }
@@ -41,7 +41,7 @@ private fun Expected(one: NamedPrediction) {
     val unit = unitOf(one.name)
     val figure = predicted.u?.let { u ->
         val (value, uncertainty) = withUncertainty(predicted.value, u)
-        stringResource(R.string.quantity_u, value, uncertainty, unit)
+        inUnit(R.string.quantity_u, value, uncertainty, unit)
     } ?: stringResource(R.string.not_determined)
     Row(Modifier.fillMaxWidth().semantics(mergeDescendants = true) {}, verticalAlignment = Alignment.CenterVertically) {
         Figure(quantityName(one.name), figure, Modifier.weight(1f))
@@ -93,7 +93,7 @@ fun Budget(one: NamedBudget) {
 private fun Contribution(line: BudgetLine, unit: String) {
     Row(Modifier.fillMaxWidth().semantics(mergeDescendants = true) {}, Arrangement.spacedBy(16.dp)) {
         Text(inputName(line.input), Modifier.weight(1f), style = MaterialTheme.typography.bodyLarge)
-        Text(stringResource(R.string.contribution, line.uContribution, unit), style = MaterialTheme.typography.bodyLarge)
+        Text(inUnit(R.string.contribution, line.uContribution, unit), style = MaterialTheme.typography.bodyLarge)
     }
 }
 

@@ -25,7 +25,7 @@ fun ResultSummary(result: ResultView) {
 /** The same of any result. */
 @Composable
 fun Quantities(quantities: List<NamedQuantity>) {
-    quantities.sortedBy { one -> HEADLINES.indexOf(one.name).let { if (it < 0) HEADLINES.size else it } }.forEach { QuantityLine(it) }
+    quantities.inOrder { it.name }.forEach { QuantityLine(it) }
 }
 
 @Composable
@@ -33,7 +33,7 @@ private fun QuantityLine(one: NamedQuantity) {
     val value = one.quantity.value.number ?: return
     val u = one.quantity.u.number ?: return
     val (shown, uncertainty) = withUncertainty(value, u)
-    Figure(quantityName(one.name), stringResource(R.string.quantity_u, shown, uncertainty, unitOf(one.name)))
+    Figure(quantityName(one.name), inUnit(R.string.quantity_u, shown, uncertainty, unitOf(one.name)))
 }
 
 /** What stands behind the result: folded away until somebody asks. */
@@ -53,7 +53,7 @@ private fun IntervalLine(one: NamedQuantity) {
     val between = one.quantity.interval95 ?: return
     val u = one.quantity.u.number ?: return
     val (low, high) = withUncertainty(between.low, u).first to withUncertainty(between.high, u).first
-    Figure(quantityName(one.name), stringResource(R.string.from_to, low, high, unitOf(one.name)))
+    Figure(quantityName(one.name), inUnit(R.string.from_to, low, high, unitOf(one.name)))
 }
 
 @Composable
@@ -66,7 +66,7 @@ private fun Routes(one: NamedRoutes) {
     Text(quantityName(one.name), style = MaterialTheme.typography.titleMedium)
     for (route in one.routes) {
         val (value, u) = withUncertainty(route.value, route.u)
-        val figure = stringResource(R.string.quantity_u, value, u, unitOf(one.name))
+        val figure = inUnit(R.string.quantity_u, value, u, unitOf(one.name))
         Text("${routeName(route.method)}: $figure", style = MaterialTheme.typography.bodyLarge)
     }
 }
@@ -84,6 +84,10 @@ private fun SwingLine(one: SwingResult) {
 /** The three numbers of a quantity, where it has them. */
 internal fun List<NamedQuantity>.three(name: String): List<Double>? =
     (firstOrNull { it.name == name }?.quantity?.value as? QuantityValue.Vector)?.values?.takeIf { it.size == 3 }
+
+/** As the report has them: the gyradii first. */
+internal fun <T> List<T>.inOrder(name: (T) -> String): List<T> =
+    sortedBy { one -> HEADLINES.indexOf(name(one)).let { if (it < 0) HEADLINES.size else it } }
 
 /** The order of the report. */
 private val HEADLINES = listOf("k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg")

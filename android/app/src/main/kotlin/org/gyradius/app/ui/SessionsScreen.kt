@@ -7,6 +7,7 @@ import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.material3.Card
@@ -21,6 +22,7 @@ import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.res.stringResource
@@ -64,7 +66,8 @@ fun SessionsScreen(sessions: Sessions, error: Failure?, on: SessionActions) {
     Undoing(sessions.deleted, snackbar, on)
     Scaffold(snackbarHost = { SnackbarHost(snackbar) }) { inner ->
         LazyColumn(
-            Modifier.testTag("sessions").padding(inner),
+            Modifier.testTag("sessions").padding(inner).fillMaxWidth(),
+            horizontalAlignment = Alignment.CenterHorizontally,
             contentPadding = PaddingValues(16.dp),
             verticalArrangement = Arrangement.spacedBy(16.dp),
         ) {
@@ -75,7 +78,7 @@ fun SessionsScreen(sessions: Sessions, error: Failure?, on: SessionActions) {
 }
 
 @Composable
-private fun Beginning(sessions: Sessions, errors: List<Failure>, on: SessionActions) = Stack {
+private fun Beginning(sessions: Sessions, errors: List<Failure>, on: SessionActions) = Stack(Modifier.widthIn(max = MOST_WIDTH)) {
     TopBar(stringResource(R.string.sessions), onBack = null, back = R.string.back) {
         BarButton(R.drawable.ic_info, R.string.about, on::about)
     }
@@ -92,12 +95,12 @@ private fun Beginning(sessions: Sessions, errors: List<Failure>, on: SessionActi
 }
 
 @Composable
-private fun SessionCard(session: Listed, on: SessionActions) = Card(Modifier.fillMaxWidth()) {
+private fun SessionCard(session: Listed, on: SessionActions) = Card(Modifier.widthIn(max = MOST_WIDTH).fillMaxWidth()) {
     Column(Modifier.padding(16.dp), Arrangement.spacedBy(4.dp)) {
         Text(titleOf(session), Modifier.semantics { heading() }, style = MaterialTheme.typography.titleLarge)
-        Text(DATE.format(session.at.atZone(ZoneId.systemDefault())), style = MaterialTheme.typography.bodyMedium)
+        Text(dateOf(session), style = MaterialTheme.typography.bodyMedium)
         Text(standing(session), style = MaterialTheme.typography.bodyLarge)
-        session.figures.forEach { Text(figure(it), style = MaterialTheme.typography.titleMedium) }
+        session.figures.inOrder { it.name }.forEach { Text(figure(it), style = MaterialTheme.typography.titleMedium) }
         FlowRow {
             if (session.canBeOpened) Choice(R.string.session_open) { on.open(session) }
             if (session.phase != null) Choice(R.string.session_go_on) { on.goOn(session) }
@@ -148,7 +151,12 @@ private fun standing(session: Listed): String {
 private fun figure(one: NamedQuantity): String {
     val unit = unitOf(one.name)
     val (value, u) = withUncertainty(one.quantity.value.number ?: 0.0, one.quantity.u.number ?: 0.0)
-    return quantityName(one.name) + ": " + stringResource(R.string.quantity_u, value, u, unit)
+    return quantityName(one.name) + ": " + inUnit(R.string.quantity_u, value, u, unit)
 }
 
-private val DATE = DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT)
+/** In the language that the phone speaks now. */
+private fun dateOf(session: Listed): String =
+    DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT).format(session.at.atZone(ZoneId.systemDefault()))
+
+/** Buttons and cards wider than this look lost on a tablet. */
+private val MOST_WIDTH = 720.dp

@@ -1,7 +1,5 @@
 package org.gyradius.app.ui
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.MaterialTheme
@@ -14,7 +12,6 @@ import androidx.compose.runtime.saveable.rememberSaveable
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
-import androidx.compose.ui.unit.dp
 import org.gyradius.Orientation
 import org.gyradius.PlanRequest
 import org.gyradius.ProcedureTask
@@ -85,7 +82,7 @@ private fun Entries(entries: List<Entry>, form: SetupForm, onForm: (SetupForm) -
 @Composable
 private fun Types(chosen: String, onType: (String) -> Unit) {
     SectionHead(stringResource(R.string.type))
-    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+    Chips {
         for (one in boatTypes()) {
             Chip(boatType(one), one == chosen) { onType(one) }
         }

@@ -10,6 +10,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
+import kotlin.math.ceil
 import org.gyradius.Judgement
 import org.gyradius.LiveEstimate
 import org.gyradius.PlannedSwing
@@ -36,7 +37,8 @@ fun ReadyBody(swing: PlannedSwing) {
 fun RecordingBody(recording: RecordingView) {
     val left = recording.leftS
     if (left != null) {
-        Large(stringResource(R.string.to_go), stringResource(R.string.seconds, left))
+        // Rounded as the instruction above it is.
+        Large(stringResource(R.string.to_go), stringResource(R.string.seconds, ceil(left)))
     } else {
         Large(stringResource(R.string.recorded), stringResource(R.string.seconds, recording.recordedS))
     }
@@ -78,7 +80,8 @@ private fun TimeLeftLine(left: TimeLeft) {
 
 /** Motions that nobody asked for, each with a bar of its size. */
 @Composable
-private fun SideMotions(lines: List<SideMotion>) {
+private fun SideMotions(all: List<SideMotion>) {
+    val lines = all.filter { it.share >= LEAST_SHARE }
     SectionHead(stringResource(R.string.unwanted))
     if (lines.isEmpty()) Text(stringResource(R.string.unwanted_none), style = MaterialTheme.typography.titleMedium)
     for (one in lines) {
@@ -130,3 +133,6 @@ fun JudgementDetails(judgement: Judgement) {
     judgement.notes.forEach { Text(spoken(it), style = MaterialTheme.typography.bodyLarge) }
     judgement.swing?.let { SideMotions(it.lines) }
 }
+
+/** What is less would read as 0 %. */
+private const val LEAST_SHARE = 0.005

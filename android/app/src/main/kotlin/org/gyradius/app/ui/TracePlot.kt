@@ -25,15 +25,16 @@ fun TracePlot(points: List<Trace.Point>) {
     val label = stringResource(R.string.trace)
     val scheme = MaterialTheme.colorScheme
     val colours = listOf(scheme.error, scheme.tertiary, scheme.primary)
+    val curves: List<(Trace.Point) -> Float> = listOf({ it.x }, { it.y }, { it.z })
+    val top = points.maxOfOrNull { max(abs(it.x), max(abs(it.y), abs(it.z))) }?.coerceAtLeast(LEAST_TOP) ?: return
     Stack {
         Canvas(Modifier.fillMaxWidth().height(160.dp).semantics { contentDescription = label }) {
             drawLine(scheme.outline, Offset(0f, size.height / 2), Offset(size.width, size.height / 2))
-            val curves: List<(Trace.Point) -> Float> = listOf({ it.x }, { it.y }, { it.z })
-            val top = points.maxOfOrNull { max(abs(it.x), max(abs(it.y), abs(it.z))) } ?: return@Canvas
             for ((curve, colour) in curves.zip(colours)) {
-                drawPath(pathOf(points, curve, max(top, LEAST_TOP), size), colour, style = Stroke(3.dp.toPx()))
+                drawPath(pathOf(points, curve, top, size), colour, style = Stroke(3.dp.toPx()))
             }
         }
+        PlotScale(top.toDouble(), "rad/s", points.first().atS, points.last().atS)
         Legend(listOf("x", "y", "z").map { stringResource(R.string.rate_about, it) }.zip(colours))
     }
 }

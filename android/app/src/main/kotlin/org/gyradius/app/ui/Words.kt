@@ -21,11 +21,23 @@ import org.gyradius.warningIn
 
 /** A sentence of the library as the screen shows it: the one place that chooses its language. */
 @Composable
-fun spoken(sentence: Sentence): String = sentenceIn(sentence, libraryLanguage())
+fun spoken(sentence: Sentence): String = asShown(sentenceIn(sentence, libraryLanguage()))
 
 /** A warning of the plan in the language of the screen. */
 @Composable
-fun spoken(warning: PlanWarning): String = warningIn(warning, libraryLanguage())
+fun spoken(warning: PlanWarning): String = asShown(warningIn(warning, libraryLanguage()))
+
+/** A text that ends in a unit; the degree sign stands close to its figure. */
+@Composable
+internal fun inUnit(@StringRes text: Int, vararg parts: Any): String = stringResource(text, *parts).replace("\u00A0°", "°")
+
+/** With a capital at its head where that is a word, and no line that ends between a figure and its unit. */
+internal fun asShown(sentence: String): String =
+    sentence.replace(FIRST_OF_WORD) { it.value.uppercase() }.replace(BEFORE_UNIT, "\u00A0")
+
+private val FIRST_OF_WORD = Regex("^[a-zäöü](?=[\\p{L} ])")
+
+private val BEFORE_UNIT = Regex("(?<=\\d) (?=(?:s|min|mm|m|m/s²|mrad/s|rad/s|Hz|kg|ppm|%)(?![\\p{L}\\d]))")
 
 @Composable
 private fun libraryLanguage(): Language = Language.valueOf(stringResource(R.string.library_language))
