@@ -34,6 +34,7 @@ class HandledSensors : ShadowSensorManager() {
         assertNotEquals("samples must not be handled on the main thread", Looper.getMainLooper(), handler.looper)
         assertTrue("more than 200 Hz need a permission", periodUs >= 5_000)
         handlers[listener] = handler
+        latenciesUs[sensor] = latencyUs
         return super.registerListener(listener, sensor, periodUs, latencyUs, handler)
     }
 
@@ -42,6 +43,9 @@ class HandledSensors : ShadowSensorManager() {
         handlers -= listener
         super.unregisterListener(listener)
     }
+
+    /** So long each sensor's own memory may hold samples back. */
+    val latenciesUs = ConcurrentHashMap<Sensor, Int>()
 
     /** How many listen. */
     val listening get() = handlers.size
@@ -76,6 +80,7 @@ class Phone {
     private var nowNs = 7_000_000_000_000L
 
     val listening get() = sensors.listening
+    val latenciesUs: Map<Sensor, Int> get() = sensors.latenciesUs
 
     init {
         sensors.addSensor(gyroscope)

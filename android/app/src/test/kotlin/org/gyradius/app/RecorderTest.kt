@@ -12,6 +12,7 @@ import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.Shadows.shadowOf
+import org.robolectric.util.ReflectionHelpers
 
 /** From the sensor's event to the recorder's file. */
 @RunWith(AndroidJUnit4::class)
@@ -50,6 +51,14 @@ class RecorderTest {
         assertEquals(1, park.phone.listening)
         park.leave()
         assertEquals(0, park.phone.listening)
+    }
+
+    @Test
+    fun `a sensor with a memory of its own sends batches, and another sends each sample at once`() {
+        ReflectionHelpers.setField(park.phone.gyroscope, "mFifoReservedEventCount", 300)
+        park.record()
+        assertEquals(mapOf(park.phone.gyroscope to 100_000, park.phone.accelerometer to 0), park.phone.latenciesUs)
+        park.leave()
     }
 
     /** Time that this thread worked; that it waited for the processor among others' threads is not its own doing. */

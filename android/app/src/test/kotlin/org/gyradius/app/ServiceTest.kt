@@ -1,6 +1,13 @@
 package org.gyradius.app
 
+import android.Manifest.permission.FOREGROUND_SERVICE
+import android.Manifest.permission.FOREGROUND_SERVICE_SPECIAL_USE
+import android.Manifest.permission.POST_NOTIFICATIONS
+import android.Manifest.permission.REORDER_TASKS
+import android.Manifest.permission.VIBRATE
+import android.Manifest.permission.WAKE_LOCK
 import android.app.NotificationManager
+import android.content.pm.PackageManager
 import android.content.pm.ServiceInfo
 import android.os.Looper
 import androidx.test.ext.junit.runners.AndroidJUnit4
@@ -43,6 +50,15 @@ class ServiceTest {
         Robolectric.buildService(RecorderService::class.java).create().startCommand(0, 1)
         val channels = park.app.getSystemService(NotificationManager::class.java)!!.notificationChannels
         assertEquals(listOf(NotificationManager.IMPORTANCE_LOW), channels.map { it.importance })
+    }
+
+    @Test
+    fun `the phone is asked for nothing beyond what recording needs, and for no network`() {
+        val info = park.app.packageManager.getPackageInfo(park.app.packageName, PackageManager.GET_PERMISSIONS)
+        val asked = info.requestedPermissions!!.filter { it.startsWith("android.permission.") }.toSet()
+        val needed = setOf(FOREGROUND_SERVICE, FOREGROUND_SERVICE_SPECIAL_USE, POST_NOTIFICATIONS, WAKE_LOCK, VIBRATE)
+        // The last is wanted by androidx.test, which is in no APK.
+        assertEquals(needed + REORDER_TASKS, asked)
     }
 
     private fun idle() = shadowOf(Looper.getMainLooper()).idle()

@@ -4,6 +4,7 @@ import androidx.compose.ui.test.junit4.createAndroidComposeRule
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
+import androidx.lifecycle.Lifecycle
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import com.sun.jna.Library
 import com.sun.jna.Native
@@ -47,6 +48,22 @@ class TroubleTest {
         click("Stop")
         park.reach(ProcedurePhase.JUDGE)
         val sent = park.phone.sent - before
+        assertEquals(mapOf(Channel.GYROSCOPE to sent, Channel.ACCELEROMETER to sent), park.recorded())
+    }
+
+    @Test
+    fun `a call that covers the app loses no sample`() {
+        park.record()
+        val before = park.phone.sent
+        park.phone.rest(5.0)
+        rule.activityRule.scenario.moveToState(Lifecycle.State.CREATED)
+        park.phone.rest(30.0)
+        rule.activityRule.scenario.moveToState(Lifecycle.State.RESUMED)
+        park.phone.rest(5.0)
+        click("Stop")
+        park.reach(ProcedurePhase.JUDGE)
+        val sent = park.phone.sent - before
+        assertEquals(40 * Phone.RATE_HZ, sent)
         assertEquals(mapOf(Channel.GYROSCOPE to sent, Channel.ACCELEROMETER to sent), park.recorded())
     }
 
