@@ -21,7 +21,7 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
         Form::Knock(swing) => knock(found, swing, heldout_rms),
         Form::LineSlip(swing) => line_slip(found, swing, heldout_rms),
         Form::Second => second(found, heldout_rms),
-        Form::Law | Form::Gust => None,
+        Form::Law | Form::PhoneSlip(_) | Form::Gust => None,
     }
 }
 

@@ -19,6 +19,9 @@ const CLOCK_STEP: f64 = 1e-6;
 
 /// Derivatives by a cause of no more parameters than this are taken to both sides.
 const TWO_SIDED: usize = 2;
+/// Near the best fit steps to one side are so much shorter. What rings through a recording turns by radians along a long one: far from the
+/// best fit that leads past what is best only nearby, near it it leads astray.
+const FINE: f64 = 1e-3;
 
 /// A block of samples that counts.
 pub struct Block<'a> {
@@ -140,6 +143,11 @@ impl Model<'_> {
             out.column_mut(column + BIAS + k).copy_from_slice(&rows);
         }
         Ok(out)
+    }
+
+    /// Whether derivatives by a cause are taken to one side alone, over steps that are long near the best fit.
+    pub fn is_coarse(&self) -> bool {
+        self.causes.iter().any(|cause| !is_few(cause.size(self.base.swings.len())))
     }
 
     /// Derivatives of this model, the last of whose causes was just added, from those without it.
@@ -288,15 +296,21 @@ impl<'a> Reader<'a> {
             moved.causes[cause][k] += by;
             if on_phone { self.reread(&moved) } else { self.moved(&moved) }
         };
-        let up = moved(step)?;
         // What shifts a period must be known better than a step forwards tells; below zero some laws have no meaning.
-        let few = self.point.causes[cause].len() <= TWO_SIDED;
-        match few.then(|| moved(-step)) {
-            Some(Ok(down)) => set(out, column, &up, &down, 2.0 * step),
-            _ => set(out, column, &up, here, step),
+        let few = is_few(self.point.causes[cause].len());
+        if let Some(Ok(down)) = few.then(|| moved(-step)) {
+            set(out, column, &moved(step)?, &down, 2.0 * step);
+        } else {
+            let step = if self.model.fine { FINE * step } else { step };
+            set(out, column, &moved(step)?, here, step);
         }
         Ok(())
     }
+}
+
+/// Whether derivatives by so many values of a cause are taken to both sides.
+fn is_few(values: usize) -> bool {
+    values <= TWO_SIDED
 }
 
 fn set(out: &mut DMatrix<f64>, column: usize, up: &[f64], down: &[f64], by: f64) {

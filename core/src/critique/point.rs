@@ -104,10 +104,22 @@ pub enum Form {
     Knock(usize),
     /// A line that gives way in a swing.
     LineSlip(usize),
+    /// A phone that slips in a swing.
+    PhoneSlip(usize),
     /// Another thing that moves inside the hull, beside one that was taken before.
     Second,
     /// What a wind that was taken before does beside blowing steadily: part of that cause.
     Gust,
+}
+
+impl Form {
+    /// The swing in which it happens, where it happens at a moment.
+    pub fn swing(self) -> Option<usize> {
+        match self {
+            Form::Knock(swing) | Form::LineSlip(swing) | Form::PhoneSlip(swing) => Some(swing),
+            _ => None,
+        }
+    }
 }
 
 /// A linear form of a cause: strengths without regard to how they hang together, and the cause's parameters that come
@@ -162,6 +174,8 @@ pub struct Model<'a> {
     pub part: Part,
     /// Swings one after the other, where many models are fitted side by side.
     pub alone: bool,
+    /// Near the best fit: derivatives by causes are taken over short steps.
+    pub fine: bool,
 }
 
 /// Which samples count.
@@ -204,6 +218,11 @@ impl Part {
 impl Model<'_> {
     pub fn swing(&self, s: usize) -> &Swung<'_> {
         &self.base.swings[s]
+    }
+
+    /// What the phone's clock shows of a true second in a swing.
+    pub fn clock(&self, point: &Point, s: usize) -> Result<f64> {
+        Ok(1.0 + self.experiment(point, s)?.sensors[0].values[0])
     }
 
     /// The causes that have a name of their own: gusts belong to their wind.
@@ -257,6 +276,7 @@ impl Model<'_> {
             scene: swung.setup.scene(&point.x, &own)?,
             hull_from_phone: Rotation::new_normalize((pitch * mount.hull_from_phone).into_inner()),
             phone,
+            // The clock comes first: `clock` and a cause of the catalogue rely on it.
             sensors: vec![sensor("clock_scale", &[("error", clock)])?],
             held_s: 0.0,
         })

@@ -85,14 +85,13 @@ impl Found<'_> {
         Some(Tried { cause: cause.clone(), causes: model.causes, fitted, gain, left, from })
     }
 
-    /// What was tried, with its fit led to its end where that used up its steps on the way.
+    /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse.
     pub fn led_on(&self, tried: &Tried) -> Option<Tried> {
-        if tried.fitted.last_gained < STILL_GAINS {
+        let model = Model { causes: tried.causes.clone(), fine: true, ..self.model.clone() };
+        if tried.fitted.last_gained < STILL_GAINS && !model.is_coarse() {
             return None;
         }
-        let model = Model { causes: tried.causes.clone(), ..self.model.clone() };
-        let known = Some(tried.fitted.jacobians.clone());
-        let fitted = model.fit_with(&tried.fitted.point, known, CONVERGED_SHARE, &|_| false).ok()?;
+        let fitted = model.fit(&tried.fitted.point, &|_| false).ok()?;
         self.weighed_up(&tried.cause, model, fitted)
     }
 }

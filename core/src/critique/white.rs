@@ -16,6 +16,8 @@ use super::point::{Model, Point, first_settled};
 const FALSE_ALARM: f64 = 1e-4;
 /// Width of a band as a share of its frequency.
 const BAND: f64 = 0.06;
+/// Bands within this of a strongest one (difference of logarithms) are one line with it.
+const LINE: f64 = 0.15;
 /// The white level of a channel is known to this, relative: broad bands must exceed it to count.
 const LEVEL_U: f64 = 0.01;
 
@@ -56,6 +58,23 @@ impl Left {
 
     pub fn is_white(&self) -> bool {
         self.bands.is_empty()
+    }
+
+    /// Frequencies where most is left, Hz, so many of them and no nearer to each other than what is one line.
+    pub fn peaks_hz(&self, most: usize) -> Vec<f64> {
+        let mut bands: Vec<&Band> = self.bands.iter().collect();
+        bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));
+        let centre_hz = |band: &Band| 0.5 * (band.from_hz + band.to_hz);
+        let mut peaks_hz = Vec::new();
+        while let (Some(strongest), true) = (bands.first(), peaks_hz.len() < most) {
+            let middle_hz = centre_hz(strongest);
+            let of_line = |band: &&Band| (centre_hz(band) / middle_hz).ln().abs() < LINE;
+            let (line, others): (Vec<&Band>, Vec<&Band>) = bands.into_iter().partition(of_line);
+            let excess: f64 = line.iter().map(|band| band.excess).sum();
+            peaks_hz.push(line.iter().map(|band| band.excess * centre_hz(band)).sum::<f64>() / excess);
+            bands = others;
+        }
+        peaks_hz
     }
 
     /// Of a fitted model.

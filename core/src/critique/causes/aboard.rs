@@ -17,46 +17,76 @@ const TRIED: [f64; 7] = [0.02, 0.16, 0.32, 0.48, 0.64, 0.8, 0.95];
 /// A level slide at several frequencies.
 pub fn causes(scales: &Scales) -> Vec<Cause> {
     let span = (4.0 * scales.fastest_rad_s / scales.slowest_rad_s).ln();
-    TRIED.map(|share| internal_motion(scales, scales.slowest_rad_s * (share * span).exp() / TAU)).to_vec()
+    let hz = |share: f64| scales.slowest_rad_s * (share * span).exp() / TAU;
+    TRIED.map(|share| internal_motion(scales, hz(share))).to_vec()
+}
+
+/// The same at frequencies where something is left: what rings from its own start shows sharply there, whatever drives it.
+pub fn ringing(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
+    frequencies_hz.iter().map(|hz| ringing_at(scales, *hz)).collect()
 }
 
 /// The same beside one that was taken: not a cause with a name of its own, since one that moves in more ways than one is not known.
-pub fn seconds(scales: &Scales) -> Vec<Cause> {
-    causes(scales).into_iter().map(|cause| Cause { id: UNKNOWN, form: Form::Second, ..cause }).collect()
+pub fn seconds(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
+    let firsts = [causes(scales), ringing(scales, frequencies_hz)].concat();
+    firsts.into_iter().map(|cause| Cause { id: UNKNOWN, form: Form::Second, ..cause }).collect()
 }
 
 /// Damping ratio from which a fit begins.
 const DAMPING_RATIO: f64 = 0.06;
+/// The same of one that rings.
+const RINGING_DAMPING_RATIO: f64 = 0.02;
+/// Share of the hull that a first look sees ring, and from which a fit begins.
+const RINGING_SHARE: f64 = 1e-3;
+/// Where a thing is when a recording begins, times its share of the hull, m, and its speed so, m/s: what shows of it is in proportion to
+/// both together, whatever it weighs.
+const START_M: f64 = 3e-3;
 /// Places of the look's slides, shares of half the hull's length.
 const FORE: f64 = 0.5;
 
 fn internal_motion(scales: &Scales, frequency_hz: f64) -> Cause {
+    let half_m = scales.half_length_m;
+    let look =
+        LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
+    seen_by(scales, (frequency_hz, DAMPING_RATIO), look)
+}
+
+fn ringing_at(scales: &Scales, frequency_hz: f64) -> Cause {
+    let look = LookAlike { cause: rings(scales, frequency_hz), nearest: Box::new(one_ring) };
+    seen_by(scales, (frequency_hz, RINGING_DAMPING_RATIO), look)
+}
+
+/// A mass on a spring, its frequency and damping ratio where its fit begins, and what a first look sees of it.
+fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: LookAlike) -> Cause {
     let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
-    let at_start = |name, unit, u| CauseParameter { of_swing: true, ..number(name, unit, 0.0, u) };
+    let of_start = |name, unit| CauseParameter {
+        of_swing: true,
+        factor: scales.mass_kg,
+        ..number(name, unit, 0.0, START_M)
+    };
     let parameters = vec![
         strength("mass_kg", "kg", scales.mass_kg, 0.01),
         logarithm("frequency_hz", "Hz", frequency_hz, 0.4),
-        logarithm("damping_ratio", "1", DAMPING_RATIO, 1.0),
+        logarithm("damping_ratio", "1", damping_ratio, 1.0),
         number("direction_rad", "rad", 0.0, 1.6),
         number("place_x_m", "m", 0.0, 0.5 * half_m),
         number("place_y_m", "m", 0.0, 0.2 * half_m),
         number("place_z_m", "m", -depth_m, depth_m.max(0.3 * half_m)),
-        at_start("start_m", "m", 0.1),
-        at_start("start_m_s", "m/s", 0.1),
+        of_start("start_kg_m", "kg m"),
+        of_start("start_kg_m_s", "kg m/s"),
     ];
     let law = put(move |q, _, e| {
+        let share = q[0].clamp(1e-9, 0.3);
         let slide = Slide {
-            share: q[0].clamp(1e-9, 0.3),
+            share,
             omega_rad_s: TAU * q[1].clamp(-4.0, 3.0).exp(),
             damping_ratio: q[2].clamp(-7.0, 0.5).exp(),
             direction_rad: q[3],
             place_m: [q[4], q[5], q[6]],
-            start: [q[7], q[8]],
+            start: [q[7] / share, q[8] / share],
         };
         slide.put(e)
     });
-    let look =
-        LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
     Cause { one_sided: true, look: Some(Arc::new(look)), ..cause(INTERNAL_MOTION, parameters, law) }
 }
 
@@ -110,6 +140,44 @@ fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
         Ok(())
     });
     cause(INTERNAL_MOTION, parameters, law)
+}
+
+/// What a first look sees of one that rings: in each swing, along the hull and across, from a place and from a speed.
+fn rings(scales: &Scales, frequency_hz: f64) -> Cause {
+    let depth_m = scales.depth_m;
+    let starts = ["along_m", "along_m_s", "across_m", "across_m_s"];
+    let parameters =
+        starts.map(|name| CauseParameter { of_swing: true, ..strength(name, "m", 1.0, START_M) });
+    let law = put(move |q, _, e| {
+        for (start, direction_rad) in q.chunks(2).zip([0.0, FRAC_PI_2]) {
+            Slide {
+                share: RINGING_SHARE,
+                omega_rad_s: TAU * frequency_hz,
+                damping_ratio: RINGING_DAMPING_RATIO,
+                direction_rad,
+                place_m: [0.0, 0.0, -depth_m],
+                start: [start[0] / RINGING_SHARE, start[1] / RINGING_SHARE],
+            }
+            .put(e)?;
+        }
+        Ok(())
+    });
+    cause(INTERNAL_MOTION, parameters.to_vec(), law)
+}
+
+/// The one slide nearest to what rings in all swings: the way along which most of it goes.
+fn one_ring(w: &[f64]) -> Option<Vec<f64>> {
+    let (mut xx, mut yy, mut xy) = (0.0, 0.0, 0.0);
+    for swing in w.chunks(4) {
+        xx += swing[0] * swing[0] + swing[1] * swing[1];
+        yy += swing[2] * swing[2] + swing[3] * swing[3];
+        xy += swing[0] * swing[2] + swing[1] * swing[3];
+    }
+    let direction_rad = 0.5 * (2.0 * xy).atan2(xx - yy);
+    let (sin, cos) = direction_rad.sin_cos();
+    let along = w.chunks(4).flat_map(|s| [cos * s[0] + sin * s[2], cos * s[1] + sin * s[3]]);
+    let of_session = [RINGING_SHARE, f64::NAN, f64::NAN, direction_rad, f64::NAN, f64::NAN, f64::NAN];
+    Some(of_session.into_iter().chain(along).collect())
 }
 
 /// The slide nearest to such a sum.

@@ -6,7 +6,7 @@ use crate::dynamics::Experiment;
 use crate::error::Result;
 use crate::frames::Vec3;
 
-use super::super::point::{Cause, CauseParameter, LookAlike, sensor};
+use super::super::point::{Cause, CauseParameter, Form, LookAlike, sensor};
 use super::{cause, logarithm, number, put, strength};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -84,7 +84,7 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
         e.sensors.push(sensor("phone_slip", &numbers)?);
         Ok(())
     });
-    Cause { on_phone: true, ..cause("phone_slip", parameters, law) }
+    Cause { on_phone: true, form: Form::PhoneSlip(swing), ..cause("phone_slip", parameters, law) }
 }
 
 /// Frequency at which a first look sees a mount, Hz. Far above the swing's own a mount gives way at once, and its frequency

@@ -26,6 +26,7 @@ import androidx.lifecycle.viewmodel.initializer
 import androidx.lifecycle.viewmodel.viewModelFactory
 import java.io.File
 import org.gyradius.ProcedurePhase
+import kotlinx.coroutines.Dispatchers
 import org.gyradius.app.result.ResultModel
 import org.gyradius.app.result.ResultShown
 import org.gyradius.app.result.printReport
@@ -75,8 +76,9 @@ class MainActivity : ComponentActivity() {
 
     @Composable
     private fun Screens() {
-        val shown by model.shown.collectAsStateWithLifecycle()
-        val opened by result.shown.collectAsStateWithLifecycle()
+        // How far work has come is told by the library's threads; what draws hears of it on its own.
+        val shown by model.shown.collectAsStateWithLifecycle(context = Dispatchers.Main.immediate)
+        val opened by result.shown.collectAsStateWithLifecycle(context = Dispatchers.Main.immediate)
         var place by rememberSaveable { mutableStateOf(Place.LIST) }
         val toList = { place = Place.LIST }
         val file = opened
