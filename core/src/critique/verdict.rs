@@ -129,7 +129,11 @@ pub fn ranked(
     by_itself: Option<CauseResult>,
 ) -> Vec<CauseResult> {
     let mut list: Vec<CauseResult> = Vec::new();
-    for (first_taken, tried) in rounds {
+    for (first_taken, mut tried) in rounds {
+        // A power law that comes out as the quadratic drag before it is that drag, and shares no probability with it.
+        if let Some(drag) = tried.first().filter(|first| first.id == "quadratic_drag").cloned() {
+            tried.retain(|t| !are_one_drag([&drag.id, &t.id], |k| [&drag, t][k].parameters.clone()));
+        }
         // The first need not be the one that gains most: where much is left, what was learned without a name comes first.
         let most = tried.iter().map(|t| t.log_evidence_gain).fold(0.0, f64::max);
         let odds = |gain: f64| (gain - most).exp();
@@ -305,5 +309,28 @@ mod tests {
         assert_eq!(first(0.5, 0.1, 100.5), "power_law_damping");
         assert_eq!(first(1.1, 0.5, 100.5), "power_law_damping");
         assert_eq!(first(1.1, 0.1, 110.0), "power_law_damping");
+    }
+
+    #[test]
+    fn a_power_law_that_is_the_quadratic_drag_takes_no_probability_from_it() {
+        let ranking = |exponent: f64| {
+            let found = ParameterResult { value: exponent, u: 0.1, unit: "1".into() };
+            let of_power = BTreeMap::from([("exponent".to_owned(), found)]);
+            let tried = vec![
+                result("quadratic_drag", 100.0, BTreeMap::new()),
+                result("power_law_damping", 100.0, of_power),
+                result("wind", 60.0, BTreeMap::new()),
+            ];
+            let ranked = ranked([(true, tried)].into_iter(), None, None);
+            let ids: Vec<String> = ranked.iter().map(|cause| cause.id.clone()).collect();
+            (ids, ranked[0].probability)
+        };
+        let (ids, probability) = ranking(1.1);
+        assert_eq!(ids, ["quadratic_drag", "wind"]);
+        assert!(probability > 0.999);
+        // Another law that does as well halves it.
+        let (ids, probability) = ranking(0.5);
+        assert_eq!(ids, ["quadratic_drag", "power_law_damping", "wind"]);
+        assert!((probability - 0.5).abs() < 1e-3);
     }
 }
