@@ -32,6 +32,10 @@ const UNKEPT: f64 = 1.0;
 pub const FAR: f64 = 2.0;
 /// … and is not worth more than so many steps of no use one after another.
 const PATIENCE: usize = 3;
+/// Two steps that each gain less than this share of what is left beyond noise lead nowhere that the model cannot follow …
+const SLOW: f64 = 1e-4;
+/// … and less than this share where many models are tried side by side: the best is led on.
+const SLOW_OF_MANY: f64 = 1e-3;
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
 const PLACE_U_M: f64 = 5.0;
 const TURN_U_RAD: f64 = 1.0;
@@ -166,6 +170,8 @@ impl Model<'_> {
         let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
         let mut damping = 1e-4;
         let mut of_no_use = 0;
+        let slow_share = if self.alone { SLOW_OF_MANY } else { SLOW };
+        let mut was_slow = false;
         let exact = !self.causes.iter().any(|c| c.apart);
         let mut last_gained = 0.0;
         for n in 0..self.most_steps() {
@@ -182,17 +188,20 @@ impl Model<'_> {
             last_gained = gained;
             let before = std::mem::replace(&mut misfit, step.misfit);
             point = step.point;
+            let is_slow = gained < slow_share * (misfit.cost - misfit.count() as f64);
+            let crawls = is_slow && was_slow;
+            was_slow = is_slow;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
             let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
             let unkept = of_no_use > 0 && step.promised < UNKEPT;
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
             let arrived = enough || (!step.strained && (unkept || gained < 2.0 * CONVERGED));
-            if ((fresh || !exact) && arrived) || creeps || (n > 3 && stop(misfit.cost)) {
+            if ((fresh || !exact) && arrived) || creeps || crawls || (n > 3 && stop(misfit.cost)) {
                 break;
             }
             let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));
-            // Derivatives that leave a cause out are no better when they are taken anew.
-            fresh = step.strained || (exact && (enough || !as_promised));
+            // Derivatives that leave a cause out are no better when they are taken anew: those made true of steps are.
+            fresh = if exact { step.strained || enough || !as_promised } else { step.strained && !fresh };
             if fresh {
                 // At the edge of what can be simulated there are none: the fit ends there.
                 let Ok(renewed) = self.jacobians(&point) else { break };

@@ -188,8 +188,9 @@ impl Model<'_> {
             .collect();
         let times: Vec<Vec<f64>> =
             of_streams.iter().map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect()).collect();
-        // Across kinks derivatives need no more than this to lead the way.
-        let all = once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, Fineness::OF_FITS, t_s))?;
+        // Across kinks derivatives need no halved steps to lead the way.
+        let fineness = Fineness { most_halvings: 0, ..self.fineness() };
+        let all = once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, fineness, t_s))?;
         for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
             let sensor = &swung.samples.streams[stream];
             let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };

@@ -115,12 +115,13 @@ impl Fineness {
     /// The same across kinks: larger steps now and then go over one unseen.
     pub const OF_KINKED_DERIVATIVES: Self =
         Self { steps_per_period: 60.0, largest_error: 1e-11, most_halvings: 30, ..Self::FULL };
-    /// For the comparison of smooth motions with samples: errors well below the noise of any phone, and trial bodies
-    /// on which no motion of that length can be computed are refused at once.
+    /// For the comparison of smooth motions with samples: headings are right to 1e-6 rad after two minutes (`tests/simulation/damping`), far
+    /// below the noise of any phone, and trial bodies on which no motion of that length can be computed are refused at once.
     pub const OF_FITS: Self =
-        Self { steps_per_period: 12.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
+        Self { steps_per_period: 8.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
     /// The same across kinks.
-    pub const OF_KINKED_FITS: Self = Self { largest_error: 1e-6, most_halvings: 5, ..Self::OF_FITS };
+    pub const OF_KINKED_FITS: Self =
+        Self { steps_per_period: 12.0, largest_error: 1e-6, most_halvings: 5, ..Self::OF_FITS };
 }
 
 /// An integration under way.

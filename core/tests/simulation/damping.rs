@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use gyradius_core::constants::STANDARD_GRAVITY_M_S2 as G;
-use gyradius_core::dynamics::Scene;
+use gyradius_core::dynamics::{Fineness, Scene};
 
 use crate::scenes::*;
 
@@ -27,6 +27,13 @@ fn extremes(scene: &Scene, duration_s: f64) -> Vec<(f64, f64)> {
 fn linear_damping_of_a_yaw() {
     let scene = with(keelboat(yawed(0.2)), "linear_damping", &[("yaw_n_m_s", 20.0)]);
     assert!(worst_yaw(&scene, 60.0, |_, _, rate, _| [-20.0 * rate, 0.0, 0.0]) < 1e-9);
+}
+
+/// Fits compute motions less finely.
+#[test]
+fn damping_of_a_yaw_as_fits_see_it() {
+    let scene = with(keelboat(yawed(0.2)), "linear_damping", &[("yaw_n_m_s", 20.0)]);
+    assert!(worst_yaw_as(Fineness::OF_FITS, &scene, 120.0, |_, _, rate, _| [-20.0 * rate, 0.0, 0.0]) < 1e-6);
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use gyradius_core::constants::STANDARD_GRAVITY_M_S2 as G;
 use gyradius_core::dynamics::effects::EffectValues;
-use gyradius_core::dynamics::{Body, Dimensions, Hanging, Moment, Path, Scene, Start, SuspensionAxis};
+use gyradius_core::dynamics::{
+    Body, Dimensions, Fineness, Hanging, Moment, Path, Scene, Start, SuspensionAxis,
+};
 use gyradius_core::frames::{Mat3, Vec3};
 
 /// Paper, Tables 1 and 4, d = 0.900 m.
@@ -155,7 +157,17 @@ pub fn yaw_acceleration(psi: f64, rate: f64, torque: f64, added: f64) -> f64 {
 /// Largest difference of the simulated heading from that of a pure yaw with memory `z` under the torque and added
 /// inertia given by `law(t, heading, rate, z)`, whose last number is the rate of the memory.
 pub fn worst_yaw(scene: &Scene, duration_s: f64, law: impl Fn(f64, f64, f64, f64) -> [f64; 3]) -> f64 {
-    let path = scene.motion(duration_s).unwrap();
+    worst_yaw_as(Fineness::FULL, scene, duration_s, law)
+}
+
+/// The same of a motion computed so finely.
+pub fn worst_yaw_as(
+    fineness: Fineness,
+    scene: &Scene,
+    duration_s: f64,
+    law: impl Fn(f64, f64, f64, f64) -> [f64; 3],
+) -> f64 {
+    let path = scene.motion_as(fineness, duration_s).unwrap();
     let mut worst = 0.0f64;
     let slope = |t: f64, y: &[f64; 3]| {
         let [torque, added, memory] = law(t, y[0], y[1], y[2]);
