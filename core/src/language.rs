@@ -18,11 +18,12 @@ impl Language {
     /// Every one of them.
     pub const ALL: [Self; 2] = [Self::English, Self::German];
 
-    /// A number that is written with a decimal point, as the language writes it.
+    /// Numbers that are written with decimal points and hyphens, as the language writes them.
     pub fn number(self, written: &str) -> String {
+        let signed = written.split(' ').map(minus).collect::<Vec<_>>().join(" ");
         match self {
-            Self::English => written.to_owned(),
-            Self::German => written.replace('.', ","),
+            Self::English => signed,
+            Self::German => signed.replace('.', ","),
         }
     }
 
@@ -44,6 +45,15 @@ pub struct Text {
     pub arguments: BTreeMap<String, Argument>,
     /// The sentence in English.
     pub english: String,
+}
+
+/// A minus sign as long as a plus, not a hyphen; none before a zero.
+pub(crate) fn minus(number: &str) -> String {
+    match number.strip_prefix('-').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.into(),
+        Some(rest) => format!("−{rest}"),
+        None => number.into(),
+    }
 }
 
 /// Something that a sentence names.

@@ -98,6 +98,19 @@ fn a_warning_is_told_with_its_numbers_and_names() {
     assert!(warning.text.contains("most of it comes from line_length (0.015)"), "{}", warning.text);
 }
 
+#[test]
+fn a_number_below_zero_has_a_minus_sign_and_no_hyphen() {
+    let numbers = [("tilt_deg", -25.0), ("points_moved_m", 0.4), ("corner_tilt_deg", -0.01)];
+    let warning = Warning::new(WarningKind::TiltNeeded, Some("w1"), &numbers, &[]);
+    let german = warning.said().in_language(Language::German);
+    assert!(german.starts_with("Schwingung w1 hängt geneigt, −25,0°"), "{german}");
+    assert!(warning.text.starts_with("Swing w1 hangs tilted, −25.0°"), "{}", warning.text);
+    // Of what rounds to zero none.
+    assert!(german.contains("gäben 0,0°"), "{german}");
+    let figures = Language::ALL.map(|language| language.number("-5.52 ± 0.65 m, 3 of -1, yaw-sway"));
+    assert_eq!(figures, ["−5.52 ± 0.65 m, 3 of −1, yaw-sway", "−5,52 ± 0,65 m, 3 of −1, yaw-sway"]);
+}
+
 /// Everything that the measurement of a session says, with its sentence; inputs of budgets by their labels.
 fn told(measured: &Measurement) -> Vec<(&str, Text)> {
     let of_swings = measured.swings.iter().map(|swing| (&swing.warnings, &swing.warnings_said));

@@ -361,6 +361,32 @@ fn rates_gaps_and_silence_are_told() {
     );
     let gaps = Advice::Gaps { sensor: Sensor::Gyroscope, gaps: 1, longest_s: gyroscope.longest_gap_s };
     assert!(estimate.advice.contains(&gaps));
+    let [gap] = estimate.gaps.listed[..] else { panic!("one gap: {:?}", estimate.gaps) };
+    assert_eq!((gap.sensor, gap.length_s), (Sensor::Gyroscope, gyroscope.longest_gap_s));
+    assert!((gap.from_s - 2.495).abs() < 1e-9);
+}
+
+/// One sample in ten is missing for a hundred seconds, three in a row at the two moments told.
+#[test]
+fn gaps_are_listed_by_time_and_where_they_are_too_many_the_longest() {
+    let mut live = live(1e-4);
+    let is_long = |i: i64, at: i64| (at..at + 3).contains(&i);
+    for (sensor, at) in [(Sensor::Gyroscope, 5_003), (Sensor::Accelerometer, 3_003)] {
+        let stamps: Vec<i64> =
+            (0..10_000).filter(|&i| i % 10 != 9 && !is_long(i, at)).map(|i| i * 10_000_000).collect();
+        live.push(sensor, &stamps, &vec![[0.0, 0.0, GRAVITY_M_S2]; stamps.len()]).unwrap();
+    }
+    let estimate = live.estimate();
+    let gaps = &estimate.gaps;
+    assert_eq!(gaps.listed.len(), 200);
+    assert_eq!(
+        gaps.listed.len() as u64 + gaps.more,
+        estimate.sensors.iter().map(|one| one.gaps).sum::<u64>()
+    );
+    assert!(gaps.listed.is_sorted_by(|a, b| a.from_s <= b.from_s));
+    let long: Vec<(Sensor, f64)> =
+        gaps.listed.iter().filter(|gap| gap.length_s > 0.03).map(|gap| (gap.sensor, gap.from_s)).collect();
+    assert_eq!(long, [(Sensor::Accelerometer, 30.02), (Sensor::Gyroscope, 50.02)]);
 }
 
 /// A sinusoid cut off at its limit, with the limit stated and without; and one that rests at its peaks by resolution.

@@ -45,7 +45,7 @@ final class AppModel {
     // It comes with the app.
     let rigText = try! String(
       contentsOf: Bundle.main.url(forResource: "keelboat", withExtension: "toml")!, encoding: .utf8)
-    await begin { await $0.practise(in: folder, rigText: rigText, seed: 1) }
+    await begin { await $0.practise(in: folder, rigText: rigText, title: Words.practiceTitle, seed: 1) }
   }
 
   /// Leaves the procedure; it is kept.

@@ -28,7 +28,7 @@ struct RootView: View {
         }
     }
     .fullScreenCover(isPresented: $app.isUnderWay) { ProcedureView() }
-    .onChange(of: scenePhase) { _, phase in follow(phase) }
+    .onChange(of: scenePhase) { _, phase in Task { await app.procedure.follow(presence(phase)) } }
   }
 
   private func begin(_ task: ProcedureTask, limits: [String]) {
@@ -38,12 +38,12 @@ struct RootView: View {
     }
   }
 
-  /// iOS gives an app that is not on the screen neither time nor samples.
-  private func follow(_ phase: ScenePhase) {
+  /// What iOS may add to its phases has the screen at least.
+  private func presence(_ phase: ScenePhase) -> Presence {
     switch phase {
-    case .active: if app.isUnderWay { app.procedure.goOnLooking() }
-    case .background: Task { await app.procedure.pauseLooking() }
-    default: break
+    case .active: .active
+    case .background: .background
+    default: .inactive
     }
   }
 }

@@ -40,7 +40,9 @@ class Live:
 
     @property
     def estimate(self) -> dict[str, Any]:
-        """Everything that is known now: ``now_s``, ``sensors``, ``swing`` (None before four periods), ``advice``."""
+        """Everything that is known now: ``now_s``, ``sensors``, ``gaps``, ``swing`` (None before
+        four periods), ``advice``.
+        """
         return dict(json.loads(self._core.estimate()))
 
     @property

@@ -49,6 +49,13 @@ impl Rig {
         Ok(Arc::new(Self { inner: practice::read_rig(text, name)? }))
     }
 
+    /// The same under another title, which its sessions bear.
+    pub fn titled(&self, title: String) -> Arc<Self> {
+        let mut inner = self.inner.clone();
+        inner.session.title = title;
+        Arc::new(Self { inner })
+    }
+
     /// Ids of the swings, in the order of the file.
     pub fn swing_ids(&self) -> Vec<String> {
         self.inner.swings.iter().map(|swing| swing.id.clone()).collect()

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::advice::Advice;
+use super::gaps::GapList;
 use crate::recording::Sensor;
 
 /// Everything that is known at a moment.
@@ -12,6 +13,8 @@ pub struct Estimate {
     pub now_s: f64,
     /// What each sensor does: gyroscope, accelerometer.
     pub sensors: Vec<SensorState>,
+    /// Every gap of theirs.
+    pub gaps: GapList,
     /// The swing, once there is one to speak of.
     pub swing: Option<SwingState>,
     /// What the operator should know or do, most urgent first.

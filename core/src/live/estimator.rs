@@ -118,6 +118,7 @@ impl Live {
         let mut estimate = Estimate {
             now_s: self.now_s(),
             sensors: vec![self.gyroscope.watch.state(), self.accelerometer.watch.state()],
+            gaps: self.gyroscope.watch.gaps().with(self.accelerometer.watch.gaps()),
             swing: self.best_swing().cloned(),
             advice: Vec::new(),
         };

@@ -1,6 +1,7 @@
 //! One sensor's stamps and limits, sample by sample.
 
 use super::estimate::SensorState;
+use super::gaps::{Gap, GapList};
 use crate::recording::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, Sensor};
 
 /// Intervals that the usual one is the median of.
@@ -24,6 +25,7 @@ pub(super) struct Watch {
     regular_s: f64,
     gaps: u64,
     longest_gap_s: f64,
+    gap_list: GapList,
     at_full_scale: u64,
     axes: [Extreme; 3],
 }
@@ -43,6 +45,7 @@ impl Watch {
             regular_s: 0.0,
             gaps: 0,
             longest_gap_s: 0.0,
+            gap_list: GapList::default(),
             at_full_scale: 0,
             axes: [Extreme::default(); 3],
         }
@@ -56,7 +59,7 @@ impl Watch {
             return false;
         }
         if let Some(last_s) = self.last_s.replace(t_s) {
-            self.take_interval(t_s - last_s);
+            self.take_interval(last_s, t_s - last_s);
         }
         self.samples += 1;
         if let Some(limit) = self.full_scale.map(|scale| STATED_RANGE * scale.abs()) {
@@ -68,7 +71,7 @@ impl Watch {
         true
     }
 
-    fn take_interval(&mut self, interval_s: f64) {
+    fn take_interval(&mut self, from_s: f64, interval_s: f64) {
         if self.intervals_s.len() < INTERVALS {
             self.intervals_s.push(interval_s);
         } else {
@@ -81,6 +84,7 @@ impl Watch {
         if self.usual_s.is_some_and(|usual_s| interval_s > MISSING_INTERVALS * usual_s) {
             self.gaps += 1;
             self.longest_gap_s = self.longest_gap_s.max(interval_s);
+            self.gap_list.take(Gap { sensor: self.sensor, from_s, length_s: interval_s });
         } else {
             self.regular += 1;
             self.regular_s += interval_s;
@@ -89,6 +93,10 @@ impl Watch {
 
     pub fn last_s(&self) -> Option<f64> {
         self.last_s
+    }
+
+    pub fn gaps(&self) -> &GapList {
+        &self.gap_list
     }
 
     pub fn state(&self) -> SensorState {

@@ -7,7 +7,7 @@ use super::words::{self, number, words};
 use crate::frames::Vec3;
 use crate::inertia::measure::PHONE_TILT_U_DEG;
 use crate::language::Text;
-use crate::live::{Advice, Estimate, Line, LineKind, SwingState, TimeLeft};
+use crate::live::{Advice, Estimate, GapList, Line, LineKind, SwingState, TimeLeft};
 use crate::plan::{PlannedIncline, PlannedSwing};
 use crate::recording::{Excitation, Sensor};
 
@@ -41,6 +41,9 @@ pub struct Judgement {
     pub released_deg: Option<f64>,
     /// The tilt of an incline.
     pub incline: Option<InclineReading>,
+    /// Every gap of a swing's recording.
+    #[serde(default)]
+    pub gaps: GapList,
 }
 
 /// Advice for the end of a recording.
@@ -96,7 +99,8 @@ impl Judgement {
         if heard.resumed {
             notes.push(Text::new("note_interrupted", []));
         }
-        Self::from(reasons, notes, heard.recorded_s, swing.cloned(), heard.released_deg)
+        let gaps = heard.estimate.gaps.clone();
+        Self { gaps, ..Self::from(reasons, notes, heard.recorded_s, swing.cloned(), heard.released_deg) }
     }
 
     pub(super) fn of_incline(
@@ -135,7 +139,16 @@ impl Judgement {
         released_deg: Option<f64>,
     ) -> Self {
         let recommend = if reasons.is_empty() { Recommend::Accept } else { Recommend::Repeat };
-        Self { recommend, reasons, notes, recorded_s, swing, released_deg, incline: None }
+        Self {
+            recommend,
+            reasons,
+            notes,
+            recorded_s,
+            swing,
+            released_deg,
+            incline: None,
+            gaps: GapList::default(),
+        }
     }
 }
 

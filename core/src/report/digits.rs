@@ -1,5 +1,6 @@
 //! Numbers as a measurer writes them: as many digits as the uncertainty allows.
 
+use crate::language::minus;
 use crate::recording::Quantity;
 
 /// Digits of an uncertainty (GUM 7.2.6: at most two).
@@ -81,15 +82,6 @@ pub(super) fn significant(value: f64, digits: i32) -> String {
     let text = format!("{value:.places$}");
     let trimmed = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     minus(trimmed)
-}
-
-/// A minus sign as long as a plus, not a hyphen; none before a zero.
-pub(super) fn minus(number: &str) -> String {
-    match number.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.into(),
-        Some(rest) => format!("−{rest}"),
-        None => number.into(),
-    }
 }
 
 /// Unit prefix in which a small length of time or space reads best: factor and prefix.

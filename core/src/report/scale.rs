@@ -1,7 +1,7 @@
 //! Scales of a chart: a range of values laid along a line of the drawing, with ticks at round numbers.
 
-use super::digits::minus;
 use super::words::raised;
+use crate::language::minus;
 
 /// Beyond this a value is not drawn: differences of such values overflow.
 const LARGEST: f64 = 1e100;

@@ -87,6 +87,10 @@ enum Words {
   static var fitSays: String { plain("fit_says") }
   static func framePoints(_ first: String, _ second: String) -> String { filled("frame_points", first, second) }
   static func fromTo(_ first: String, _ second: String, _ third: String) -> String { filled("from_to", first, second, third) }
+  static func gapOne(_ first: Double, _ second: String, _ third: Double) -> String { filled("gap_one", first, second, third) }
+  static var gaps: String { plain("gaps") }
+  static func gapsMore(_ first: Int) -> String { filled("gaps_more", first) }
+  static var gapsSay: String { plain("gaps_say") }
   static var gravity: String { plain("gravity") }
   static var gravityMS2: String { plain("gravity_m_s2") }
   static var gyroNoise: String { plain("gyro_noise") }
@@ -190,6 +194,7 @@ enum Words {
   static var portDown: String { plain("port_down") }
   static var practiceBanner: String { plain("practice_banner") }
   static var practiceGoOn: String { plain("practice_go_on") }
+  static var practiceTitle: String { plain("practice_title") }
   static var practise: String { plain("practise") }
   static func quantityU(_ first: String, _ second: String, _ third: String) -> String { filled("quantity_u", first, second, third) }
   static func rateAbout(_ first: String) -> String { filled("rate_about", first) }

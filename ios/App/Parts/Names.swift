@@ -2,10 +2,14 @@ import GyradiusApp
 import GyradiusKit
 
 /// A sentence of the library as the screen shows it.
-func spoken(_ sentence: Sentence) -> String { sentenceIn(sentence: sentence, language: libraryLanguage) }
+func spoken(_ sentence: Sentence) -> String {
+  asShown(sentenceIn(sentence: sentence, language: libraryLanguage))
+}
 
 /// A warning of the plan.
-func spoken(_ warning: PlanWarning) -> String { warningIn(warning: warning, language: libraryLanguage) }
+func spoken(_ warning: PlanWarning) -> String {
+  asShown(warningIn(warning: warning, language: libraryLanguage))
+}
 
 /// The language of the app's own words, so that a screen never mixes two.
 private var libraryLanguage: Language { Words.libraryLanguage == "GERMAN" ? .german : .english }
@@ -36,7 +40,7 @@ func causeName(_ id: String) -> String { causeIn(id: id, language: libraryLangua
 /// A figure with its uncertainty and its unit, as a sentence's end.
 func figure(_ name: String, _ value: Double, _ u: Double) -> String {
   let shown = withUncertainty(value, u)
-  return Words.quantityU(shown.value, shown.u, unitOf(name: name))
+  return withUnit(Words.quantityU(shown.value, shown.u, unitOf(name: name)))
 }
 
 /// A type of boat by the library's name for it; a name without a word stands as it is.
@@ -87,6 +91,11 @@ extension ModeName {
     case .other: Words.modeOther
     }
   }
+}
+
+extension Sensor {
+  /// One of those that a recording listens to.
+  var word: String { self == .gyroscope ? Words.gyroscope : Words.accelerometer }
 }
 
 extension SideMotionKind {

@@ -33,8 +33,10 @@ struct ActionsView: View {
     WideButton(title: title, isMain: action == advised) { Task { await app.procedure.handle(event) } }
   }
 
+  /// The action that stands out; none while there is nothing to do but wait.
   private var advised: ProcedureAction? {
-    state.judgement?.recommend == .repeat ? .repeat : state.actions.first
+    if state.phase == .rest, state.rest?.found == nil { return nil }
+    return state.judgement?.recommend == .repeat ? .repeat : state.actions.first
   }
 }
 

@@ -81,8 +81,8 @@ private struct TiltFigures: View {
   var body: some View {
     if let bowUpDeg = tilt.bowUpDeg {
       LargeFigure(label: bowUpDeg < 0 ? Words.bowDown : Words.bowUp, value: Words.degrees(abs(bowUpDeg)))
-    } else {
-      LargeFigure(label: Words.tilt, value: tilt.angleDeg.map { Words.degrees(abs($0)) } ?? "–")
+    } else if let angleDeg = tilt.angleDeg {
+      LargeFigure(label: Words.tilt, value: Words.degrees(abs(angleDeg)))
     }
     if let starboardDownDeg = tilt.starboardDownDeg {
       LargeFigure(

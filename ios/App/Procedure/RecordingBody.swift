@@ -35,6 +35,7 @@ struct RecordingDetails: View {
     if let live = recording.live {
       SectionHead(title: Words.sensors)
       ForEach(live.sensors, id: \.sensor) { Text(words(of: $0)).monospacedDigit() }
+      GapsView(gaps: live.gaps)
     }
   }
 
@@ -48,10 +49,10 @@ struct RecordingDetails: View {
 
   /// What a sensor really does.
   private func words(of one: SensorState) -> String {
-    let name = one.sensor == .gyroscope ? Words.gyroscope : Words.accelerometer
-    guard let rateHz = one.rateHz else { return Words.noSamples(name) }
+    guard let rateHz = one.rateHz else { return Words.noSamples(one.sensor.word) }
     return one.gaps == 0
-      ? Words.rateNoGaps(name, rateHz) : Words.rateGaps(name, rateHz, Int(one.gaps), one.longestGapS)
+      ? Words.rateNoGaps(one.sensor.word, rateHz)
+      : Words.rateGaps(one.sensor.word, rateHz, Int(one.gaps), one.longestGapS)
   }
 }
 
@@ -81,6 +82,24 @@ struct JudgementDetails: View {
   var body: some View {
     ForEach(judgement.notes, id: \.self) { Text(spoken($0)) }
     if let swing = judgement.swing { SideMotions(lines: swing.lines) }
+    GapsView(gaps: judgement.gaps)
+  }
+}
+
+/// Every time without samples, for whoever asks.
+private struct GapsView: View {
+  let gaps: GapList
+
+  var body: some View {
+    if !gaps.listed.isEmpty {
+      Fold(Words.gaps) {
+        Text(Words.gapsSay)
+        ForEach(gaps.listed, id: \.self) { gap in
+          Text(Words.gapOne(gap.fromS, gap.sensor.word, gap.lengthS)).monospacedDigit()
+        }
+        if gaps.more > 0 { Text(Words.gapsMore(Int(gaps.more))) }
+      }
+    }
   }
 }
 
@@ -97,11 +116,15 @@ private struct PeriodFigure: View {
 private struct SideMotions: View {
   let lines: [SideMotion]
 
+  /// What is less would read as 0 %.
+  private static let leastShare = 0.005
+
   var body: some View {
+    let seen = lines.filter { $0.share >= Self.leastShare }
     SectionHead(title: Words.unwanted)
-    if lines.isEmpty { Text(Words.unwantedNone) }
-    ForEach(lines, id: \.self) { one in
-      Text(Words.unwantedOne(one.kind.word, 100 * one.share, one.periodS)).monospacedDigit()
+    if seen.isEmpty { Text(Words.unwantedNone) }
+    ForEach(seen, id: \.self) { one in
+      Text(asShown(Words.unwantedOne(one.kind.word, 100 * one.share, one.periodS))).monospacedDigit()
       ProgressView(value: min(1, max(0, one.share))).accessibilityHidden(true)
     }
   }

@@ -47,7 +47,7 @@ private struct IntervalLine: View {
   var body: some View {
     if let between = one.quantity.interval95, let u = one.quantity.u.number {
       let (low, high) = (withUncertainty(between.low, u).value, withUncertainty(between.high, u).value)
-      Figure(label: quantityName(one.name), value: Words.fromTo(low, high, unitOf(name: one.name)))
+      Figure(label: quantityName(one.name), value: withUnit(Words.fromTo(low, high, unitOf(name: one.name))))
     }
   }
 }

@@ -79,7 +79,7 @@ private struct VerdictView: View {
   var body: some View {
     VStack(alignment: .leading) {
       Advice(text: words, tone: tone)
-      Text(Words.limitIs(quantityName(one.quantity), sign, asTyped(one.limit), unitOf(name: one.quantity)))
+      Text(withUnit(Words.limitIs(quantityName(one.quantity), sign, asTyped(one.limit), unitOf(name: one.quantity))))
       Text(Words.limitProbability(100 * one.conformanceProbability))
     }
     .accessibilityElement(children: .combine)

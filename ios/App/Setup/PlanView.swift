@@ -83,7 +83,8 @@ struct Budget: View {
   var body: some View {
     Text(quantityName(one.name)).font(.headline)
     ForEach(one.lines.prefix(Self.mostLines), id: \.input) { line in
-      LabeledContent(inputName(line.input), value: Words.contribution(line.uContribution, unitOf(name: one.name)))
+      LabeledContent(
+        inputName(line.input), value: withUnit(Words.contribution(line.uContribution, unitOf(name: one.name))))
     }
   }
 }

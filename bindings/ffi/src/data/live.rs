@@ -1,6 +1,8 @@
 //! Plain data of the room `live`: what the operator is told while the hull swings.
 
-use gyradius_core::live::{Advice, Estimate, Line, LineKind, SensorState, SwingState, TimeLeft};
+use gyradius_core::live::{
+    Advice, Estimate, Gap, GapList, Line, LineKind, SensorState, SwingState, TimeLeft,
+};
 use gyradius_core::recording::Sensor;
 
 /// Everything that is known at a moment.
@@ -13,6 +15,8 @@ pub struct LiveEstimate {
     pub now_s: f64,
     /// What each sensor does: gyroscope, accelerometer.
     pub sensors: Vec<SensorState>,
+    /// Every gap of theirs.
+    pub gaps: GapList,
     /// The swing, once there is one to speak of.
     pub swing: Option<SwingState>,
     /// What the operator should know or do, most urgent first.
@@ -38,6 +42,29 @@ pub struct SensorState {
     pub saturated: u64,
     /// The newest stamp, s.
     pub last_s: Option<f64>,
+}
+
+/// Every gap of a recording, as far as a list of them is of use.
+#[uniffi::remote(Record)]
+pub struct GapList {
+    /// The gaps, first to last: the hundred longest of each sensor.
+    pub listed: Vec<SensorGap>,
+    /// How many more there are; each is shorter than what is listed of its sensor.
+    pub more: u64,
+}
+
+/// A time without samples.
+pub type SensorGap = Gap;
+
+/// A time without samples.
+#[uniffi::remote(Record)]
+pub struct SensorGap {
+    /// Whose.
+    pub sensor: Sensor,
+    /// The last stamp before it, s from the recording's first.
+    pub from_s: f64,
+    /// How long it lasted, s.
+    pub length_s: f64,
 }
 
 /// The free swing as it stands.

@@ -1,6 +1,6 @@
 //! Plain data of the room `procedure`: what sensors and recordings say.
 
-use gyradius_core::live::SwingState;
+use gyradius_core::live::{GapList, SwingState};
 use gyradius_core::procedure::{
     Against, InclineReading, Judgement, Moving, Recommend, RecordingView, Rest, RestView, SensorRest, Tilt,
 };
@@ -131,6 +131,8 @@ pub struct Judgement {
     pub released_deg: Option<f64>,
     /// The tilt of an incline.
     pub incline: Option<InclineReading>,
+    /// Every gap of a swing's recording.
+    pub gaps: GapList,
 }
 
 /// Advice for the end of a recording.

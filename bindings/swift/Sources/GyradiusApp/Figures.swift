@@ -9,6 +9,17 @@ public func withUncertainty(_ value: Double, _ u: Double, locale: Locale = .curr
   return (plain(value, places, locale), plain(u, places, locale))
 }
 
+/// A sentence of the library as a screen shows it: with a capital at its head where that is a word, and no line that ends between
+/// a figure and its unit.
+public func asShown(_ sentence: String) -> String {
+  sentence
+    .replacing(/^[a-zäöü](?=[\p{L} ])/) { $0.output.uppercased() }
+    .replacing(/(\d) (?=(?:s|min|mm|m|m\/s²|mrad\/s|rad\/s|Hz|kg|ppm|%)(?![\p{L}\d]))/) { "\($0.output.1)\u{A0}" }
+}
+
+/// A text that ends in a unit; the degree sign stands close to its figure.
+public func withUnit(_ text: String) -> String { text.replacingOccurrences(of: "\u{A0}°", with: "°") }
+
 /// A number as people type it, with a comma or a point.
 public func number(in text: String) -> Double? {
   let plain = text.trimmingCharacters(in: .whitespaces).replacingOccurrences(of: ",", with: ".")
@@ -27,6 +38,7 @@ public func headlines(_ quantities: [NamedQuantity]) -> [NamedQuantity] {
   return order.flatMap { name in numbers.filter { $0.name == name } } + numbers.filter { !order.contains($0.name) }
 }
 
+/// With a minus sign as long as a plus, as the library writes it.
 private func plain(_ value: Double, _ places: Int, _ locale: Locale) -> String {
-  value.formatted(.number.precision(.fractionLength(places)).locale(locale))
+  value.formatted(.number.precision(.fractionLength(places)).locale(locale)).replacingOccurrences(of: "-", with: "−")
 }

@@ -2,6 +2,16 @@ import Foundation
 import GyradiusKit
 import Observation
 
+/// How much of the phone an app has.
+public enum Presence: Sendable {
+  /// The screen and the fingers.
+  case active
+  /// The screen, or a part of it.
+  case inactive
+  /// Neither, and soon no time.
+  case background
+}
+
 /// The procedure under way. It lives as long as the app: screens come and go while a hull swings. The library is never called
 /// from the main actor.
 @MainActor @Observable
@@ -39,9 +49,11 @@ public final class ProcedureModel {
   /// Whether the phone's sensors are listened to: the screen then stays on.
   public var isListening: Bool { run != nil && !isPractice }
 
-  /// Goes on with the practice in a folder, or begins one there.
-  public func practise(in folder: URL, rigText: String, seed: UInt64) async {
-    await begin(in: folder, isPractice: true) { try Practising.of(folder, rigText: rigText, seed: seed) }
+  /// Goes on with the practice in a folder, or begins one there under a title.
+  public func practise(in folder: URL, rigText: String, title: String, seed: UInt64) async {
+    await begin(in: folder, isPractice: true) {
+      try Practising.of(folder, rigText: rigText, title: title, seed: seed)
+    }
   }
 
   /// Begins a measurement in a folder, on what a source gives.
@@ -94,9 +106,20 @@ public final class ProcedureModel {
     workAsWanted(run)
   }
 
+  /// Follows the app as iOS moves it. A lock of the screen sends it to the background, and so does a call that is taken; the banner
+  /// of a call, or the list of apps, makes it inactive for a moment: it still has time and samples, and is not told whether
+  /// the background comes next.
+  public func follow(_ presence: Presence) async {
+    switch presence {
+    case .active: goOnLooking()
+    case .inactive: await look(afterS: 0)
+    case .background: await pauseLooking()
+    }
+  }
+
   /// Looks again and again, until the app leaves the screen.
   public func goOnLooking() {
-    guard looking == nil else { return }
+    guard run != nil, looking == nil else { return }
     looking = Task {
       while !Task.isCancelled {
         await look()

@@ -121,14 +121,14 @@ public actor Practising: Run {
     self.rehearsal = rehearsal
   }
 
-  /// Goes on with a practice that was left in a folder, or begins there.
-  public static func of(_ folder: URL, rigText: String, seed: UInt64) throws -> Practising {
+  /// Goes on with a practice that was left in a folder, or begins there under a title.
+  public static func of(_ folder: URL, rigText: String, title: String, seed: UInt64) throws -> Practising {
     let rig = try Rig.parse(text: rigText, name: "practice")
     let isKnown = SessionStore.hasProcedure(folder)
     return Practising(
       isKnown
         ? try Rehearsal.open(folder: folder.path, rig: rig, seed: seed)
-        : try Rehearsal.create(folder: folder.path, rig: rig, seed: seed)
+        : try Rehearsal.create(folder: folder.path, rig: rig.titled(title: title), seed: seed)
     )
   }
 

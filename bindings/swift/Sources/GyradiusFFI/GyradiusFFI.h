@@ -709,6 +709,11 @@ uint64_t uniffi_gyradius_ffi_fn_method_rig_simulate_at(uint64_t ptr, RustBuffer 
 RustBuffer uniffi_gyradius_ffi_fn_method_rig_swing_ids(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_RIG_TITLED
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_RIG_TITLED
+uint64_t uniffi_gyradius_ffi_fn_method_rig_titled(uint64_t ptr, RustBuffer title, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_RIG_WRITE
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_RIG_WRITE
 void uniffi_gyradius_ffi_fn_method_rig_write(uint64_t ptr, RustBuffer folder, RustBuffer truth_file, uint64_t seed, RustBuffer overwrite, RustCallStatus *_Nonnull out_status
@@ -1628,6 +1633,12 @@ uint16_t uniffi_gyradius_ffi_checksum_method_rig_simulate_at(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_RIG_SWING_IDS
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_RIG_SWING_IDS
 uint16_t uniffi_gyradius_ffi_checksum_method_rig_swing_ids(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_RIG_TITLED
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_RIG_TITLED
+uint16_t uniffi_gyradius_ffi_checksum_method_rig_titled(void
     
 );
 #endif

@@ -68,8 +68,9 @@ import Testing
     let folder = try TemporaryFolder()
     let rig = try String(contentsOf: root.appending(path: "python/gyradius/rigs/keelboat.toml"), encoding: .utf8)
     let model = ProcedureModel()
-    await model.practise(in: folder.url, rigText: rig, seed: 1)
+    await model.practise(in: folder.url, rigText: rig, title: "Kielboot", seed: 1)
     #expect(model.isPractice && !model.isListening)
+    #expect(model.state?.instruction.english.hasPrefix("Measure Kielboot: ") == true)
     model.pace = 10
     while let phase = model.state?.phase, phase != .record {
       await model.byTheBook()
@@ -79,7 +80,7 @@ import Testing
     #expect(!model.recorder.trace.isEmpty)
     await model.leave()
     #expect(model.state == nil)
-    await model.practise(in: folder.url, rigText: rig, seed: 1)
+    await model.practise(in: folder.url, rigText: rig, title: "Kielboot", seed: 1)
     #expect(model.state?.phase == .interrupted)
     await model.leave()
   }

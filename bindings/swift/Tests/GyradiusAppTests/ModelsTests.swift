@@ -163,6 +163,7 @@ import Testing
     #expect(withUncertainty(1.09345, 0.0996, locale: english) == ("1.09", "0.10"))
     #expect(withUncertainty(9.806, 12.3, locale: english) == ("10", "12"))
     #expect(withUncertainty(1.5, 0.02, locale: Locale(identifier: "de")) == ("1,500", "0,020"))
+    #expect(withUncertainty(-5.52, 0.65, locale: english) == ("−5.52", "0.65"))
     #expect(withUncertainty(1.5, 0, locale: english) == ("1.5000", "–"))
   }
 
@@ -184,10 +185,21 @@ import Testing
     #expect(asTyped(0.00012, locale: Locale(identifier: "en")) == "0.00012")
   }
 
+  @Test func aSentenceOfTheLibraryIsShownWithACapitalAndItsUnitsStayWithTheirFigures() {
+    #expect(
+      asShown("the gyroscope has 2 gaps, the longest of 0.51 s")
+        == "The gyroscope has 2 gaps, the longest of 0.51\u{A0}s")
+    #expect(asShown("über 3 m und 2 min: 9.8 m/s²") == "Über 3\u{A0}m und 2\u{A0}min: 9.8\u{A0}m/s²")
+    // No word begins with k_yaw, and steps are no seconds.
+    #expect(asShown("k_yaw in 4 steps of 5 %") == "k_yaw in 4 steps of 5\u{A0}%")
+    #expect(withUnit("3.1 ± 0.2\u{A0}°") == "3.1 ± 0.2°")
+    #expect(withUnit("3.1 ± 0.2\u{A0}m") == "3.1 ± 0.2\u{A0}m")
+  }
+
   @Test func aStepAsksForWhatItsHangingHasAndTakesItOnceAllIsThere() async throws {
     let rig = try String(contentsOf: root.appending(path: "python/gyradius/rigs/keelboat.toml"), encoding: .utf8)
     let model = ProcedureModel()
-    await model.practise(in: folder.url, rigText: rig, seed: 1)
+    await model.practise(in: folder.url, rigText: rig, title: "Kielboot", seed: 1)
     model.pace = 60
     while model.state?.phase != .hang {
       await model.byTheBook()

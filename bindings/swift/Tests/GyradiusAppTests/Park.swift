@@ -62,9 +62,14 @@ import Testing
 
   /// The hull hangs still for so long.
   func rest(seconds: Double) async throws {
+    try hangsStill(seconds: seconds)
+    try await goOn(seconds: seconds)
+  }
+
+  /// What is to come of a hull that hangs still.
+  func hangsStill(seconds: Double) throws {
     let rig = try Rig.parse(text: rigText(heldS: 0, durationS: seconds + 1, start: "", on: nil), name: "the hull")
     try SimulatedHull(rig: rig, source: source, seed: 3).hangsStill(like: "swing", seconds: seconds)
-    try await goOn(seconds: seconds)
   }
 
   /// The hull is let go as the step asks, and swings for as long as the recording runs.
@@ -86,6 +91,23 @@ import Testing
       guard goes(try state) else { return }
       await model.look()
     }
+  }
+
+  /// The hull goes on, and the phone tells the app nothing of it.
+  func isHeldBack(seconds: Double) {
+    source.mute([.gyroscope, .accelerometer])
+    source.letGoBy(seconds: seconds)
+    _ = source.take()
+    source.mute([])
+  }
+
+  /// Waits in real time until the model, by its own looking, has recorded so much.
+  func waits(untilRecordedS wantedS: Double) async throws {
+    for _ in 0..<600 {
+      if try #require(state.recording).recordedS >= wantedS { return }
+      try await Task.sleep(for: .milliseconds(50))
+    }
+    Issue.record("recorded \(String(describing: model.state?.recording?.recordedS)) s of \(wantedS)")
   }
 
   /// The newest recording.

@@ -7,7 +7,6 @@ import Testing
 /// What goes wrong in the middle of a recording, and what is left of it.
 @MainActor @Suite struct TroubleTests {
   @Test func anAppThatIsSentToTheBackgroundLosesOnlyThatTimeAndSaysSo() async throws {
-    // A lock of the screen and a call that is taken do the same: iOS gives the app no time and no samples.
     let park = try Park()
     try await park.record()
     try await park.rest(seconds: 10)
@@ -23,6 +22,78 @@ import Testing
     #expect(judgement.reasons.contains { $0.key == "reason_gaps" }, "\(judgement.reasons.map(\.key))")
     #expect(try park.recorded(.gyroscope) == 2000)
     #expect(try park.recorded(.accelerometer) == 2000)
+    #expect(judgement.gaps.listed.map(\.sensor) == [.gyroscope, .accelerometer])
+    let times = judgement.gaps.listed.map { ($0.fromS, $0.lengthS) }
+    #expect(times.allSatisfy { abs($0 - 10) < 0.02 && abs($1 - 8) < 0.02 }, "\(times)")
+  }
+
+  @Test func aLockOfTheScreenLosesOnlyItsTimeAndTheModelThenLooksAgain() async throws {
+    let park = try await Self.recordingByItself(seconds: 30)
+    try await park.waits(untilRecordedS: 10)
+    await park.model.follow(.inactive)
+    await park.model.follow(.background)
+    let beforeS = try #require(park.state.recording).recordedS
+    // On the disk before the app is held, but for the half second that the recorder gathers.
+    #expect(try Double(park.recorded(.gyroscope)) >= Double(Park.rateHz) * (beforeS - 0.51))
+    try await Task.sleep(for: .milliseconds(300))
+    #expect(try #require(park.state.recording).recordedS == beforeS)
+    park.isHeldBack(seconds: 8)
+    await park.model.follow(.inactive)
+    await park.model.follow(.active)
+    try await park.waits(untilRecordedS: 29.9)
+    await park.model.handle(.stopRecording)
+    let judgement = try #require(park.state.judgement)
+    #expect(judgement.gaps.listed.map(\.sensor) == [.gyroscope, .accelerometer])
+    #expect(judgement.gaps.listed.allSatisfy { abs($0.fromS - beforeS) < 0.02 && abs($0.lengthS - 8) < 0.02 })
+    for channel in [Channel.gyroscope, .accelerometer] {
+      let recorded = try park.recorded(channel)
+      #expect(abs(recorded - 22 * Park.rateHz) <= 1)
+    }
+    #expect(try !park.take().marks().contains { $0.key.hasPrefix("sensor stopped") })
+  }
+
+  @Test func aCallThatIsNotTakenLosesNoSample() async throws {
+    // Its banner makes the app inactive; refused, the app is active again.
+    let park = try await Self.recordingByItself(seconds: 30)
+    try await park.waits(untilRecordedS: 10)
+    await park.model.follow(.inactive)
+    try await park.waits(untilRecordedS: 20)
+    await park.model.follow(.active)
+    try await park.waits(untilRecordedS: 29.9)
+    await park.model.handle(.stopRecording)
+    #expect(try #require(park.state.judgement).gaps == GapList(listed: [], more: 0))
+    for channel in [Channel.gyroscope, .accelerometer] {
+      let recorded = try park.recorded(channel)
+      #expect(recorded == 30 * Park.rateHz)
+    }
+  }
+
+  @Test func aCallThatIsTakenCostsItsTimeAndNoMore() async throws {
+    let park = try await Self.recordingByItself(seconds: 30)
+    try await park.waits(untilRecordedS: 10)
+    await park.model.follow(.inactive)
+    try await park.waits(untilRecordedS: 14)
+    await park.model.follow(.background)
+    park.isHeldBack(seconds: 5)
+    await park.model.follow(.active)
+    try await park.waits(untilRecordedS: 29.9)
+    await park.model.handle(.stopRecording)
+    let lengths = try #require(park.state.judgement).gaps.listed.map(\.lengthS)
+    #expect(lengths.count == 2 && lengths.allSatisfy { abs($0 - 5) < 0.02 }, "\(lengths)")
+    for channel in [Channel.gyroscope, .accelerometer] {
+      let recorded = try park.recorded(channel)
+      #expect(abs(recorded - 25 * Park.rateHz) <= 1)
+    }
+  }
+
+  /// A recording that the model brings in by its own looking, two seconds at a time, while the hull hangs still.
+  private static func recordingByItself(seconds: Double) async throws -> Park {
+    let park = try Park()
+    try await park.record()
+    try park.hangsStill(seconds: seconds)
+    park.model.pace = 20
+    await park.model.follow(.active)
+    return park
   }
 
   @Test func aPauseThatTakesNoSampleAwayLosesNone() async throws {

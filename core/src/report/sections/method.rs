@@ -129,7 +129,7 @@ fn correlations(measurement: &Measurement, out: &mut Markup) {
         .iter()
         .filter(|(_, _, r)| r.is_finite())
         .map(|(a, b, r)| {
-            let value = crate::report::digits::minus(&format!("{r:.2}"));
+            let value = crate::language::minus(&format!("{r:.2}"));
             format!("{} and {} {value}", name(a), name(b))
         })
         .collect();

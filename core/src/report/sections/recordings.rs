@@ -1,7 +1,8 @@
 //! Each swing: modes, repairs, and its pictures.
 
 use crate::inertia::{ModeResult, SwingResult};
-use crate::report::digits::{NOTHING, minus, significant, with_u};
+use crate::language::minus;
+use crate::report::digits::{NOTHING, significant, with_u};
 use crate::report::markup::Markup;
 use crate::report::pictures;
 use crate::report::source::ReportSource;

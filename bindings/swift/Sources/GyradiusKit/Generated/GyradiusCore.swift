@@ -2807,6 +2807,11 @@ public protocol RigProtocol: AnyObject, Sendable {
     func swingIds()  -> [String]
     
     /**
+     * The same under another title, which its sessions bear.
+     */
+    func titled(title: String)  -> Rig
+    
+    /**
      * Simulates all swings and writes the session into a folder, and what is true into a file outside of it. The same seed
      * gives the same files.
      */
@@ -2951,6 +2956,19 @@ open func swingIds() -> [String]  {
         uniffiCallStatus in
     uniffi_gyradius_ffi_fn_method_rig_swing_ids(
             self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+    
+    /**
+     * The same under another title, which its sessions bear.
+     */
+open func titled(title: String) -> Rig  {
+    return try!  FfiConverterTypeRig_lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_method_rig_titled(
+            self.uniffiCloneHandle(),
+        FfiConverterString.lower(title),uniffiCallStatus
     )
 })
 }
@@ -5470,6 +5488,75 @@ public func FfiConverterTypeGain_lower(_ value: Gain) -> RustBuffer {
 
 
 /**
+ * Every gap of a recording, as far as a list of them is of use.
+ */
+public struct GapList: Equatable, Hashable {
+    /**
+     * The gaps, first to last: the hundred longest of each sensor.
+     */
+    public let listed: [SensorGap]
+    /**
+     * How many more there are; each is shorter than what is listed of its sensor.
+     */
+    public let more: UInt64
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * The gaps, first to last: the hundred longest of each sensor.
+         */listed: [SensorGap], 
+        /**
+         * How many more there are; each is shorter than what is listed of its sensor.
+         */more: UInt64) {
+        self.listed = listed
+        self.more = more
+    }
+
+    
+
+    
+}
+
+#if compiler(>=6)
+extension GapList: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeGapList: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> GapList {
+        return
+            try GapList(
+                listed: FfiConverterSequenceTypeSensorGap.read(from: &buf), 
+                more: FfiConverterUInt64.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: GapList, into buf: inout [UInt8]) {
+        FfiConverterSequenceTypeSensorGap.write(value.listed, into: &buf)
+        FfiConverterUInt64.write(value.more, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeGapList_lift(_ buf: RustBuffer) throws -> GapList {
+    return try FfiConverterTypeGapList.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeGapList_lower(_ value: GapList) -> RustBuffer {
+    return FfiConverterTypeGapList.lower(value)
+}
+
+
+/**
  * One way to hang the hull.
  */
 public struct HangingAdvice: Equatable, Hashable {
@@ -6115,6 +6202,10 @@ public struct Judgement: Equatable, Hashable {
      * The tilt of an incline.
      */
     public let incline: InclineReading?
+    /**
+     * Every gap of a swing's recording.
+     */
+    public let gaps: GapList
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -6139,7 +6230,10 @@ public struct Judgement: Equatable, Hashable {
          */releasedDeg: Double?, 
         /**
          * The tilt of an incline.
-         */incline: InclineReading?) {
+         */incline: InclineReading?, 
+        /**
+         * Every gap of a swing's recording.
+         */gaps: GapList) {
         self.recommend = recommend
         self.reasons = reasons
         self.notes = notes
@@ -6147,6 +6241,7 @@ public struct Judgement: Equatable, Hashable {
         self.swing = swing
         self.releasedDeg = releasedDeg
         self.incline = incline
+        self.gaps = gaps
     }
 
     
@@ -6171,7 +6266,8 @@ public struct FfiConverterTypeJudgement: FfiConverterRustBuffer {
                 recordedS: FfiConverterDouble.read(from: &buf), 
                 swing: FfiConverterOptionTypeSwingState.read(from: &buf), 
                 releasedDeg: FfiConverterOptionDouble.read(from: &buf), 
-                incline: FfiConverterOptionTypeInclineReading.read(from: &buf)
+                incline: FfiConverterOptionTypeInclineReading.read(from: &buf), 
+                gaps: FfiConverterTypeGapList.read(from: &buf)
         )
     }
 
@@ -6183,6 +6279,7 @@ public struct FfiConverterTypeJudgement: FfiConverterRustBuffer {
         FfiConverterOptionTypeSwingState.write(value.swing, into: &buf)
         FfiConverterOptionDouble.write(value.releasedDeg, into: &buf)
         FfiConverterOptionTypeInclineReading.write(value.incline, into: &buf)
+        FfiConverterTypeGapList.write(value.gaps, into: &buf)
     }
 }
 
@@ -6334,6 +6431,10 @@ public struct LiveEstimate: Equatable, Hashable {
      */
     public let sensors: [SensorState]
     /**
+     * Every gap of theirs.
+     */
+    public let gaps: GapList
+    /**
      * The swing, once there is one to speak of.
      */
     public let swing: SwingState?
@@ -6352,6 +6453,9 @@ public struct LiveEstimate: Equatable, Hashable {
          * What each sensor does: gyroscope, accelerometer.
          */sensors: [SensorState], 
         /**
+         * Every gap of theirs.
+         */gaps: GapList, 
+        /**
          * The swing, once there is one to speak of.
          */swing: SwingState?, 
         /**
@@ -6359,6 +6463,7 @@ public struct LiveEstimate: Equatable, Hashable {
          */advice: [LiveAdvice]) {
         self.nowS = nowS
         self.sensors = sensors
+        self.gaps = gaps
         self.swing = swing
         self.advice = advice
     }
@@ -6381,6 +6486,7 @@ public struct FfiConverterTypeLiveEstimate: FfiConverterRustBuffer {
             try LiveEstimate(
                 nowS: FfiConverterDouble.read(from: &buf), 
                 sensors: FfiConverterSequenceTypeSensorState.read(from: &buf), 
+                gaps: FfiConverterTypeGapList.read(from: &buf), 
                 swing: FfiConverterOptionTypeSwingState.read(from: &buf), 
                 advice: FfiConverterSequenceTypeLiveAdvice.read(from: &buf)
         )
@@ -6389,6 +6495,7 @@ public struct FfiConverterTypeLiveEstimate: FfiConverterRustBuffer {
     public static func write(_ value: LiveEstimate, into buf: inout [UInt8]) {
         FfiConverterDouble.write(value.nowS, into: &buf)
         FfiConverterSequenceTypeSensorState.write(value.sensors, into: &buf)
+        FfiConverterTypeGapList.write(value.gaps, into: &buf)
         FfiConverterOptionTypeSwingState.write(value.swing, into: &buf)
         FfiConverterSequenceTypeLiveAdvice.write(value.advice, into: &buf)
     }
@@ -11070,6 +11177,85 @@ public func FfiConverterTypeSampleBatch_lift(_ buf: RustBuffer) throws -> Sample
 #endif
 public func FfiConverterTypeSampleBatch_lower(_ value: SampleBatch) -> RustBuffer {
     return FfiConverterTypeSampleBatch.lower(value)
+}
+
+
+/**
+ * A time without samples.
+ */
+public struct SensorGap: Equatable, Hashable {
+    /**
+     * Whose.
+     */
+    public let sensor: Sensor
+    /**
+     * The last stamp before it, s from the recording's first.
+     */
+    public let fromS: Double
+    /**
+     * How long it lasted, s.
+     */
+    public let lengthS: Double
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * Whose.
+         */sensor: Sensor, 
+        /**
+         * The last stamp before it, s from the recording's first.
+         */fromS: Double, 
+        /**
+         * How long it lasted, s.
+         */lengthS: Double) {
+        self.sensor = sensor
+        self.fromS = fromS
+        self.lengthS = lengthS
+    }
+
+    
+
+    
+}
+
+#if compiler(>=6)
+extension SensorGap: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeSensorGap: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SensorGap {
+        return
+            try SensorGap(
+                sensor: FfiConverterTypeSensor.read(from: &buf), 
+                fromS: FfiConverterDouble.read(from: &buf), 
+                lengthS: FfiConverterDouble.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: SensorGap, into buf: inout [UInt8]) {
+        FfiConverterTypeSensor.write(value.sensor, into: &buf)
+        FfiConverterDouble.write(value.fromS, into: &buf)
+        FfiConverterDouble.write(value.lengthS, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSensorGap_lift(_ buf: RustBuffer) throws -> SensorGap {
+    return try FfiConverterTypeSensorGap.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSensorGap_lower(_ value: SensorGap) -> RustBuffer {
+    return FfiConverterTypeSensorGap.lower(value)
 }
 
 
@@ -17536,6 +17722,31 @@ fileprivate struct FfiConverterSequenceTypeSampleBatch: FfiConverterRustBuffer {
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
+fileprivate struct FfiConverterSequenceTypeSensorGap: FfiConverterRustBuffer {
+    typealias SwiftType = [SensorGap]
+
+    public static func write(_ value: [SensorGap], into buf: inout [UInt8]) {
+        let len = Int32(value.count)
+        writeInt(&buf, len)
+        for item in value {
+            FfiConverterTypeSensorGap.write(item, into: &buf)
+        }
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> [SensorGap] {
+        let len: Int32 = try readInt(&buf)
+        var seq = [SensorGap]()
+        seq.reserveCapacity(Int(len))
+        for _ in 0 ..< len {
+            seq.append(try FfiConverterTypeSensorGap.read(from: &buf))
+        }
+        return seq
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
 fileprivate struct FfiConverterSequenceTypeSensorState: FfiConverterRustBuffer {
     typealias SwiftType = [SensorState]
 
@@ -19157,6 +19368,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rig_swing_ids() != 31726) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_method_rig_titled() != 19676) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rig_write() != 45994) {

@@ -851,6 +851,8 @@ internal object IntegrityCheckingUniffiLib {
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_rig_swing_ids(
     ): Int
+    external fun uniffi_gyradius_ffi_checksum_method_rig_titled(
+    ): Int
     external fun uniffi_gyradius_ffi_checksum_method_rig_write(
     ): Int
     external fun uniffi_gyradius_ffi_checksum_method_simulation_attitude(
@@ -1100,6 +1102,8 @@ internal object UniffiLib {
     ): Long
     external fun uniffi_gyradius_ffi_fn_method_rig_swing_ids(`ptr`: Long,uniffi_out_err: UniffiRustCallStatus, 
     ): RustBuffer.ByValue
+    external fun uniffi_gyradius_ffi_fn_method_rig_titled(`ptr`: Long,`title`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
+    ): Long
     external fun uniffi_gyradius_ffi_fn_method_rig_write(`ptr`: Long,`folder`: RustBuffer.ByValue,`truthFile`: RustBuffer.ByValue,`seed`: Long,`overwrite`: RustBuffer.ByValue,uniffi_out_err: UniffiRustCallStatus, 
     ): Unit
     external fun uniffi_gyradius_ffi_fn_clone_simulation(`handle`: Long,uniffi_out_err: UniffiRustCallStatus, 
@@ -1526,6 +1530,9 @@ private fun uniffiCheckApiChecksums(lib: IntegrityCheckingUniffiLib) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_rig_swing_ids() and 0xFFFF) != 31726) {
+        throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
+    }
+    if ((lib.uniffi_gyradius_ffi_checksum_method_rig_titled() and 0xFFFF) != 19676) {
         throw RuntimeException("UniFFI API checksum mismatch: try cleaning and rebuilding your project")
     }
     if ((lib.uniffi_gyradius_ffi_checksum_method_rig_write() and 0xFFFF) != 45994) {
@@ -5792,6 +5799,11 @@ public interface RigInterface {
     fun `swingIds`(): List<kotlin.String>
     
     /**
+     * The same under another title, which its sessions bear.
+     */
+    fun `titled`(`title`: kotlin.String): Rig
+    
+    /**
      * Simulates all swings and writes the session into a folder, and what is true into a file outside of it. The same seed
      * gives the same files.
      */
@@ -5976,6 +5988,23 @@ open class Rig: Disposable, AutoCloseable, RigInterface
     UniffiLib.uniffi_gyradius_ffi_fn_method_rig_swing_ids(
         it,
         _status)
+}
+    }
+    )
+    }
+    
+
+    
+    /**
+     * The same under another title, which its sessions bear.
+     */override fun `titled`(`title`: kotlin.String): Rig {
+            return FfiConverterTypeRig.lift(
+    callWithHandle {
+    uniffiRustCall() { _status ->
+    UniffiLib.uniffi_gyradius_ffi_fn_method_rig_titled(
+        it,
+        
+        FfiConverterString.lower(`title`),_status)
 }
     }
     )
@@ -8315,6 +8344,53 @@ public object FfiConverterTypeGain: FfiConverterRustBuffer<Gain> {
 
 
 /**
+ * Every gap of a recording, as far as a list of them is of use.
+ */
+data class GapList (
+    /**
+     * The gaps, first to last: the hundred longest of each sensor.
+     */
+    val `listed`: List<SensorGap>
+    , 
+    /**
+     * How many more there are; each is shorter than what is listed of its sensor.
+     */
+    val `more`: kotlin.ULong
+    
+){
+    
+
+    
+
+    
+    companion object
+}
+
+/**
+ * @suppress
+ */
+public object FfiConverterTypeGapList: FfiConverterRustBuffer<GapList> {
+    override fun read(buf: ByteBuffer): GapList {
+        return GapList(
+            FfiConverterSequenceTypeSensorGap.read(buf),
+            FfiConverterULong.read(buf),
+        )
+    }
+
+    override fun allocationSize(value: GapList) = (
+            FfiConverterSequenceTypeSensorGap.allocationSize(value.`listed`) +
+            FfiConverterULong.allocationSize(value.`more`)
+    )
+
+    override fun write(value: GapList, buf: ByteBuffer) {
+            FfiConverterSequenceTypeSensorGap.write(value.`listed`, buf)
+            FfiConverterULong.write(value.`more`, buf)
+    }
+}
+
+
+
+/**
  * One way to hang the hull.
  */
 data class HangingAdvice (
@@ -8794,6 +8870,11 @@ data class Judgement (
      * The tilt of an incline.
      */
     val `incline`: InclineReading?
+    , 
+    /**
+     * Every gap of a swing's recording.
+     */
+    val `gaps`: GapList
     
 ){
     
@@ -8817,6 +8898,7 @@ public object FfiConverterTypeJudgement: FfiConverterRustBuffer<Judgement> {
             FfiConverterOptionalTypeSwingState.read(buf),
             FfiConverterOptionalDouble.read(buf),
             FfiConverterOptionalTypeInclineReading.read(buf),
+            FfiConverterTypeGapList.read(buf),
         )
     }
 
@@ -8827,7 +8909,8 @@ public object FfiConverterTypeJudgement: FfiConverterRustBuffer<Judgement> {
             FfiConverterDouble.allocationSize(value.`recordedS`) +
             FfiConverterOptionalTypeSwingState.allocationSize(value.`swing`) +
             FfiConverterOptionalDouble.allocationSize(value.`releasedDeg`) +
-            FfiConverterOptionalTypeInclineReading.allocationSize(value.`incline`)
+            FfiConverterOptionalTypeInclineReading.allocationSize(value.`incline`) +
+            FfiConverterTypeGapList.allocationSize(value.`gaps`)
     )
 
     override fun write(value: Judgement, buf: ByteBuffer) {
@@ -8838,6 +8921,7 @@ public object FfiConverterTypeJudgement: FfiConverterRustBuffer<Judgement> {
             FfiConverterOptionalTypeSwingState.write(value.`swing`, buf)
             FfiConverterOptionalDouble.write(value.`releasedDeg`, buf)
             FfiConverterOptionalTypeInclineReading.write(value.`incline`, buf)
+            FfiConverterTypeGapList.write(value.`gaps`, buf)
     }
 }
 
@@ -8945,6 +9029,11 @@ data class LiveEstimate (
     val `sensors`: List<SensorState>
     , 
     /**
+     * Every gap of theirs.
+     */
+    val `gaps`: GapList
+    , 
+    /**
      * The swing, once there is one to speak of.
      */
     val `swing`: SwingState?
@@ -8971,6 +9060,7 @@ public object FfiConverterTypeLiveEstimate: FfiConverterRustBuffer<LiveEstimate>
         return LiveEstimate(
             FfiConverterDouble.read(buf),
             FfiConverterSequenceTypeSensorState.read(buf),
+            FfiConverterTypeGapList.read(buf),
             FfiConverterOptionalTypeSwingState.read(buf),
             FfiConverterSequenceTypeLiveAdvice.read(buf),
         )
@@ -8979,6 +9069,7 @@ public object FfiConverterTypeLiveEstimate: FfiConverterRustBuffer<LiveEstimate>
     override fun allocationSize(value: LiveEstimate) = (
             FfiConverterDouble.allocationSize(value.`nowS`) +
             FfiConverterSequenceTypeSensorState.allocationSize(value.`sensors`) +
+            FfiConverterTypeGapList.allocationSize(value.`gaps`) +
             FfiConverterOptionalTypeSwingState.allocationSize(value.`swing`) +
             FfiConverterSequenceTypeLiveAdvice.allocationSize(value.`advice`)
     )
@@ -8986,6 +9077,7 @@ public object FfiConverterTypeLiveEstimate: FfiConverterRustBuffer<LiveEstimate>
     override fun write(value: LiveEstimate, buf: ByteBuffer) {
             FfiConverterDouble.write(value.`nowS`, buf)
             FfiConverterSequenceTypeSensorState.write(value.`sensors`, buf)
+            FfiConverterTypeGapList.write(value.`gaps`, buf)
             FfiConverterOptionalTypeSwingState.write(value.`swing`, buf)
             FfiConverterSequenceTypeLiveAdvice.write(value.`advice`, buf)
     }
@@ -12333,6 +12425,61 @@ public object FfiConverterTypeSampleBatch: FfiConverterRustBuffer<SampleBatch> {
             FfiConverterTypeChannel.write(value.`channel`, buf)
             FfiConverterSequenceLong.write(value.`stampsNs`, buf)
             FfiConverterSequenceTypeVector3.write(value.`values`, buf)
+    }
+}
+
+
+
+/**
+ * A time without samples.
+ */
+data class SensorGap (
+    /**
+     * Whose.
+     */
+    val `sensor`: Sensor
+    , 
+    /**
+     * The last stamp before it, s from the recording's first.
+     */
+    val `fromS`: kotlin.Double
+    , 
+    /**
+     * How long it lasted, s.
+     */
+    val `lengthS`: kotlin.Double
+    
+){
+    
+
+    
+
+    
+    companion object
+}
+
+/**
+ * @suppress
+ */
+public object FfiConverterTypeSensorGap: FfiConverterRustBuffer<SensorGap> {
+    override fun read(buf: ByteBuffer): SensorGap {
+        return SensorGap(
+            FfiConverterTypeSensor.read(buf),
+            FfiConverterDouble.read(buf),
+            FfiConverterDouble.read(buf),
+        )
+    }
+
+    override fun allocationSize(value: SensorGap) = (
+            FfiConverterTypeSensor.allocationSize(value.`sensor`) +
+            FfiConverterDouble.allocationSize(value.`fromS`) +
+            FfiConverterDouble.allocationSize(value.`lengthS`)
+    )
+
+    override fun write(value: SensorGap, buf: ByteBuffer) {
+            FfiConverterTypeSensor.write(value.`sensor`, buf)
+            FfiConverterDouble.write(value.`fromS`, buf)
+            FfiConverterDouble.write(value.`lengthS`, buf)
     }
 }
 
@@ -18242,6 +18389,34 @@ public object FfiConverterSequenceTypeSampleBatch: FfiConverterRustBuffer<List<S
         buf.putInt(value.size)
         value.iterator().forEach {
             FfiConverterTypeSampleBatch.write(it, buf)
+        }
+    }
+}
+
+
+
+
+/**
+ * @suppress
+ */
+public object FfiConverterSequenceTypeSensorGap: FfiConverterRustBuffer<List<SensorGap>> {
+    override fun read(buf: ByteBuffer): List<SensorGap> {
+        val len = buf.getInt()
+        return List<SensorGap>(len) {
+            FfiConverterTypeSensorGap.read(buf)
+        }
+    }
+
+    override fun allocationSize(value: List<SensorGap>): ULong {
+        val sizeForLength = 4UL
+        val sizeForItems = value.map { FfiConverterTypeSensorGap.allocationSize(it) }.sum()
+        return sizeForLength + sizeForItems
+    }
+
+    override fun write(value: List<SensorGap>, buf: ByteBuffer) {
+        buf.putInt(value.size)
+        value.iterator().forEach {
+            FfiConverterTypeSensorGap.write(it, buf)
         }
     }
 }

@@ -179,7 +179,7 @@ class MainActivity : ComponentActivity() {
 
     private fun practise(folder: File) {
         val rig = assets.open(PRACTICE_RIG).bufferedReader().use { it.readText() }
-        model.practise(folder, rig, PRACTICE_SEED)
+        model.practise(folder, rig, getString(R.string.practice_title), PRACTICE_SEED)
     }
 
     private companion object {

@@ -18,6 +18,7 @@ class FiguresTest {
     fun `an uncertainty has two digits and its figure as many places`() {
         assertEquals("2.34568" to "0.00012", withUncertainty(2.345678, 0.000123))
         assertEquals("212" to "15", withUncertainty(212.4, 15.2))
+        assertEquals("−5.52" to "0.65", withUncertainty(-5.52, 0.65))
         assertEquals("2.3457" to "–", withUncertainty(2.345678, 0.0))
     }
 

@@ -63,8 +63,9 @@ val LOOKS = listOf(
     Look("tablet-large", TABLET, fontScale = 2f),
 )
 
-/** Draws a screen in every look, keeps pictures where they are asked for, and checks what can be checked of each. */
-fun ComposeContentTestRule.looks(name: String, content: @Composable () -> Unit) {
+/** Draws a screen in every look, keeps pictures where they are asked for, and checks what can be checked of each; `prepare` may
+ * touch it first. */
+fun ComposeContentTestRule.looks(name: String, prepare: (Look) -> Unit = {}, content: @Composable () -> Unit) {
     var look by mutableStateOf(LOOKS.first())
     setContent {
         val device = DeviceConfigurationOverride.ForcedSize(look.size) then
@@ -80,6 +81,8 @@ fun ComposeContentTestRule.looks(name: String, content: @Composable () -> Unit) 
         // Android does so itself where the phone's language changes.
         Locale.setDefault(Locale.forLanguageTag(one.language))
         look = one
+        waitForIdle()
+        prepare(one)
         waitForIdle()
         picture("$name-${one.name}")
         faults(one).map { "$name-${one.name}: $it" }

@@ -14,7 +14,10 @@ import org.gyradius.PlanRequest
 import org.gyradius.ProcedurePhase
 import org.gyradius.ProcedureState
 import org.gyradius.Recommend
+import org.gyradius.GapList
 import org.gyradius.MeasuredDimensions
+import org.gyradius.Sensor
+import org.gyradius.SensorGap
 import org.gyradius.Tilt
 import org.gyradius.TiltAgainst
 import org.gyradius.app.result.ResultShown
@@ -99,6 +102,20 @@ class LooksTest {
     }
 
     @Test
+    fun `every gap of a swing on its way`() {
+        val state = Core.byTheBook.middle { it.recording?.live?.swing != null }
+        val sensors = state.recording!!.live!!.sensors.map { it.copy(gaps = 2uL, longestGapS = 0.51) }
+        val live = state.recording!!.live!!.copy(sensors = sensors, gaps = someGaps.copy(more = 0uL))
+        gaps("gaps", state.copy(recording = state.recording!!.copy(live = live)))
+    }
+
+    @Test
+    fun `every gap of a recording that has ended`() {
+        val state = first(ProcedurePhase.JUDGE)
+        gaps("judge-gaps", state.copy(judgement = state.judgement!!.copy(gaps = someGaps)))
+    }
+
+    @Test
     fun `a swing that somebody touched`() = procedure("touched", Core.touched.first { it.recording?.live?.advice.orEmpty().isNotEmpty() })
 
     @Test
@@ -167,6 +184,22 @@ class LooksTest {
         val trace = if (state.recording != null && !isPractice) Core.trace else emptyList()
         rule.looks(name) { Procedure(Shown(state, trace, isPractice = isPractice)) }
     }
+
+    /** With the list of gaps open. */
+    private fun gaps(name: String, state: ProcedureState) {
+        val open = { look: Look -> rule.onNodeWithText(if (look.language == "de") "Jede Lücke" else "Every gap").performScrollTo().performClick() }
+        rule.looks(name, { open(it) }) { Procedure(Shown(state)) }
+    }
+
+    private val someGaps = GapList(
+        listOf(
+            SensorGap(Sensor.GYROSCOPE, fromS = 3.115, lengthS = 0.015),
+            SensorGap(Sensor.ACCELEROMETER, fromS = 3.115, lengthS = 0.015),
+            SensorGap(Sensor.GYROSCOPE, fromS = 41.87, lengthS = 0.51),
+            SensorGap(Sensor.ACCELEROMETER, fromS = 104.2, lengthS = 12.305),
+        ),
+        more = 23uL,
+    )
 
     private fun show(shown: Shown, deeds: Deeds) = rule.setContent { ProcedurePage(shown, deeds, isAloud = true) {} }
 

@@ -95,6 +95,11 @@ class Phone {
         sensors.settle()
     }
 
+    /** Gives nothing for so long. */
+    fun pause(seconds: Double) {
+        nowNs += (seconds * 1e9).toLong()
+    }
+
     /** Rides on a simulated hull; asked before each second of it whether to go on. */
     fun ride(swing: Simulation, isWanted: () -> Boolean = { true }) {
         val readings = swing.readings().asDoubles()

@@ -10,6 +10,7 @@ import org.junit.Assert.assertTrue
 import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
+import org.robolectric.annotation.Config
 
 /** The whole practice through the real screens, from the first touch to the result. */
 @RunWith(AndroidJUnit4::class)
@@ -42,6 +43,13 @@ class PracticeTest {
         until("the end") { state?.phase == ProcedurePhase.DONE }
         rule.onNodeWithText("Yaw gyradius").assertExists()
         wholeResult()
+    }
+
+    @Test
+    @Config(qualifiers = "de")
+    fun `the hull of the practice has its name in the language of the phone`() {
+        rule.onNodeWithText("An einem simulierten Rumpf üben").performClick()
+        until("begun") { rule.texts().any { "Kielboot, simuliert" in it } }
     }
 
     private fun wholeResult() {

@@ -139,11 +139,14 @@ class Practising(private val rehearsal: Rehearsal) : Run {
     override fun close() = rehearsal.close()
 
     companion object {
-        /** Goes on with a practice that was left in a folder, or begins there. */
-        fun of(folder: File, rigText: String, seed: ULong): Practising = Rig.parse(rigText, "practice").use { rig ->
+        /** Goes on with a practice that was left in a folder, or begins there under a title. */
+        fun of(folder: File, rigText: String, title: String, seed: ULong): Practising = Rig.parse(rigText, "practice").use { rig ->
             val known = File(folder, JOURNAL).exists()
-            Practising(if (known) Rehearsal.open(folder.path, rig, seed) else Rehearsal.create(folder.path, rig, seed))
+            Practising(if (known) Rehearsal.open(folder.path, rig, seed) else begun(folder, rig, title, seed))
         }
+
+        private fun begun(folder: File, rig: Rig, title: String, seed: ULong): Rehearsal =
+            rig.titled(title).use { Rehearsal.create(folder.path, it, seed) }
     }
 }
 

@@ -82,9 +82,9 @@ class RunModel(
     /** What the screens show. */
     val shown: StateFlow<Shown> = flow.asStateFlow()
 
-    /** Goes on with the practice in a folder, or begins one there. */
-    fun practise(folder: File, rigText: String, seed: ULong) =
-        begin(folder, isPractice = true) { Practising.of(folder, rigText, seed) }
+    /** Goes on with the practice in a folder, or begins one there under a title. */
+    fun practise(folder: File, rigText: String, title: String, seed: ULong) =
+        begin(folder, isPractice = true) { Practising.of(folder, rigText, title, seed) }
 
     /** Begins a measurement in a folder, on what a source gives. */
     fun measure(folder: File, task: ProcedureTask, source: MotionSource) =

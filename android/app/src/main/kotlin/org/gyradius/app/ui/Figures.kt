@@ -14,7 +14,8 @@ fun withUncertainty(value: Double, u: Double): Pair<String, String> {
     return plain(value, places) to plain(u, places)
 }
 
-private fun plain(value: Double, places: Int): String = String.format(Locale.getDefault(), "%.${places}f", value)
+/** With a minus sign as long as a plus, as the library writes it. */
+private fun plain(value: Double, places: Int): String = String.format(Locale.getDefault(), "%.${places}f", value).replace('-', '−')
 
 /** A figure as it stands in a field before anybody types: six digits, no exponent. */
 internal fun asTyped(value: Double): String =

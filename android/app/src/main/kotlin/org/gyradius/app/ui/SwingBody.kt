@@ -11,12 +11,14 @@ import androidx.compose.ui.res.stringResource
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import kotlin.math.ceil
+import org.gyradius.GapList
 import org.gyradius.Judgement
 import org.gyradius.LiveEstimate
 import org.gyradius.PlannedSwing
 import org.gyradius.Recommend
 import org.gyradius.RecordingView
 import org.gyradius.Sensor
+import org.gyradius.SensorGap
 import org.gyradius.SensorState
 import org.gyradius.SideMotion
 import org.gyradius.SwingState
@@ -86,7 +88,7 @@ private fun SideMotions(all: List<SideMotion>) {
     if (lines.isEmpty()) Text(stringResource(R.string.unwanted_none), style = MaterialTheme.typography.titleMedium)
     for (one in lines) {
         val words = stringResource(R.string.unwanted_one, stringResource(wordOf(one.kind)), 100 * one.share, one.periodS)
-        Text(words, style = MaterialTheme.typography.titleMedium)
+        Text(asShown(words), style = MaterialTheme.typography.titleMedium)
         val share = one.share.toFloat().coerceIn(0f, 1f)
         LinearProgressIndicator({ share }, Modifier.fillMaxWidth().height(8.dp).clearAndSetSemantics {})
     }
@@ -97,11 +99,12 @@ private fun SideMotions(all: List<SideMotion>) {
 private fun Rates(live: LiveEstimate) {
     SectionHead(stringResource(R.string.sensors))
     live.sensors.forEach { RateLine(it) }
+    Gaps(live.gaps)
 }
 
 @Composable
 private fun RateLine(one: SensorState) {
-    val name = stringResource(if (one.sensor == Sensor.GYROSCOPE) R.string.gyroscope else R.string.accelerometer)
+    val name = sensorName(one.sensor)
     val rate = one.rateHz ?: return Text(stringResource(R.string.no_samples, name), style = MaterialTheme.typography.titleMedium)
     val words = if (one.gaps == 0uL) {
         stringResource(R.string.rate_no_gaps, name, rate)
@@ -110,6 +113,27 @@ private fun RateLine(one: SensorState) {
     }
     Text(words, style = MaterialTheme.typography.titleMedium)
 }
+
+/** Every time without samples, for whoever asks. */
+@Composable
+private fun Gaps(gaps: GapList) {
+    if (gaps.listed.isEmpty()) return
+    Fold(R.string.gaps) {
+        Text(stringResource(R.string.gaps_say), style = MaterialTheme.typography.bodyLarge)
+        gaps.listed.forEach { GapLine(it) }
+        if (gaps.more > 0uL) Text(stringResource(R.string.gaps_more, gaps.more.toInt()), style = MaterialTheme.typography.bodyLarge)
+    }
+}
+
+@Composable
+private fun GapLine(gap: SensorGap) {
+    val words = stringResource(R.string.gap_one, gap.fromS, sensorName(gap.sensor), gap.lengthS)
+    Text(words, style = MaterialTheme.typography.titleMedium)
+}
+
+@Composable
+private fun sensorName(sensor: Sensor): String =
+    stringResource(if (sensor == Sensor.GYROSCOPE) R.string.gyroscope else R.string.accelerometer)
 
 /** Whether the recording is good. */
 @Composable
@@ -132,6 +156,7 @@ fun JudgementBody(judgement: Judgement) {
 fun JudgementDetails(judgement: Judgement) {
     judgement.notes.forEach { Text(spoken(it), style = MaterialTheme.typography.bodyLarge) }
     judgement.swing?.let { SideMotions(it.lines) }
+    Gaps(judgement.gaps)
 }
 
 /** What is less would read as 0 %. */
