@@ -49,8 +49,10 @@ pub struct Fitted {
     /// Of the samples alone, and how many rows they have.
     pub chi2: f64,
     pub rows: usize,
-    /// Information: half of the second derivative of χ², priors included.
+    /// Information: half of the second derivative of χ², priors included; of strengths that are held at zero that of their priors alone.
     pub matrix: DMatrix<f64>,
+    /// Places of those in the list of all that is fitted.
+    pub held: Vec<usize>,
     pub gradient: DVector<f64>,
     /// Derivatives of each swing's rows.
     pub jacobians: Vec<DMatrix<f64>>,
@@ -211,7 +213,7 @@ impl Model<'_> {
             }
         }
         let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
-        self.pin(&point, &mut matrix, &mut gradient);
+        let held = self.pin(&point, &mut matrix, &mut gradient);
         let rows = misfit.count();
         Ok(Fitted {
             point,
@@ -219,6 +221,7 @@ impl Model<'_> {
             chi2: misfit.chi2(),
             rows,
             matrix,
+            held,
             gradient,
             jacobians,
             last_gained,
@@ -392,10 +395,11 @@ impl Model<'_> {
         all
     }
 
-    /// Strengths that stand at zero and would go below are held there.
-    fn pin(&self, point: &Point, matrix: &mut DMatrix<f64>, gradient: &mut DVector<f64>) {
+    /// Strengths that stand at zero and would go below are held there: their places.
+    fn pin(&self, point: &Point, matrix: &mut DMatrix<f64>, gradient: &mut DVector<f64>) -> Vec<usize> {
         let swings = self.base.swings.len();
         let mut first = Places::of(self).first_cause();
+        let mut held = Vec::new();
         for (cause, values) in self.causes.iter().zip(&point.causes) {
             for k in cause.one_sided_places(swings).into_iter().filter(|k| values[*k] <= 0.0) {
                 let place = first + k;
@@ -405,10 +409,12 @@ impl Model<'_> {
                     // Its width is that of its prior, so that it neither gains nor costs evidence.
                     matrix[(place, place)] = cause.expanded(swings)[k].0.prior.1.powi(-2);
                     gradient[place] = 0.0;
+                    held.push(place);
                 }
             }
             first += values.len();
         }
+        held
     }
 
     /// With a body that there can be, and no strength below zero that has no meaning there.

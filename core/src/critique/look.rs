@@ -144,13 +144,30 @@ impl<'a> Equations<'a> {
     /// With everything else made the best of; strengths that cannot be negative at zero or above.
     pub fn solved(&self, one_sided: bool) -> Option<Solved> {
         let fitted = self.standing.fitted;
-        let base = fitted.cholesky()?;
-        let absorbed = base.solve(&self.outer);
-        let schur = &self.inner - self.outer.tr_mul(&absorbed);
-        let score = &self.score - absorbed.tr_mul(&fitted.gradient);
+        let beside = Beside::of(fitted, &self.outer)?;
+        let schur = &self.inner - self.outer.tr_mul(&beside.absorbed);
+        let score = &self.score - beside.absorbed.tr_mul(&fitted.gradient);
         let (strength, gain) = strengths(&schur, &score, &self.u, one_sided)?;
-        let rest = base.solve(&fitted.gradient) - &absorbed * &strength;
+        let rest = beside.moved - &beside.absorbed * &strength;
         Some(Solved { strength, rest, gain })
+    }
+}
+
+/// What everything that is fitted does beside strengths.
+struct Beside {
+    /// Its change by each of them.
+    absorbed: DMatrix<f64>,
+    /// Its change without them.
+    moved: DVector<f64>,
+}
+
+impl Beside {
+    /// From products of derivatives by what is fitted with those by the strengths. What is held makes up for nothing.
+    fn of(fitted: &Fitted, outer: &DMatrix<f64>) -> Option<Self> {
+        let base = fitted.cholesky()?;
+        let mut free = outer.clone();
+        fitted.held.iter().for_each(|place| free.row_mut(*place).fill(0.0));
+        Some(Self { absorbed: base.solve(&free), moved: base.solve(&fitted.gradient) })
     }
 }
 
@@ -237,4 +254,42 @@ pub fn columns(
         sensitivity.column_mut(column).iter_mut().zip(change).for_each(|(cell, c)| *cell = c);
     }
     Ok(Part::of(&standing.fitted.jacobians[s], &sensitivity, residual))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One strength of three that are fitted is held at zero. What the others leave of a fourth is what a projection leaves (QR): with
+    /// the held one counted as if it could follow, less than nothing was left, and no look found anything.
+    #[test]
+    fn what_is_held_makes_up_for_nothing() {
+        let jacobian = DMatrix::from_fn(40, 3, |i, k| (0.3 * (i * (k + 1)) as f64).sin());
+        let sensitivity = DMatrix::from_fn(40, 1, |i, _| 2.0 * jacobian[(i, 1)] + (0.02 * i as f64).exp());
+        let mut matrix = jacobian.tr_mul(&jacobian);
+        matrix.row_mut(1).fill(0.0);
+        matrix.column_mut(1).fill(0.0);
+        matrix[(1, 1)] = 1e-2;
+        let point = Point { x: vec![], mounts: vec![], causes: vec![], owns: vec![] };
+        let (gradient, jacobians) = (DVector::zeros(3), vec![]);
+        let held = vec![1];
+        let fitted = Fitted {
+            point,
+            cost: 0.0,
+            chi2: 0.0,
+            rows: 40,
+            matrix,
+            held,
+            gradient,
+            jacobians,
+            last_gained: 0.0,
+        };
+        let outer = jacobian.tr_mul(&sensitivity);
+        let beside = Beside::of(&fitted, &outer).unwrap();
+        let left = sensitivity.norm_squared() - outer.tr_mul(&beside.absorbed)[(0, 0)];
+        let q = jacobian.remove_column(1).qr().q();
+        let expected = (&sensitivity - &q * q.tr_mul(&sensitivity)).norm_squared();
+        assert!((left - expected).abs() < 1e-9 * expected, "{left} for {expected}");
+        assert_eq!(beside.absorbed[(1, 0)], 0.0);
+    }
 }
