@@ -293,7 +293,10 @@ impl Found<'_> {
         let unnamed: Vec<Look> = unnamed.into_iter().filter(|look| much || may_be(look)).take(2).collect();
         let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
         let found = in_parallel(unnamed.len(), |k| self.fit(&unnamed[k], limit, true));
-        for unknown in found.into_iter().flatten() {
+        let mut found: Vec<Tried> = found.into_iter().flatten().collect();
+        // The best last, which puts it before the others.
+        found.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        for unknown in found {
             let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
             let takes_all = unknown.left.excess() < UNNAMED_LEAVES * left;
             // A line's slip is a law as sharp as those that have names; others may bend to what a name leaves.
