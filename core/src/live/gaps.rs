@@ -39,6 +39,16 @@ impl GapList {
         }
     }
 
+    /// How many there are, listed or not.
+    pub(super) fn count(&self) -> u64 {
+        self.listed.len() as u64 + self.more
+    }
+
+    /// How long the longest lasted, s; 0 where there is none.
+    pub(super) fn longest_s(&self) -> f64 {
+        self.listed.iter().map(|gap| gap.length_s).fold(0.0, f64::max)
+    }
+
     /// Those of two sensors, by time.
     pub(super) fn with(&self, other: &Self) -> Self {
         let mut listed = [self.listed.as_slice(), &other.listed].concat();

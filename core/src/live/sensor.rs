@@ -23,9 +23,7 @@ pub(super) struct Watch {
     /// Intervals that are no gaps: how many, and their sum.
     regular: u64,
     regular_s: f64,
-    gaps: u64,
-    longest_gap_s: f64,
-    gap_list: GapList,
+    gaps: GapList,
     at_full_scale: u64,
     axes: [Extreme; 3],
 }
@@ -43,9 +41,7 @@ impl Watch {
             usual_s: None,
             regular: 0,
             regular_s: 0.0,
-            gaps: 0,
-            longest_gap_s: 0.0,
-            gap_list: GapList::default(),
+            gaps: GapList::default(),
             at_full_scale: 0,
             axes: [Extreme::default(); 3],
         }
@@ -82,9 +78,7 @@ impl Watch {
             self.usual_s = median(&self.intervals_s);
         }
         if self.usual_s.is_some_and(|usual_s| interval_s > MISSING_INTERVALS * usual_s) {
-            self.gaps += 1;
-            self.longest_gap_s = self.longest_gap_s.max(interval_s);
-            self.gap_list.take(Gap { sensor: self.sensor, from_s, length_s: interval_s });
+            self.gaps.take(Gap { sensor: self.sensor, from_s, length_s: interval_s });
         } else {
             self.regular += 1;
             self.regular_s += interval_s;
@@ -96,7 +90,7 @@ impl Watch {
     }
 
     pub fn gaps(&self) -> &GapList {
-        &self.gap_list
+        &self.gaps
     }
 
     pub fn state(&self) -> SensorState {
@@ -105,8 +99,8 @@ impl Watch {
             rate_hz: (self.regular > 0).then(|| self.regular as f64 / self.regular_s),
             samples: self.samples,
             left_out: self.left_out,
-            gaps: self.gaps,
-            longest_gap_s: self.longest_gap_s,
+            gaps: self.gaps.count(),
+            longest_gap_s: self.gaps.longest_s(),
             saturated: self.at_full_scale + self.axes.iter().map(Extreme::saturated).sum::<u64>(),
             last_s: self.last_s,
         }
