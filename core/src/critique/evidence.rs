@@ -6,9 +6,8 @@ use super::white::Left;
 
 /// Evidence of e⁷ = 1100 to 1 for a cause: a complete session, looked at for thirty, is then wronged less than once in fifty.
 pub const LEAST_GAIN: f64 = 7.0;
-/// Before the data a session is as likely as not to have something that the simulation lacks, and that may be any of some thirty causes:
-/// odds of e⁻⁴ for each. What is not certain enough to be named is allowed for with these.
-pub const ODDS_BEFORE: f64 = 4.0;
+/// A cause that gains so much where nothing more is to be seen is fitted in full: weaker ones are linear.
+pub const DOUBTFUL: f64 = 2.0;
 /// Where nothing is left to see, a further cause must gain more than this, and more than this share of the first's gain:
 /// laws that differ a little from nature's leave something for others to pick up.
 pub const FURTHER_GAIN: f64 = 14.0;

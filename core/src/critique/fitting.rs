@@ -458,6 +458,11 @@ impl Fitted {
         self.matrix.nrows() - OWN * self.jacobians.len() - count
     }
 
+    /// The point, and what is known there.
+    pub fn at(&self) -> (&Point, &DMatrix<f64>) {
+        (&self.point, &self.matrix)
+    }
+
     /// Residual over noise, blocks of samples.
     pub fn rms(&self) -> f64 {
         (self.chi2 / self.rows.max(1) as f64).sqrt()

@@ -42,6 +42,18 @@ pub struct Look {
     pub delta: DVector<f64>,
     /// Other forms of the same cause that promise nearly as much.
     pub others: Vec<Look>,
+    /// What it was seen by, where all swings were looked at alike.
+    pub glimpse: Option<Glimpse>,
+}
+
+/// Strengths of a cause as a first look sees them.
+#[derive(Clone)]
+pub struct Glimpse {
+    /// The cause, or what is seen in its place.
+    pub cause: Cause,
+    /// Places of the strengths among its values.
+    pub places: Vec<usize>,
+    pub sums: Sums,
 }
 
 impl Look {
@@ -79,12 +91,14 @@ impl Look {
         parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, &part));
         let Some(solved) = equations.solved(cause.one_sided) else {
             let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
-            return Ok(Self { cause: cause.clone(), gain: f64::NEG_INFINITY, delta, others: vec![] });
+            let (cause, gain) = (cause.clone(), f64::NEG_INFINITY);
+            return Ok(Self { cause, gain, delta, others: vec![], glimpse: None });
         };
         let mut values = vec![0.0; cause.size(swings)];
         strengths.iter().zip(solved.strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
         let delta = laid_out(model, &solved.rest, &values);
-        Ok(Self { cause: cause.clone(), gain: solved.gain, delta, others: vec![] })
+        let glimpse = Glimpse { cause: cause.clone(), places: strengths, sums: equations.sums };
+        Ok(Self { cause: cause.clone(), gain: solved.gain, delta, others: vec![], glimpse: Some(glimpse) })
     }
 
     /// The point that the look leads to, by a share of the way.
@@ -108,11 +122,18 @@ pub fn laid_out(model: &Model, rest: &DVector<f64>, values: &[f64]) -> DVector<f
 /// Strengths beside everything that is fitted: the equations that all swings together make for them.
 pub struct Equations<'a> {
     standing: &'a Standing<'a>,
+    sums: Sums,
+}
+
+/// Products of derivatives by strengths with those by what is fitted, with each other and with what is left.
+#[derive(Clone)]
+pub struct Sums {
     /// Of the strengths' priors.
-    u: DVector<f64>,
-    outer: DMatrix<f64>,
-    inner: DMatrix<f64>,
-    score: DVector<f64>,
+    pub u: DVector<f64>,
+    pub outer: DMatrix<f64>,
+    /// Priors included.
+    pub inner: DMatrix<f64>,
+    pub score: DVector<f64>,
 }
 
 /// Strengths that solve the equations, and the change of everything else that goes with them.
@@ -127,52 +148,62 @@ impl<'a> Equations<'a> {
         let outer = DMatrix::zeros(Places::of(&standing.model).all(), u.len());
         let inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
         let score = DVector::zeros(u.len());
-        Self { standing, u, outer, inner, score }
+        Self { standing, sums: Sums { u, outer, inner, score } }
     }
 
     /// Adds what a swing says.
     pub fn add(&mut self, s: usize, part: &Part) {
-        self.inner += &part.inner;
-        self.score += &part.score;
+        self.sums.inner += &part.inner;
+        self.sums.score += &part.score;
         let model = &self.standing.model;
         for (row, place) in Places::of(model).of_swing(model, s).into_iter().enumerate() {
-            let mut sum = self.outer.row_mut(place);
+            let mut sum = self.sums.outer.row_mut(place);
             sum += part.outer.row(row);
         }
     }
 
     /// With everything else made the best of; strengths that cannot be negative at zero or above.
     pub fn solved(&self, one_sided: bool) -> Option<Solved> {
-        let fitted = self.standing.fitted;
-        let beside = Beside::of(fitted, &self.outer)?;
-        let schur = &self.inner - self.outer.tr_mul(&beside.absorbed);
-        let score = &self.score - beside.absorbed.tr_mul(&fitted.gradient);
-        let (strength, gain) = strengths(&schur, &score, &self.u, one_sided)?;
+        let beside = Beside::of(self.standing.fitted, &self.sums)?;
+        let (strength, gain) = strengths(&beside.schur, &beside.score, &self.sums.u, one_sided)?;
         let rest = beside.moved - &beside.absorbed * &strength;
         Some(Solved { strength, rest, gain })
     }
 }
 
-/// What everything that is fitted does beside strengths.
-struct Beside {
+/// Strengths, and what everything that is fitted does beside them.
+pub struct Beside {
     /// Its change by each of them.
-    absorbed: DMatrix<f64>,
+    pub absorbed: DMatrix<f64>,
     /// Its change without them.
-    moved: DVector<f64>,
+    pub moved: DVector<f64>,
+    /// What the data and the priors say of the strengths then, and how they pull at them.
+    pub schur: DMatrix<f64>,
+    pub score: DVector<f64>,
 }
 
 impl Beside {
-    /// From products of derivatives by what is fitted with those by the strengths. What is held makes up for nothing.
-    fn of(fitted: &Fitted, outer: &DMatrix<f64>) -> Option<Self> {
+    /// What is held makes up for nothing.
+    pub fn of(fitted: &Fitted, sums: &Sums) -> Option<Self> {
         let base = fitted.cholesky()?;
-        let mut free = outer.clone();
+        let absorbed = base.solve(&sums.beside_held(fitted));
+        let schur = &sums.inner - sums.outer.tr_mul(&absorbed);
+        let score = &sums.score - absorbed.tr_mul(&fitted.gradient);
+        Some(Self { absorbed, moved: base.solve(&fitted.gradient), schur, score })
+    }
+}
+
+impl Sums {
+    /// Products with derivatives by what is fitted, none with what is held.
+    pub fn beside_held(&self, fitted: &Fitted) -> DMatrix<f64> {
+        let mut free = self.outer.clone();
         fitted.held.iter().for_each(|place| free.row_mut(*place).fill(0.0));
-        Some(Self { absorbed: base.solve(&free), moved: base.solve(&fitted.gradient) })
+        free
     }
 }
 
 /// The strengths with the gain of evidence; where they are one-sided, those that would be negative are zero.
-fn strengths(
+pub fn strengths(
     schur: &DMatrix<f64>,
     score: &DVector<f64>,
     u: &DVector<f64>,
@@ -285,8 +316,9 @@ mod tests {
             last_gained: 0.0,
         };
         let outer = jacobian.tr_mul(&sensitivity);
-        let beside = Beside::of(&fitted, &outer).unwrap();
-        let left = sensitivity.norm_squared() - outer.tr_mul(&beside.absorbed)[(0, 0)];
+        let (inner, score) = (sensitivity.tr_mul(&sensitivity), DVector::zeros(1));
+        let beside = Beside::of(&fitted, &Sums { u: DVector::zeros(1), outer, inner, score }).unwrap();
+        let left = beside.schur[(0, 0)];
         let q = jacobian.remove_column(1).qr().q();
         let expected = (&sensitivity - &q * q.tr_mul(&sensitivity)).norm_squared();
         assert!((left - expected).abs() < 1e-9 * expected, "{left} for {expected}");

@@ -6,6 +6,7 @@ mod base;
 mod by_periods;
 mod causes;
 mod closed_form;
+mod doubt;
 mod evidence;
 mod findings;
 mod fitting;
@@ -42,12 +43,13 @@ use std::collections::BTreeMap;
 
 use crate::error::Result;
 use crate::inertia::measure::{Prepared, prepare, title};
-use crate::inertia::{COVERAGE_95, MeasureOptions, QuantityResult, analyse};
+use crate::inertia::{MeasureOptions, QuantityResult, analyse};
 use crate::language::{Text, english};
 use crate::progress::tell;
 use crate::recording::{LoadedData, LoadedSession, Quantity};
 
 use base::{Base, by_periods};
+use doubt::widen;
 use findings::findings;
 use learned::learned;
 use next_swing::{Explained, next_swing};
@@ -103,17 +105,15 @@ fn conclude(
     let baseline = ModelResult {
         rms_over_noise: Some(found.base.rms()),
         heldout_rms_over_noise: Some(rms(before)),
-        quantities: quantities(base, &found.base, found.base_left.inflation(), inclines)?,
+        quantities: quantities(base, found.base.at(), found.base_left.inflation(), inclines)?,
     };
     let mut extended = ModelResult {
         rms_over_noise: Some(found.fitted.rms()),
         heldout_rms_over_noise: Some(rms(after)),
-        quantities: quantities(&found.model, &found.fitted, found.left.inflation(), inclines)?,
+        quantities: quantities(&found.model, found.fitted.at(), found.left.inflation(), inclines)?,
     };
-    for (weight, model, fitted) in found.rivals_in_full().into_iter().chain(found.doubts()) {
-        let other = quantities(&model, &fitted, 1.0, inclines)?;
-        widen(&mut extended.quantities, &other, weight);
-    }
+    let otherwise = found.otherwise(inclines);
+    widen(&mut extended.quantities, &otherwise);
     let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| would_tell(found, t));
     let gain = gain((before, after), rows, &baseline, &extended);
     let critique = Critique {
@@ -140,25 +140,6 @@ fn would_tell(found: &Found, rival: &Tried) -> Option<NextSwing> {
         &Explained { model: &found.model, point: &found.fitted.point, id: found.model.causes.last()?.id },
         &Explained { model: &other, point: &rival.fitted.point, id: rival.cause.id },
     )
-}
-
-/// Takes into an uncertainty that another cause, of a weight beside the one taken, puts the figure elsewhere.
-fn widen(
-    quantities: &mut BTreeMap<String, QuantityResult>,
-    other: &BTreeMap<String, QuantityResult>,
-    weight: f64,
-) {
-    for (name, quantity) in quantities {
-        let Some(rival) = other.get(name) else { continue };
-        let number = |q: &QuantityResult| Some((q.value.as_f64()?, q.u.as_f64()?));
-        let (Some((value, u)), Some((elsewhere, other_u))) = (number(quantity), number(rival)) else {
-            continue;
-        };
-        let square = u * u + weight * ((elsewhere - value).powi(2) + other_u * other_u - u * u).max(0.0);
-        let half = COVERAGE_95 * square.sqrt();
-        quantity.u = square.sqrt().into();
-        quantity.interval_95 = Some([value - half, value + half]);
-    }
 }
 
 /// What the extended model gains: χ² of so many samples held out before and after, and how the figures moved.

@@ -205,7 +205,7 @@ impl Scan<'_> {
             values[count + 1] = seen.over_s.ln() - cause.start(self.times.len())[count + 1];
         }
         let delta = laid_out(&self.standing.model, &seen.rest, &values);
-        Look { cause, gain: seen.gain, delta, others: vec![] }
+        Look { cause, gain: seen.gain, delta, others: vec![], glimpse: None }
     }
 }
 

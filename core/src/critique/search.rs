@@ -8,7 +8,7 @@ use super::causes::{
     GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, ringing,
     seconds,
 };
-use super::evidence::{FURTHER_GAIN, LEAST_GAIN, ODDS_BEFORE, gain, is_missed, pays};
+use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, gain, is_missed, pays};
 use super::fitting::Fitted;
 use super::look::{Look, Standing};
 use super::moments::moments;
@@ -18,9 +18,6 @@ use super::verdict::{parameters, simplest_first};
 use super::white::Left;
 
 pub const MOST_CAUSES: usize = 3;
-/// A cause that gains so much where nothing more is to be seen may still be there, at odds of 1 to 7, and move what is sought: it is
-/// fitted and allowed for.
-const DOUBTFUL: f64 = ODDS_BEFORE - 2.0;
 /// What is being done when the leading causes are tried.
 const FULL: &str = "fitting the leading causes in full";
 /// So many are fitted in full in a round.
@@ -51,6 +48,8 @@ const PINNED: f64 = 1e-3;
 pub struct Round {
     pub tried: Vec<Tried>,
     pub taken: bool,
+    /// Where none was taken: all first looks.
+    pub looks: Vec<Look>,
 }
 
 /// What the search found.
@@ -76,11 +75,11 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         tell(progress, done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
         let looks = found.looks()?;
         tell(progress, done + 0.08, FULL)?;
-        let mut tried = found.tried(looks, &|| tell(progress, done + 0.13, FULL))?;
+        let mut tried = found.tried(foremost(&looks), &|| tell(progress, done + 0.13, FULL))?;
         if let Some(wind) = found.may_blow(&tried) {
             tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
-                found.rounds.push(Round { tried, taken: true });
+                found.rounds.push(Round { tried, taken: true, looks: vec![] });
                 if found.is_unexplained() {
                     continue;
                 }
@@ -88,8 +87,11 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
             }
         }
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
-        found.rounds.push(Round { tried, taken: taken.is_some() });
-        let Some(best) = taken else { break };
+        let Some(best) = taken else {
+            found.rounds.push(Round { tried, taken: false, looks });
+            break;
+        };
+        found.rounds.push(Round { tried, taken: true, looks: vec![] });
         found.take(best);
     }
     found.prune();
@@ -247,7 +249,7 @@ impl Found<'_> {
         (self.fitted, self.left) = (fitted, left);
     }
 
-    /// First looks at every cause that is not in the model yet, the most promising first, one of each name.
+    /// First looks at every cause that is not in the model yet, the most promising first.
     fn looks(&self) -> Result<Vec<Look>> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
         let is_new = |cause: &Cause| !self.model.causes.iter().any(|known| known.id == cause.id);
@@ -267,17 +269,7 @@ impl Found<'_> {
         causes.retain(is_new);
         looks.extend(looks_at(&standing, &causes));
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        let mut leading: Vec<Look> = Vec::new();
-        for look in looks {
-            let same =
-                leading.iter_mut().find(|known| known.cause.id == look.cause.id && look.cause.id != UNKNOWN);
-            match same {
-                None => leading.push(look),
-                Some(best) if look.gain > RIVAL_SHARE * best.gain => best.others.push(look),
-                Some(_) => {}
-            }
-        }
-        Ok(leading)
+        Ok(looks)
     }
 
     /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well;
@@ -346,6 +338,21 @@ impl Found<'_> {
         }
         pays(first.map(|first| first.gain), best.gain, &best.left, &self.left)
     }
+}
+
+/// The first of each name, with those of its other forms that promise nearly as much.
+fn foremost(looks: &[Look]) -> Vec<Look> {
+    let mut leading: Vec<Look> = Vec::new();
+    for look in looks {
+        let same =
+            leading.iter_mut().find(|known| known.cause.id == look.cause.id && look.cause.id != UNKNOWN);
+        match same {
+            None => leading.push(look.clone()),
+            Some(best) if look.gain > RIVAL_SHARE * best.gain => best.others.push(look.clone()),
+            Some(_) => {}
+        }
+    }
+    leading
 }
 
 /// First looks at causes, side by side. One that cannot be simulated here (a stiff line on a short lever) is no candidate.

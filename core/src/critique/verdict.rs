@@ -6,9 +6,7 @@ use crate::recording::{RepairKind, Sensor};
 
 use super::base::Base;
 use super::causes::UNKNOWN;
-use super::evidence::ODDS_BEFORE;
-use super::fitting::Fitted;
-use super::point::{Cause, Form, Model};
+use super::point::{Cause, Form};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::search::{Found, Round};
 use super::trial::Tried;
@@ -51,32 +49,6 @@ impl Found<'_> {
         let near = |t: &&Tried| best.gain - t.gain < allowed && t.cause.id != UNKNOWN;
         let special = |t: &&Tried| are_one_drag([best.cause.id, t.cause.id], |k| parameters([best, t][k]));
         round.tried[1..].iter().filter(near).filter(|t| !special(t)).collect()
-    }
-
-    /// The rivals as models, each with its weight beside the cause taken.
-    pub fn rivals_in_full(&self) -> Vec<(f64, Model<'_>, Fitted)> {
-        let Some(best) = self.decisive().and_then(|round| round.tried.first()) else { return vec![] };
-        let rivals = self.rivals();
-        self.weighed(best.gain, &rivals)
-    }
-
-    /// Causes that were not taken and yet may be there, as models: where no more is to be seen, each has the odds of its evidence and
-    /// of what was known before.
-    pub fn doubts(&self) -> Vec<(f64, Model<'_>, Fitted)> {
-        let Some(round) = self.rounds.last().filter(|round| !round.taken && self.left.is_white()) else {
-            return vec![];
-        };
-        let known = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
-        self.weighed(ODDS_BEFORE, &round.tried.iter().filter(known).collect::<Vec<_>>())
-    }
-
-    /// Causes as models, weighed by their evidence beside a model of a given one.
-    fn weighed(&self, gain: f64, others: &[&Tried]) -> Vec<(f64, Model<'_>, Fitted)> {
-        let most = others.iter().map(|t| t.gain).fold(gain, f64::max);
-        let odds = |t: &Tried| (t.gain - most).exp();
-        let all: f64 = (gain - most).exp() + others.iter().map(|t| odds(t)).sum::<f64>();
-        let model = |t: &Tried| Model { causes: t.causes.clone(), ..self.model.clone() };
-        others.iter().map(|t| (odds(t) / all, model(t), t.fitted.clone())).collect()
     }
 
     pub fn verdict(&self) -> CauseVerdict {

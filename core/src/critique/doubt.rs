@@ -1,0 +1,216 @@
+//! What these data cannot decide, and what it leaves open of the body: causes that do as well as the one named, and causes too weak to be
+//! seen that may yet be there.
+//!
+//! A clock that is wrong by 0.1 % shows at 3 standard deviations and moves a gyradius by 30 of its own: the model without it is
+//! believed, and its uncertainty alone would be wrong. Each such cause is a model of its own, with the odds of its evidence and of
+//! what was known before, and an interval holds 95 % of all of them together (Bayesian model averaging: J. A. Hoeting et al.,
+//! *Statistical Science* 14 (1999) 382).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ContinuousCDF, Normal};
+
+use crate::inertia::{COVERAGE_95, QuantityResult};
+use crate::recording::Quantity;
+
+use super::fitting::{Fitted, Places};
+use super::look::{Beside, Glimpse, Look, Sums, laid_out, strengths};
+use super::point::{Model, Point};
+use super::quantities::quantities;
+use super::search::Found;
+use super::trial::Tried;
+
+/// Odds below this move no interval of 95 %.
+const LEAST_ODDS: f64 = 1e-3;
+/// Halvings of the bracket of an interval.
+const HALVINGS: usize = 60;
+
+/// The body by another model, with that model's odds against the one that is believed.
+pub struct Otherwise {
+    odds: f64,
+    quantities: BTreeMap<String, QuantityResult>,
+}
+
+impl Found<'_> {
+    /// What else may be: rivals of the cause taken last, and what was not taken where no more is to be seen.
+    pub fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
+        let in_full = |t: &Tried, odds: f64| {
+            let model = Model { causes: t.causes.clone(), ..self.model.clone() };
+            let quantities = quantities(&model, t.fitted.at(), 1.0, inclines).ok()?;
+            Some(Otherwise { odds, quantities })
+        };
+        // Those that are called alike count alike.
+        let mut all: Vec<Otherwise> = self.rivals().into_iter().filter_map(|t| in_full(t, 1.0)).collect();
+        let Some(round) = self.rounds.last().filter(|round| !round.taken && self.left.is_white()) else {
+            return all;
+        };
+        let known = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
+        let tried: Vec<&Tried> = round.tried.iter().filter(known).collect();
+        let odds_before = odds_before(&round.looks);
+        all.extend(tried.iter().filter_map(|t| in_full(t, odds_before * t.gain.exp())));
+        let is_new = |id: &str| tried.iter().all(|t| t.cause.id != id);
+        let looks = round.looks.iter().filter(|look| is_new(look.cause.id));
+        all.extend(looks.filter_map(|look| {
+            // The forms of a cause share its odds.
+            let forms = round.looks.iter().filter(|other| other.cause.id == look.cause.id).count();
+            let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &self.fitted)?;
+            let odds = odds_before * weak.gain.exp() / forms as f64;
+            let enough = odds > LEAST_ODDS;
+            let body = || quantities(&weak.model, (&weak.point, &weak.matrix), 1.0, inclines).ok();
+            enough.then(body).flatten().map(|quantities| Otherwise { odds, quantities })
+        }));
+        all
+    }
+}
+
+/// Before the data a session is as likely as not to have something that the simulation lacks, and that may be any of the causes alike: odds of
+/// each against none of them.
+fn odds_before(looks: &[Look]) -> f64 {
+    let names: BTreeSet<&str> = looks.iter().map(|look| look.cause.id).collect();
+    (names.len().max(1) as f64).recip()
+}
+
+/// A model with one more cause so weak that all is linear in it.
+struct Weak<'a> {
+    model: Model<'a>,
+    point: Point,
+    matrix: DMatrix<f64>,
+    /// Of the logarithm of the evidence.
+    gain: f64,
+}
+
+impl<'a> Weak<'a> {
+    fn of(glimpse: &Glimpse, model: &Model<'a>, fitted: &Fitted) -> Option<Self> {
+        let Glimpse { cause, places, sums } = glimpse;
+        if sums.outer.nrows() != fitted.matrix.nrows() {
+            // Something was taken out of the model since.
+            return None;
+        }
+        let beside = Beside::of(fitted, sums)?;
+        let mut inner = sums.inner.clone();
+        let (strength, gain) = match (cause.one_sided, places.len()) {
+            (true, 1) => {
+                let (strength, information, gain) =
+                    above_zero(beside.score[0], beside.schur[(0, 0)], sums.u[0])?;
+                inner[(0, 0)] += information - beside.schur[(0, 0)];
+                (DVector::from_element(1, strength), gain)
+            }
+            _ => strengths(&beside.schur, &beside.score, &sums.u, cause.one_sided)?,
+        };
+        if strength.iter().all(|s| *s == 0.0) {
+            return None;
+        }
+        let swings = model.base.swings.len();
+        let mut values = vec![0.0; cause.size(swings)];
+        places.iter().zip(strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
+        let delta = laid_out(model, &(&beside.moved - &beside.absorbed * &strength), &values);
+        let mut at = fitted.point.clone();
+        at.causes.push(cause.start(swings));
+        let extended = model.with(cause);
+        let point = extended.bounded(extended.moved(&at, &delta));
+        let u: Vec<f64> = cause.expanded(swings).iter().map(|(parameter, _)| parameter.prior.1).collect();
+        let matrix = with_strengths(model, fitted, &Sums { inner, ..sums.clone() }, (places, &u));
+        Some(Self { model: extended, point, matrix, gain })
+    }
+}
+
+/// Information with that of a cause's values behind the other causes': of those that are no strengths, that of their priors.
+fn with_strengths(
+    model: &Model,
+    fitted: &Fitted,
+    sums: &Sums,
+    (places, u): (&[usize], &[f64]),
+) -> DMatrix<f64> {
+    let split = Places::of(model).first_own(0);
+    let count = u.len();
+    let grown = fitted.matrix.clone().insert_rows(split, count, 0.0).insert_columns(split, count, 0.0);
+    let outer = sums.beside_held(fitted).insert_rows(split, count, 0.0);
+    let mut matrix = grown;
+    (0..count).for_each(|k| matrix[(split + k, split + k)] = u[k].powi(-2));
+    for (k, place) in places.iter().enumerate() {
+        let at = split + place;
+        matrix.set_column(at, &outer.column(k));
+        matrix.set_row(at, &outer.column(k).transpose());
+        places.iter().enumerate().for_each(|(l, other)| matrix[(at, split + other)] = sums.inner[(k, l)]);
+    }
+    matrix
+}
+
+/// A strength that cannot be negative, by its score and its information, prior of a given width included: mean, information, and the gain
+/// of the logarithm of the evidence. (A normal variable cut at zero: N. L. Johnson, S. Kotz, N. Balakrishnan, *Continuous Univariate
+/// Distributions* 1, 2nd ed., sec. 13.10.1.)
+fn above_zero(score: f64, information: f64, prior_u: f64) -> Option<(f64, f64, f64)> {
+    let normal = Normal::standard();
+    let s = information.sqrt().recip();
+    let mean = score / information;
+    let above = normal.cdf(mean / s);
+    // Further below zero nothing is left of it.
+    if !(above > 1e-12) {
+        return None;
+    }
+    let ratio = (-0.5 * (mean / s).powi(2)).exp() / (std::f64::consts::TAU.sqrt() * above);
+    let variance = s * s * (1.0 - ratio * (mean / s + ratio));
+    let gain = (2.0 * above).ln() + 0.5 * (mean / s).powi(2) - (prior_u / s).ln();
+    Some((mean + s * ratio, variance.recip(), gain))
+}
+
+/// Widens intervals until they hold 95 % of all models together; the uncertainty is the half of one over that of a normal variable.
+pub fn widen(quantities: &mut BTreeMap<String, QuantityResult>, otherwise: &[Otherwise]) {
+    let number = |q: &QuantityResult| Some((q.value.as_f64()?, q.u.as_f64()?));
+    for (name, quantity) in quantities {
+        let Some((value, u)) = number(quantity) else { continue };
+        let others = otherwise.iter().filter_map(|other| {
+            let (elsewhere, other_u) = number(other.quantities.get(name)?)?;
+            // What another model knows better is no doubt about this one.
+            Some((other.odds, elsewhere - value, other_u.max(u)))
+        });
+        let all: Vec<(f64, f64, f64)> = [(1.0, 0.0, u)].into_iter().chain(others).collect();
+        let half = half_width_95(&all);
+        quantity.u = (half / COVERAGE_95).into();
+        quantity.interval_95 = Some([value - half, value + half]);
+    }
+}
+
+/// Half of the interval about zero that holds 95 % of normal variables of given odds, means and standard deviations.
+fn half_width_95(all: &[(f64, f64, f64)]) -> f64 {
+    let (normal, total) = (Normal::standard(), all.iter().map(|(odds, ..)| odds).sum::<f64>());
+    let outside = |half: f64| {
+        let one = |(odds, mean, u): &(f64, f64, f64)| {
+            odds * (normal.sf((half - mean) / u) + normal.cdf((-half - mean) / u))
+        };
+        all.iter().map(one).sum::<f64>() / total
+    };
+    let widest = all.iter().map(|(_, mean, u)| mean.abs() + COVERAGE_95 * u).fold(0.0, f64::max);
+    let (mut low, mut high) = (0.0, widest);
+    for _ in 0..HALVINGS {
+        let half = 0.5 * (low + high);
+        if outside(half) > 0.05 { low = half } else { high = half }
+    }
+    high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_model_keeps_its_interval_and_two_share_theirs() {
+        assert!((half_width_95(&[(1.0, 0.0, 2.0)]) - 2.0 * COVERAGE_95).abs() < 1e-9);
+        // scipy.optimize.brentq over scipy.stats.norm: 0.9 N(0, 1) + 0.1 N(3, 2^2).
+        let two = half_width_95(&[(9.0, 0.0, 1.0), (1.0, 3.0, 2.0)]);
+        assert!((two - 3.0947098415).abs() < 1e-9, "{two}");
+    }
+
+    #[test]
+    fn a_strength_above_zero_is_a_truncated_normal_variable() {
+        // scipy.stats.truncnorm(-mean / s, inf, mean, s) with mean -0.4, s 0.5; evidence by quad over a half normal prior of width 2
+        // times exp(score x - information_of_data x^2 / 2).
+        let (mean, information, gain) = above_zero(-0.4 / 0.25, 4.0, 2.0).unwrap();
+        assert!(
+            (mean - 0.2837011346).abs() < 1e-9 && (information.recip() - 0.0560332124).abs() < 1e-9,
+            "{mean}"
+        );
+        assert!((gain + 1.9249984997).abs() < 1e-9, "{gain}");
+    }
+}
