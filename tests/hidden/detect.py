@@ -13,7 +13,7 @@ the plane. A steady drift belongs to the base, except where `bias_drift` itself 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from borrowed import rb
@@ -23,6 +23,7 @@ from scene import clipped, move, sense
 EVERY = 5  # samples taken for sensitivities; each counts as so many
 STEP_S = 0.05
 BACK = 0.02  # share of the hidden strength over which its sensitivity is taken
+MOMENT_S = 0.05  # by which a moment is taken to be off: readings kept are so far apart
 SAME = 1e-12  # squared sine below which two directions are one
 FAINT = 1e-3  # of a cause's strongest direction: weaker ones are not counted as directions
 CAUSES_IN_BASE = ("bias_drift",)
@@ -227,6 +228,28 @@ def tangent(make: Callable, n: int, hidden: list) -> Change:
     return Change(put, -back)
 
 
+def ways(study: Study, reduced: Reduced, make: Callable, hidden: list, k: int) -> np.ndarray:
+    """How a hidden effect may change: by each number that it has. Beside the other effect all of them are open."""
+    columns = []
+    for changed in neighbours(hidden[k].parameters):
+        others = [*hidden[:k], replace(hidden[k], parameters=changed), *hidden[k + 1 :]]
+        put = lambda s, o=others: setattr(s, "scenes", make(o).scenes) or setattr(s, "tapes", make(o).tapes)
+        columns.append(reduced.orthogonal(study.difference(Change(put, 1.0))))
+    return np.array(columns).T
+
+
+def neighbours(parameters: dict) -> list[dict]:
+    """Parameters with one number in turn a little off: by BACK of itself (of its vector's length), a moment by one sample kept."""
+    found = []
+    for key, value in parameters.items():
+        if isinstance(value, float):
+            found.append({**parameters, key: value + (MOMENT_S if key == "at_s" else BACK * value)})
+        elif isinstance(value, list) and all(isinstance(v, float) for v in value):
+            steps = BACK * np.linalg.norm(value) * np.eye(len(value))
+            found += [{**parameters, key: (np.array(value) + step).tolist()} for step in steps]
+    return found
+
+
 def planes(study: Study, reduced: Reduced, hidden: list) -> dict[str, np.ndarray]:
     """Each other cause's directions (columns), what the base absorbs taken away."""
     found = {}
@@ -279,14 +302,19 @@ def study(session: Session, hidden: list) -> dict:
     from sessions import spoiled
 
     make = lambda shares: spoiled(session, hidden, shares)
+    drawn = lambda other: spoiled(session, other)
     linear = Study(make([1.0] * len(hidden)))
     reduced = Reduced(linear, not any(h.name in CAUSES_IN_BASE for h in hidden))
     signals = [reduced.orthogonal(linear.difference(tangent(make, n, hidden))) for n in range(len(hidden))]
     others = planes(linear, reduced, hidden)
     report = {"others": {name: float(np.linalg.norm(c, 2)) for name, c in others.items()}, "effects": []}
     for n, signal in enumerate(signals):
-        rivals = others | {hidden[k].name: signals[k][:, None] for k in range(len(hidden)) if k != n}
+        beside = [k for k in range(len(hidden)) if k != n]
+        rivals = others | {
+            hidden[k].name: np.hstack([signals[k][:, None], ways(linear, reduced, drawn, hidden, k)]) for k in beside
+        }
         report["effects"].append(confusable(signal, hidden[n].name, rivals))
+        report["effects"][n]["beside_others_sigma"] = min([beyond(signal, rivals[hidden[k].name]) for k in beside], default=None)
         if hidden[n].name == "second_slosh":
             single = [beyond(signal, one_slider(linear, reduced, hidden[n], k)) for k in (0, 1)]
             report["effects"][n]["beyond_best_cause_sigma"] = min(single)

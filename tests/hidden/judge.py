@@ -7,7 +7,8 @@ thousand runs: that risk is shared equally among the rates (Bonferroni), each ju
 an answer fails at once.
 
 An effect is *testable* where it stands out by more than 10 standard deviations and no other cause points its way (largest
-cosine below 0.95, `detect.py`); one outside the catalogue, where it stands out so far beside the cause that is nearest.
+cosine below 0.95, `detect.py`); one outside the catalogue, where it stands out so far beside the cause that is nearest; one of
+two, where it does so beside the other, every number of which is open.
 """
 
 from __future__ import annotations
@@ -86,7 +87,7 @@ class Outcome:
 
     def testable(self) -> bool:
         """Whether every hidden effect stands out and looks like no other."""
-        key = "beyond_best_cause_sigma" if self.truth["sort"] == "outside" else "signal_sigma"
+        key = {"outside": "beyond_best_cause_sigma", "two": "beside_others_sigma"}.get(self.truth["sort"], "signal_sigma")
         found = self.truth["detection"]["effects"]
         apart = self.truth["sort"] == "outside" or all(e["largest_cosine"] < SEPARABLE_COSINE for e in found)
         return bool(found) and apart and all(e[key] > DETECTABLE_SIGMA for e in found)

@@ -47,14 +47,15 @@ impl Found<'_> {
         };
         let known = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
         let tried: Vec<&Tried> = round.tried.iter().filter(known).collect();
-        let odds_before = odds_before(&round.looks);
+        let Some(looked) = &round.looked else { return all };
+        let odds_before = odds_before(&looked.looks);
         all.extend(tried.iter().filter_map(|t| in_full(t, odds_before * t.gain.exp())));
         let is_new = |id: &str| tried.iter().all(|t| t.cause.id != id);
-        let looks = round.looks.iter().filter(|look| is_new(look.cause.id));
+        let looks = looked.looks.iter().filter(|look| is_new(look.cause.id));
         all.extend(looks.filter_map(|look| {
             // The forms of a cause share its odds.
-            let forms = round.looks.iter().filter(|other| other.cause.id == look.cause.id).count();
-            let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &self.fitted)?;
+            let forms = looked.looks.iter().filter(|other| other.cause.id == look.cause.id).count();
+            let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &looked.fitted)?;
             let odds = odds_before * weak.gain.exp() / forms as f64;
             let enough = odds > LEAST_ODDS;
             let body = || quantities(&weak.model, (&weak.point, &weak.matrix), 1.0, inclines).ok();
@@ -83,7 +84,7 @@ struct Weak<'a> {
 impl<'a> Weak<'a> {
     fn of(glimpse: &Glimpse, model: &Model<'a>, fitted: &Fitted) -> Option<Self> {
         let Glimpse { cause, places, sums } = glimpse;
-        if sums.outer.nrows() != fitted.matrix.nrows() {
+        if fitted.matrix.nrows() != Places::of(model).all() {
             // Something was taken out of the model since.
             return None;
         }
@@ -146,7 +147,7 @@ fn above_zero(score: f64, information: f64, prior_u: f64) -> Option<(f64, f64, f
     let mean = score / information;
     let above = normal.cdf(mean / s);
     // Further below zero nothing is left of it.
-    if !(above > 1e-12) {
+    if above < 1e-12 {
         return None;
     }
     let ratio = (-0.5 * (mean / s).powi(2)).exp() / (std::f64::consts::TAU.sqrt() * above);

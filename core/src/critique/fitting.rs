@@ -250,6 +250,16 @@ impl Model<'_> {
         }
     }
 
+    /// What was fitted, with derivatives taken apart from what makes them costly: those of first looks beside it are taken so as well, and
+    /// what the one absorbs of the other is a small difference of large ones.
+    pub fn with_derivatives_apart(&self, fitted: &Fitted) -> Result<Fitted> {
+        let jacobians = self.jacobians(&fitted.point)?;
+        let misfit = self.misfit(&fitted.point)?;
+        let (mut matrix, mut gradient) = self.normal(&fitted.point, &misfit, &jacobians);
+        let held = self.pin(&fitted.point, &mut matrix, &mut gradient);
+        Ok(Fitted { matrix, held, gradient, jacobians, ..fitted.clone() })
+    }
+
     fn most_steps(&self) -> usize {
         let is_early = matches!(self.part, Part::First(_)) && !self.causes.is_empty();
         if is_early { EARLY_STEPS } else { MOST_STEPS }

@@ -174,11 +174,7 @@ impl Model<'_> {
         let swung = self.swing(s);
         let own = self.own(point, s);
         let free = &self.base.free;
-        let mut pliant = self.clone();
-        let mut there = point.clone();
-        there.causes =
-            there.causes.into_iter().zip(&self.causes).filter(|(_, c)| !c.apart).map(|(v, _)| v).collect();
-        pliant.causes.retain(|c| !c.apart);
+        let (pliant, there) = self.pliant(point, self.causes.len());
         let experiment = pliant.experiment(&there, s)?;
         let by_lane = swung.setup.lane_slopes(&point.x, &own, free)?;
         let damping = swung.setup.damping_slopes(&experiment.scene);
@@ -188,9 +184,10 @@ impl Model<'_> {
             .collect();
         let times: Vec<Vec<f64>> =
             of_streams.iter().map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect()).collect();
-        // Across kinks derivatives need no halved steps to lead the way.
-        let fineness = Fineness { most_halvings: 0, ..self.fineness() };
-        let all = once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, fineness, t_s))?;
+        // Across kinks derivatives need no halved steps to lead the way, except where a motion cannot be followed without.
+        let straight = Fineness { most_halvings: 0, ..self.fineness() };
+        let slopes = |fineness| once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, fineness, t_s));
+        let all = slopes(straight).or_else(|_| slopes(self.fineness()))?;
         for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
             let sensor = &swung.samples.streams[stream];
             let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };

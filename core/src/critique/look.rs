@@ -3,6 +3,8 @@
 //! The sensitivity to a cause's strengths is made orthogonal to everything that is fitted; its product with the residual
 //! is the score. One simulation for each strength and swing.
 
+use std::borrow::Cow;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::dynamics::Path;
@@ -16,18 +18,23 @@ use super::point::{Cause, Model, Point};
 /// A fitted model as first looks see it. They are made side by side: within one of them the swings come one after another.
 pub struct Standing<'a> {
     pub model: Model<'a>,
-    pub fitted: &'a Fitted,
+    pub fitted: Cow<'a, Fitted>,
     /// What it leaves of each swing, row by row.
     pub residuals: Vec<DVector<f64>>,
+    /// Its motions, without what derivatives are taken apart from.
     paths: Vec<Path<f64>>,
 }
 
 impl<'a> Standing<'a> {
     pub fn of(model: &Model<'a>, fitted: &'a Fitted) -> Result<Self> {
+        let (pliant, there) = model.pliant(&fitted.point, model.causes.len());
         let seen = in_parallel(model.base.swings.len(), |s| {
-            Ok((DVector::from_vec(model.rows(&fitted.point, s)?), model.path(&fitted.point, s)?))
+            Ok((DVector::from_vec(model.rows(&fitted.point, s)?), pliant.path(&there, s)?))
         });
         let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
+        let is_apart = model.causes.iter().any(|cause| cause.apart);
+        let fitted =
+            if is_apart { Cow::Owned(model.with_derivatives_apart(fitted)?) } else { Cow::Borrowed(fitted) };
         Ok(Self { model: Model { alone: true, ..model.clone() }, fitted, residuals, paths })
     }
 }
@@ -77,7 +84,7 @@ impl Look {
     }
 
     fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
-        let (model, fitted) = (&standing.model, standing.fitted);
+        let (model, fitted) = (&standing.model, &*standing.fitted);
         let swings = model.base.swings.len();
         let extended = model.with(cause);
         let mut at = fitted.point.clone();
@@ -164,7 +171,7 @@ impl<'a> Equations<'a> {
 
     /// With everything else made the best of; strengths that cannot be negative at zero or above.
     pub fn solved(&self, one_sided: bool) -> Option<Solved> {
-        let beside = Beside::of(self.standing.fitted, &self.sums)?;
+        let beside = Beside::of(&self.standing.fitted, &self.sums)?;
         let (strength, gain) = strengths(&beside.schur, &beside.score, &self.sums.u, one_sided)?;
         let rest = beside.moved - &beside.absorbed * &strength;
         Some(Solved { strength, rest, gain })
@@ -258,6 +265,7 @@ pub fn columns(
     strengths: &[usize],
 ) -> Result<Part> {
     let blocks = extended.blocks(s);
+    let (extended, at) = &extended.pliant(at, extended.causes.len() - 1);
     let last = extended.causes.len() - 1;
     let cause = &extended.causes[last];
     let expanded = cause.expanded(extended.base.swings.len());

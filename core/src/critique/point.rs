@@ -237,6 +237,14 @@ impl Model<'_> {
         model
     }
 
+    /// The model and its point without those of the first so many causes that derivatives are taken apart from.
+    pub fn pliant(&self, point: &Point, count: usize) -> (Self, Point) {
+        let all = self.causes.iter().zip(&point.causes).enumerate();
+        let stays = all.filter(|(k, (cause, _))| *k >= count || !cause.apart);
+        let (causes, values) = stays.map(|(_, (cause, values))| (cause.clone(), values.clone())).unzip();
+        (Self { causes, ..self.clone() }, Point { causes: values, ..point.clone() })
+    }
+
     pub fn fineness(&self) -> Fineness {
         let kinked = self.causes.iter().any(|c| c.kinked);
         if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }

@@ -49,7 +49,14 @@ pub struct Round {
     pub tried: Vec<Tried>,
     pub taken: bool,
     /// Where none was taken: all first looks.
+    pub looked: Option<Looked>,
+}
+
+/// First looks, and what they were made beside (without its derivatives).
+#[derive(Clone)]
+pub struct Looked {
     pub looks: Vec<Look>,
+    pub fitted: Fitted,
 }
 
 /// What the search found.
@@ -73,13 +80,13 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         let n = found.rounds.len();
         let done = 0.3 + 0.2 * n as f64;
         tell(progress, done, if n == 0 { "looking at every cause" } else { "looking for a further cause" })?;
-        let looks = found.looks()?;
+        let looked = found.looks()?;
         tell(progress, done + 0.08, FULL)?;
-        let mut tried = found.tried(foremost(&looks), &|| tell(progress, done + 0.13, FULL))?;
+        let mut tried = found.tried(foremost(&looked.looks), &|| tell(progress, done + 0.13, FULL))?;
         if let Some(wind) = found.may_blow(&tried) {
             tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
-                found.rounds.push(Round { tried, taken: true, looks: vec![] });
+                found.rounds.push(Round { tried, taken: true, looked: None });
                 if found.is_unexplained() {
                     continue;
                 }
@@ -88,10 +95,10 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         }
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         let Some(best) = taken else {
-            found.rounds.push(Round { tried, taken: false, looks });
+            found.rounds.push(Round { tried, taken: false, looked: Some(looked) });
             break;
         };
-        found.rounds.push(Round { tried, taken: true, looks: vec![] });
+        found.rounds.push(Round { tried, taken: true, looked: None });
         found.take(best);
     }
     found.prune();
@@ -250,7 +257,7 @@ impl Found<'_> {
     }
 
     /// First looks at every cause that is not in the model yet, the most promising first.
-    fn looks(&self) -> Result<Vec<Look>> {
+    fn looks(&self) -> Result<Looked> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
         let is_new = |cause: &Cause| !self.model.causes.iter().any(|known| known.id == cause.id);
         let standing = Standing::of(&self.model, &self.fitted)?;
@@ -269,7 +276,8 @@ impl Found<'_> {
         causes.retain(is_new);
         looks.extend(looks_at(&standing, &causes));
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        Ok(looks)
+        let fitted = Fitted { jacobians: vec![], ..standing.fitted.into_owned() };
+        Ok(Looked { looks, fitted })
     }
 
     /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well;
