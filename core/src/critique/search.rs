@@ -268,8 +268,9 @@ impl Found<'_> {
             causes.extend(mounts());
             causes.extend(ringing(&scales, &peaks_hz));
             causes.extend((0..4).map(|coordinate| learned_force(&scales, coordinate, &TERMS)));
-            looks.extend(moments(&standing)?.into_iter().filter(|look| is_new(&look.cause)));
         }
+        // What happens at one moment leaves little in any one band of a spectrum.
+        looks.extend(moments(&standing)?.into_iter().filter(|look| is_new(&look.cause)));
         if self.model.causes.iter().any(|cause| cause.id == INTERNAL_MOTION) {
             causes.extend(seconds(&scales, &peaks_hz));
         }
@@ -310,11 +311,8 @@ impl Found<'_> {
 
     fn fitted_in_full(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
         let promises = |look: &Look| look.gain > if self.left.is_white() { DOUBTFUL } else { 0.0 };
-        let leading: Vec<Look> = looks
-            .into_iter()
-            .filter(promises)
-            .take(if self.rounds.is_empty() { LEADING } else { FURTHER })
-            .collect();
+        let most = if self.rounds.is_empty() { LEADING } else { FURTHER };
+        let leading: Vec<Look> = looks.into_iter().filter(promises).take(most).collect();
         // The first two set the measure.
         let (first, others) = leading.split_at(leading.len().min(2));
         let fit = |looks: &[&Look], best: f64| {
@@ -332,8 +330,14 @@ impl Found<'_> {
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
         tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        let better = tried.first().and_then(|best| self.led_on(best));
-        tried.first_mut().zip(better).into_iter().for_each(|(best, better)| *best = better);
+        // The best is led to its end, and so is what was still on its way and may yet be better.
+        let best_gain = tried.first().map_or(0.0, |t| t.gain);
+        let on_its_way = |t: &Tried| t.is_on_its_way() && t.gain > RIVAL_SHARE * best_gain;
+        let ends = in_parallel(tried.len(), |k| {
+            (k == 0 || on_its_way(&tried[k])).then(|| self.led_on(&tried[k], k > 0)).flatten()
+        });
+        tried.iter_mut().zip(ends).for_each(|(t, end)| *t = end.unwrap_or_else(|| t.clone()));
+        tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         simplest_first(&mut tried, parameters);
         Ok(tried)
     }

@@ -31,6 +31,13 @@ pub struct Tried {
     pub from: Point,
 }
 
+impl Tried {
+    /// Whether its fit used up its steps on the way.
+    pub fn is_on_its_way(&self) -> bool {
+        self.fitted.last_gained >= STILL_GAINS
+    }
+}
+
 impl Found<'_> {
     /// Fits a cause in full; `None` where no start leads anywhere.
     pub fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
@@ -85,12 +92,14 @@ impl Found<'_> {
         Some(Tried { cause: cause.clone(), causes: model.causes, fitted, gain, left, from })
     }
 
-    /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse.
-    pub fn led_on(&self, tried: &Tried) -> Option<Tried> {
-        let model = Model { causes: tried.causes.clone(), fine: true, ..self.model.clone() };
-        if tried.fitted.last_gained < STILL_GAINS && !model.is_coarse() {
+    /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse. What ends on
+    /// the way with derivatives taken apart needs all of them.
+    pub fn led_on(&self, tried: &Tried, alone: bool) -> Option<Tried> {
+        let mut model = Model { causes: tried.causes.clone(), fine: true, alone, ..self.model.clone() };
+        if !tried.is_on_its_way() && !model.is_coarse() {
             return None;
         }
+        model.causes.iter_mut().for_each(|cause| cause.apart = false);
         let fitted = model.fit(&tried.fitted.point, &|_| false).ok()?;
         self.weighed_up(&tried.cause, model, fitted)
     }
