@@ -242,11 +242,12 @@ def neighbours(parameters: dict) -> list[dict]:
     """Parameters with one number in turn a little off: by BACK of itself (of its vector's length), a moment by one sample kept."""
     found = []
     for key, value in parameters.items():
-        if isinstance(value, float):
+        if isinstance(value, float) and np.isfinite(value):
             found.append({**parameters, key: value + (MOMENT_S if key == "at_s" else BACK * value)})
         elif isinstance(value, list) and all(isinstance(v, float) for v in value):
-            steps = BACK * np.linalg.norm(value) * np.eye(len(value))
-            found += [{**parameters, key: (np.array(value) + step).tolist()} for step in steps]
+            size = BACK * np.linalg.norm([v for v in value if np.isfinite(v)])
+            changed = lambda k, v=value, by=size: [*v[:k], v[k] + by, *v[k + 1 :]]
+            found += [{**parameters, key: changed(k)} for k, v in enumerate(value) if np.isfinite(v)]
     return found
 
 

@@ -48,6 +48,15 @@ def test_what_the_base_model_can_do_leaves_nothing(reduced):
     assert np.linalg.norm(base.orthogonal(parts)) < 0.01 * whole + priors
 
 
+def test_beside_another_effect_all_that_it_may_be_is_open(drawn):
+    """A drift along x beside one along y stands out of the base; a drift along any axis takes it up wholly, in both places."""
+    drift = lambda rates: sessions.Hidden("bias_drift", {"gyro_rad_s": rates, "acc_m_s2": [0.0, 0.0, 0.0], "time_s": 1e7})
+    found = detect.study(drawn, [drift([1e-2, 0.0, 0.0]), drift([0.0, 1e-2, 0.0])])["effects"]
+    for effect in found:
+        assert effect["signal_sigma"] > 10
+        assert effect["beside_others_sigma"] < 0.01 * effect["signal_sigma"]
+
+
 def test_a_drift_stands_out_as_a_ramp_does(drawn):
     """A slope b on one channel over N samples: b T √(N/12) / σ, less the little that the motion's parameters absorb."""
     hidden = [sessions.Hidden("bias_drift", {"gyro_rad_s": [1e-3, 0.0, 0.0], "acc_m_s2": [0.0, 0.0, 0.0], "time_s": 1e7})]

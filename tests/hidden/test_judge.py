@@ -11,7 +11,8 @@ def made_up_truth(rng, sort: str) -> dict:
     """What a generator might have hidden."""
     count = {"none": 0, "one": 1, "two": 2, "outside": 1}[sort]
     names = ["knock"] if sort == "outside" else rng.choice(NAMES, count, replace=False).tolist()
-    effect = {"signal_sigma": 100.0, "largest_cosine": 0.5, "nearest": "wind", "beyond_best_cause_sigma": 80.0}
+    effect = {"signal_sigma": 100.0, "largest_cosine": 0.5, "nearest": "wind", "beyond_best_cause_sigma": 80.0,
+              "beside_others_sigma": 90.0}
     return {"sort": sort, "hidden": [{"name": n} for n in names], "k_yaw_m": 1.0, "k_pitch_m": 1.1,
             "detection": {"effects": [{**effect, "name": n} for n in names]}}  # fmt: skip
 
@@ -104,11 +105,11 @@ def test_marks_follow_the_verdict():
 def test_what_is_too_faint_or_looks_alike_does_not_count():
     """Below 10 standard deviations, or beside a cause that points the same way: no mark for the name."""
     rng = np.random.default_rng(4)
-    for change in ({"signal_sigma": 9.0}, {"largest_cosine": 0.97}):
-        truth = made_up_truth(rng, "one")
+    for sort, change in (("one", {"signal_sigma": 9.0}), ("one", {"largest_cosine": 0.97}), ("two", {"beside_others_sigma": 9.0})):
+        truth = made_up_truth(rng, sort)
         truth["detection"]["effects"][0] |= change
         marks = judge.judge_session("x", truth, made_up_answer(rng, truth, 1.0, 1.0), "").marks
-        assert "named right, where testable" not in marks
+        assert not {"named right, where testable", "both of two named"} & set(marks)
 
 
 def test_no_answer_and_absent_figures_are_counted():
