@@ -228,14 +228,14 @@ def tangent(make: Callable, n: int, hidden: list) -> Change:
     return Change(put, -back)
 
 
-def ways(study: Study, reduced: Reduced, make: Callable, hidden: list, k: int) -> np.ndarray:
+def ways(study: Study, reduced: Reduced, make: Callable, hidden: list, k: int) -> list[np.ndarray]:
     """How a hidden effect may change: by each number that it has. Beside the other effect all of them are open."""
     columns = []
     for changed in neighbours(hidden[k].parameters):
         others = [*hidden[:k], replace(hidden[k], parameters=changed), *hidden[k + 1 :]]
         put = lambda s, o=others: setattr(s, "scenes", make(o).scenes) or setattr(s, "tapes", make(o).tapes)
         columns.append(reduced.orthogonal(study.difference(Change(put, 1.0))))
-    return np.array(columns).T
+    return columns
 
 
 def neighbours(parameters: dict) -> list[dict]:
@@ -312,7 +312,7 @@ def study(session: Session, hidden: list) -> dict:
     for n, signal in enumerate(signals):
         beside = [k for k in range(len(hidden)) if k != n]
         rivals = others | {
-            hidden[k].name: np.hstack([signals[k][:, None], ways(linear, reduced, drawn, hidden, k)]) for k in beside
+            hidden[k].name: np.column_stack([signals[k], *ways(linear, reduced, drawn, hidden, k)]) for k in beside
         }
         report["effects"].append(confusable(signal, hidden[n].name, rivals))
         report["effects"][n]["beside_others_sigma"] = min([beyond(signal, rivals[hidden[k].name]) for k in beside], default=None)
