@@ -35,33 +35,50 @@ pub struct Otherwise {
 impl Found<'_> {
     /// What else may be: rivals of the cause taken last, and what was not taken where no more is to be seen.
     pub fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
-        let in_full = |t: &Tried, odds: f64| {
-            let model = Model { causes: t.causes.clone(), ..self.model.clone() };
-            let quantities = quantities(&model, t.fitted.at(), 1.0, inclines).ok()?;
-            Some(Otherwise { odds, quantities })
-        };
-        // Those that are called alike count alike.
-        let mut all: Vec<Otherwise> = self.rivals().into_iter().filter_map(|t| in_full(t, 1.0)).collect();
-        let Some(round) = self.rounds.last().filter(|round| !round.taken && self.left.is_white()) else {
-            return all;
-        };
-        let known = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
-        let tried: Vec<&Tried> = round.tried.iter().filter(known).collect();
-        let Some(looked) = &round.looked else { return all };
-        let odds_before = odds_before(&looked.looks);
-        all.extend(tried.iter().filter_map(|t| in_full(t, odds_before * t.gain.exp())));
-        let is_new = |id: &str| tried.iter().all(|t| t.cause.id != id);
-        let looks = looked.looks.iter().filter(|look| is_new(look.cause.id));
-        all.extend(looks.filter_map(|look| {
-            // The forms of a cause share its odds.
-            let forms = looked.looks.iter().filter(|other| other.cause.id == look.cause.id).count();
-            let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &looked.fitted)?;
-            let odds = odds_before * weak.gain.exp() / forms as f64;
-            let enough = odds > LEAST_ODDS;
-            let body = || quantities(&weak.model, (&weak.point, &weak.matrix), 1.0, inclines).ok();
-            enough.then(body).flatten().map(|quantities| Otherwise { odds, quantities })
-        }));
+        let mut all = self.instead(inclines);
+        all.extend(self.besides(inclines));
         all
+    }
+
+    /// Rivals of the cause taken last. Those that a verdict calls alike count alike.
+    fn instead(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
+        let rivals = self.rivals();
+        let Some(best) = self.decisive().and_then(|round| round.tried.first()) else { return vec![] };
+        let odds = |t: &Tried| if self.is_unexplained() { (t.gain - best.gain).exp() } else { 1.0 };
+        rivals.into_iter().filter_map(|t| self.by(t, odds(t), inclines)).collect()
+    }
+
+    /// Causes that were not taken: those fitted in full, and the weak ones by what first looks saw of them.
+    fn besides(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
+        let last = self.rounds.last().filter(|round| !round.taken && self.left.is_white());
+        let Some((round, looked)) =
+            last.and_then(|round| round.looked.as_ref().map(|looked| (round, looked)))
+        else {
+            return vec![];
+        };
+        let odds_before = odds_before(&looked.looks);
+        // Something may have been taken out of the model since.
+        let is_beside = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
+        let tried: Vec<&Tried> = round.tried.iter().filter(is_beside).collect();
+        let in_full = tried.iter().filter_map(|t| self.by(t, odds_before * t.gain.exp(), inclines));
+        let of_name = |id: &str| looked.looks.iter().filter(|look| look.cause.id == id).count();
+        let weak = looked.looks.iter().filter(|look| tried.iter().all(|t| t.cause.id != look.cause.id));
+        let weak = weak.filter_map(|look| {
+            let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &looked.fitted)?;
+            // The forms of a cause share its odds.
+            let odds = odds_before * weak.gain.exp() / of_name(look.cause.id) as f64;
+            let body = || quantities(&weak.model, (&weak.point, &weak.matrix), 1.0, inclines).ok();
+            let quantities = (odds > LEAST_ODDS).then(body).flatten()?;
+            Some(Otherwise { odds, quantities })
+        });
+        in_full.chain(weak).collect()
+    }
+
+    /// The body by a model that was tried, with its odds.
+    fn by(&self, t: &Tried, odds: f64, inclines: &[Option<Quantity>]) -> Option<Otherwise> {
+        let model = Model { causes: t.causes.clone(), ..self.model.clone() };
+        let quantities = quantities(&model, t.fitted.at(), 1.0, inclines).ok()?;
+        Some(Otherwise { odds, quantities })
     }
 }
 
@@ -85,7 +102,6 @@ impl<'a> Weak<'a> {
     fn of(glimpse: &Glimpse, model: &Model<'a>, fitted: &Fitted) -> Option<Self> {
         let Glimpse { cause, places, sums } = glimpse;
         if fitted.matrix.nrows() != Places::of(model).all() {
-            // Something was taken out of the model since.
             return None;
         }
         let beside = Beside::of(fitted, sums)?;

@@ -36,7 +36,7 @@ impl Found<'_> {
     }
 
     /// The round in which the last cause was taken.
-    fn decisive(&self) -> Option<&Round> {
+    pub fn decisive(&self) -> Option<&Round> {
         self.rounds.iter().rev().find(|round| round.taken)
     }
 
