@@ -145,6 +145,18 @@ impl Model<'_> {
         Ok(out)
     }
 
+    /// Of derivatives of the whole recordings, those of the part that this model looks at.
+    pub fn of_part(&self, whole: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let all = Model { part: Part::All, ..self.clone() };
+        let rows = |s: usize| {
+            let duration_s = self.swing(s).samples.duration_s;
+            let blocks = all.blocks(s).into_iter().enumerate();
+            let seen = blocks.filter(|(_, block)| self.part.has(block.t_s, duration_s));
+            seen.flat_map(|(k, _)| 3 * k..3 * k + 3).collect::<Vec<usize>>()
+        };
+        whole.iter().enumerate().map(|(s, jacobian)| jacobian.select_rows(&rows(s))).collect()
+    }
+
     /// Whether derivatives by a cause are taken to one side alone, over steps that are long near the best fit.
     pub fn is_coarse(&self) -> bool {
         self.causes.iter().any(|cause| !is_few(cause.size(self.base.swings.len())))
@@ -184,10 +196,12 @@ impl Model<'_> {
             .collect();
         let times: Vec<Vec<f64>> =
             of_streams.iter().map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect()).collect();
-        // Across kinks derivatives need no halved steps to lead the way, except where a motion cannot be followed without.
+        // Across kinks derivatives need no halved steps to lead the way; where a motion cannot be followed without, a fit ends, and is led
+        // on with them if it is worth it.
         let straight = Fineness { most_halvings: 0, ..self.fineness() };
         let slopes = |fineness| once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, fineness, t_s));
-        let all = slopes(straight).or_else(|_| slopes(self.fineness()))?;
+        let all =
+            slopes(straight).or_else(|error| if self.fine { slopes(self.fineness()) } else { Err(error) })?;
         for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
             let sensor = &swung.samples.streams[stream];
             let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };

@@ -9,7 +9,7 @@ use super::causes::{
     seconds,
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, gain, is_missed, pays};
-use super::fitting::Fitted;
+use super::fitting::{CONVERGED_SHARE, Fitted};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
@@ -385,7 +385,11 @@ impl<'a> Found<'a> {
                 }
             }
         }
-        let fitting = fitting.fit(&fitted.point, &|_| false)?;
+        // Across kinks there may be no derivatives at the very point: those that led to it are good there.
+        let known = || Some(fitting.of_part(&fitted.jacobians));
+        let fitting = fitting
+            .fit(&fitted.point, &|_| false)
+            .or_else(|_| fitting.fit_with(&fitted.point, known(), CONVERGED_SHARE, &|_| false))?;
         let mut there = fitting.point.clone();
         // Moments are fitted on the true clock; it is on the phone's that they stay.
         for (cause, values) in model.causes.iter().zip(&mut there.causes) {
