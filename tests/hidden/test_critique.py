@@ -1,11 +1,11 @@
-"""The program as its users run it, on four fresh sessions with and without something hidden.
+"""The program as its users run it, on fresh sessions with and without something hidden.
 
-Four sessions say little about rates: a program that errs in one of three may pass. What is caught: no answer, an answer that is
+So few sessions say little about rates: a program that errs in one of three may pass. What is caught: no answer, an answer that is
 not of the contract's form, and an answer that is wrong in every session. `make hidden` judges the rates, on many.
 """
 
 import math
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from functools import partial
 
 import judge
@@ -51,6 +51,30 @@ def test_answers_on_unseen_sessions(tmp_path):
     assert {o.name: against_contract(o.result) for o in outcomes} == {o.name: [] for o in outcomes}
     gains = {o.name: o.result["gain"]["heldout_rms_ratio"] for o in outcomes if not o.hidden & AT_A_MOMENT}
     assert [f"{name}: {gain}" for name, gain in gains.items() if gain <= LEAST_GAIN] == []
+
+
+def draw_heavy_slide(folder, seed: int, number: int) -> str:
+    """A session with something aboard of one to two hundredths of the hull's mass, at the pace of the hull's own motions."""
+    rng = np.random.default_rng([seed, number])
+    session, hidden = sessions.draw(rng, "internal_motion", SMALL)
+    omegas = [mode.omega_rad_s for mode in session.hungs[0].modes.values()]
+    slider = {"mass_share": rng.uniform(0.01, 0.02), "frequency_hz": rng.uniform(1.3 * min(omegas), max(omegas)) / (2 * np.pi)}
+    hidden[0].parameters["sliders"][0] |= slider
+    return sessions.save(rng, folder, [seed, number], session, hidden, None)
+
+
+def test_heavy_slides_are_named(tmp_path):
+    """The base leaves many times the noise of such sessions, and no fit that begins near it comes near the truth. Where 95 % are named
+    right, fewer than two of four are once in 2000 runs."""
+    pytest.importorskip("gyradius", reason="the package is not installed")
+    seed = blind.fresh_seed()
+    print("seed", seed, flush=True)
+    names = [draw_heavy_slide(tmp_path, seed, number) for number in range(4)]
+    with ThreadPoolExecutor(2) as pool:
+        answers = list(pool.map(lambda name: judge.critique(judge.COMMAND.split(), tmp_path / name, TIMEOUT_S), names))
+    print([(trouble, result and result["verdict"]["causes"], result and result["baseline"]["rms_over_noise"]) for result, trouble in answers])
+    assert [trouble for _, trouble in answers if trouble] == []
+    assert sum(result["verdict"]["causes"] == ["internal_motion"] for result, _ in answers) >= 2
 
 
 def is_number(value) -> bool:

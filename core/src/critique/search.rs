@@ -1,5 +1,7 @@
 //! The search for causes: a first look at all, the leading few fitted in full, the best taken, and again while it pays.
 
+use nalgebra::DVector;
+
 use crate::error::{Error, Result};
 use crate::inertia::by_samples::in_parallel;
 use crate::progress::{Progress, tell};
@@ -9,7 +11,7 @@ use super::causes::{
     seconds,
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, gain, is_missed, pays};
-use super::fitting::{CONVERGED_SHARE, Fitted};
+use super::fitting::{CONVERGED_SHARE, Fitted, Places};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
@@ -36,6 +38,9 @@ const RIVAL_SHARE: f64 = 0.3;
 pub const UNNAMED_FROM: f64 = 0.01;
 /// … and come first where they leave less than this share of that.
 pub const UNNAMED_LEAVES: f64 = 0.1;
+
+/// Squares of standard deviations that a cause's strengths must be from zero to be beyond doubt: thirty of them.
+const SURE: f64 = 1e3;
 
 /// Names of the parameters that say when something happened and what shows only while it does: how fast it went, and how far a phone
 /// was pushed along, which its place shows a hundred times less than the push.
@@ -196,7 +201,7 @@ impl Found<'_> {
     fn prune(&mut self) {
         let swings = self.model.base.swings.len();
         for k in (0..self.model.causes.len().saturating_sub(1)).rev() {
-            if self.model.causes[k].form == Form::Gust {
+            if self.model.causes[k].form == Form::Gust || self.is_sure_of(k) {
                 continue;
             }
             let mut model = self.model.clone();
@@ -216,6 +221,22 @@ impl Found<'_> {
                 );
             }
         }
+    }
+
+    /// Whether a cause's strengths are beyond doubt where all that shows is accounted for: no fit without it is then needed (Wald's test).
+    fn is_sure_of(&self, k: usize) -> bool {
+        let Some(covariance) = self.fitted.covariance().filter(|_| self.left.is_white()) else {
+            return false;
+        };
+        let swings = self.model.base.swings.len();
+        let before: usize = self.model.causes[..k].iter().map(|cause| cause.size(swings)).sum();
+        let first = Places::of(&self.model).first_cause() + before;
+        let cause = self.model.causes[k].expanded(swings);
+        let strengths: Vec<usize> = (0..cause.len()).filter(|i| cause[*i].0.is_strength).collect();
+        let places: Vec<usize> = strengths.iter().map(|i| first + i).collect();
+        let values = DVector::from_fn(strengths.len(), |i, _| self.fitted.point.causes[k][strengths[i]]);
+        let own = covariance.select_rows(&places).select_columns(&places).cholesky();
+        own.is_some_and(|own| values.dot(&own.solve(&values)) > SURE)
     }
 
     /// Where structure remains, the model is extended even without a name for it: by what leaves least of all that was tried without one,
@@ -291,7 +312,8 @@ impl Found<'_> {
         let much = left > UNNAMED_FROM * self.base_left.excess();
         let named_gain = tried.first().map_or(0.0, |best| best.gain);
         let may_be = |look: &Look| look.cause.form == Form::Second || look.gain > named_gain;
-        let unnamed: Vec<Look> = unnamed.into_iter().filter(|look| much || may_be(look)).take(2).collect();
+        let worth_it = |look: &Look| self.promises(look) && (much || may_be(look));
+        let unnamed: Vec<Look> = unnamed.into_iter().filter(worth_it).take(2).collect();
         let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
         let found = in_parallel(unnamed.len(), |k| self.fit(&unnamed[k], limit, true));
         let mut found: Vec<Tried> = found.into_iter().flatten().collect();
@@ -309,10 +331,14 @@ impl Found<'_> {
         Ok(tried)
     }
 
+    /// Whether a look promises enough for a full fit.
+    fn promises(&self, look: &Look) -> bool {
+        look.gain > if self.left.is_white() { DOUBTFUL } else { 0.0 }
+    }
+
     fn fitted_in_full(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
-        let promises = |look: &Look| look.gain > if self.left.is_white() { DOUBTFUL } else { 0.0 };
         let most = if self.rounds.is_empty() { LEADING } else { FURTHER };
-        let leading: Vec<Look> = looks.into_iter().filter(promises).take(most).collect();
+        let leading: Vec<Look> = looks.into_iter().filter(|look| self.promises(look)).take(most).collect();
         // The first two set the measure.
         let (first, others) = leading.split_at(leading.len().min(2));
         let fit = |looks: &[&Look], best: f64| {

@@ -73,14 +73,16 @@ impl Found<'_> {
     }
 
     /// Where a fit over longer and longer parts begins: where the look leads. Far from the data the base has bent itself to whatever
-    /// helped, and the way begins where the swings alone lead.
+    /// helped, and the way begins where the swings alone lead, without the cause; one whose law has no strength to begin at nothing with
+    /// (what moves inside starts in proportion to its mass) as the look has it.
     fn afar(&self, look: &Look, model: &Model) -> Point {
+        let seen = look.start(&self.model, &self.fitted, 1.0);
         if self.fitted.rms() <= FAR {
-            return look.start(&self.model, &self.fitted, 1.0);
+            return seen;
         }
         let mut start = self.begin.clone();
-        start.causes = self.fitted.point.causes.clone();
-        start.causes.push(look.cause.start(model.base.swings.len()));
+        start.causes = if look.cause.look.is_some() { seen.causes } else { self.fitted.point.causes.clone() };
+        start.causes.resize_with(model.causes.len(), || look.cause.start(model.base.swings.len()));
         start
     }
 
