@@ -22,7 +22,7 @@ from scene import clipped, move, sense
 
 EVERY = 5  # samples taken for sensitivities; each counts as so many
 STEP_S = 0.05
-BACK = 0.02  # share of the hidden strength over which its sensitivity is taken
+BACK = 0.02  # share of the hidden strength over which its sensitivity is taken, to both sides
 MOMENT_S = 0.05  # by which a moment is taken to be off: readings kept are so far apart
 SAME = 1e-12  # squared sine below which two directions are one
 FAINT = 1e-3  # of a cause's strongest direction: weaker ones are not counted as directions
@@ -70,6 +70,10 @@ class Study:
             parts.append((look(scene, at) - self.looks[n]) / change.unit)
         parts.append((stated(other) - stated(self.session)) / change.unit)
         return parts
+
+    def central(self, more: Change, less: Change) -> list[np.ndarray]:
+        """The same from a change to either side: what bends cancels."""
+        return [(a + b) / 2 for a, b in zip(self.difference(more), self.difference(less))]
 
 
 def look(scene, at: np.ndarray) -> np.ndarray:
@@ -215,37 +219,42 @@ def probe_change(name: str, parameters: dict) -> Change:
     return Change(lambda s: effect.put(s, parameters, share), share, phone_only=effect.phone_only)
 
 
-def tangent(make: Callable, n: int, hidden: list) -> Change:
-    """The hidden effect's whole strength, from its last BACK; a threshold's from with and without."""
-    effect = ALL[hidden[n].name]
-    back = 1.0 if effect.whole else BACK
-    shares = [1.0 - back if k == n else 1.0 for k in range(len(hidden))]
+def exchanged(other: Session, unit: float) -> Change:
+    """Another session in place of the one that is studied."""
 
     def put(session: Session) -> None:
-        other = make(shares)
         session.scenes[:], session.tapes[:] = other.scenes, other.tapes
 
-    return Change(put, -back)
+    return Change(put, unit)
+
+
+def tangent(study: Study, make: Callable, n: int, hidden: list) -> list[np.ndarray]:
+    """The hidden effect's whole strength, from BACK of it more and less; a threshold's from with and without.
+
+    To one side only, what bends would be left: of an effect that the base absorbs but for a thousandth more than that."""
+    at = lambda share: make([share if k == n else 1.0 for k in range(len(hidden))])
+    if ALL[hidden[n].name].whole:
+        return study.difference(exchanged(at(0.0), -1.0))
+    return study.central(exchanged(at(1.0 + BACK), BACK), exchanged(at(1.0 - BACK), -BACK))
 
 
 def ways(study: Study, reduced: Reduced, make: Callable, hidden: list, k: int) -> list[np.ndarray]:
     """How a hidden effect may change: by each number that it has. Beside the other effect all of them are open."""
-    columns = []
-    for changed in neighbours(hidden[k].parameters):
-        others = [*hidden[:k], replace(hidden[k], parameters=changed), *hidden[k + 1 :]]
-        put = lambda s, o=others: setattr(s, "scenes", make(o).scenes) or setattr(s, "tapes", make(o).tapes)
-        columns.append(reduced.orthogonal(study.difference(Change(put, 1.0))))
-    return columns
+    other = lambda changed: make([*hidden[:k], replace(hidden[k], parameters=changed), *hidden[k + 1 :]])
+    both = zip(neighbours(hidden[k].parameters, 1.0), neighbours(hidden[k].parameters, -1.0))
+    changes = [study.central(exchanged(other(more), 1.0), exchanged(other(less), -1.0)) for more, less in both]
+    return [reduced.orthogonal(change) for change in changes]
 
 
-def neighbours(parameters: dict) -> list[dict]:
-    """Parameters with one number in turn a little off: by BACK of itself (of its vector's length), a moment by one sample kept."""
+def neighbours(parameters: dict, way: float) -> list[dict]:
+    """Parameters with one number in turn a little off, one way (1) or the other (-1): by BACK of itself (of its vector's length), a
+    moment by one sample kept."""
     found = []
     for key, value in parameters.items():
         if isinstance(value, float) and np.isfinite(value):
-            found.append({**parameters, key: value + (MOMENT_S if key == "at_s" else BACK * value)})
+            found.append({**parameters, key: value + way * (MOMENT_S if key == "at_s" else BACK * value)})
         elif isinstance(value, list) and all(isinstance(v, float) for v in value):
-            size = BACK * np.linalg.norm([v for v in value if np.isfinite(v)])
+            size = way * BACK * np.linalg.norm([v for v in value if np.isfinite(v)])
             changed = lambda k, v=value, by=size: [*v[:k], v[k] + by, *v[k + 1 :]]
             found += [{**parameters, key: changed(k)} for k, v in enumerate(value) if np.isfinite(v)]
     return found
@@ -306,7 +315,7 @@ def study(session: Session, hidden: list) -> dict:
     drawn = lambda other: spoiled(session, other)
     linear = Study(make([1.0] * len(hidden)))
     reduced = Reduced(linear, not any(h.name in CAUSES_IN_BASE for h in hidden))
-    signals = [reduced.orthogonal(linear.difference(tangent(make, n, hidden))) for n in range(len(hidden))]
+    signals = [reduced.orthogonal(tangent(linear, make, n, hidden)) for n in range(len(hidden))]
     others = planes(linear, reduced, hidden)
     report = {"others": {name: float(np.linalg.norm(c, 2)) for name, c in others.items()}, "effects": []}
     for n, signal in enumerate(signals):
