@@ -34,9 +34,7 @@ const FASTEST_GUST_HZ: f64 = 0.35;
 const PEAKS: usize = 4;
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
-/// Shapes without a name are tried where the best cause leaves more than this share of what the base simulation left …
-pub const UNNAMED_FROM: f64 = 0.01;
-/// … and come first where they leave less than this share of that.
+/// Shapes without a name come first where they leave less than this share of what the best cause does.
 pub const UNNAMED_LEAVES: f64 = 0.1;
 
 /// Squares of standard deviations that a cause's strengths must be from zero to be beyond doubt: thirty of them.
@@ -156,7 +154,7 @@ impl Found<'_> {
     fn may_blow(&self, tried: &[Tried]) -> Option<usize> {
         let best = tried.first().filter(|best| best.gain > LEAST_GAIN)?;
         let wind = tried.iter().position(|t| t.cause.id == WIND && t.gain > GUSTY * best.gain)?;
-        (wind == 0 || best.left.excess() > UNNAMED_FROM * self.base_left.excess()).then_some(wind)
+        (wind == 0 || !best.left.is_next_to_nothing(&self.base_left)).then_some(wind)
     }
 
     /// Takes a wind and its gusts where they are the best; else all stays as it was.
@@ -307,9 +305,10 @@ impl Found<'_> {
     fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
         let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
         let mut tried = self.fitted_in_full(named, half_way)?;
-        let left = tried.first().map_or(self.left.excess(), |best| best.left.excess());
+        let left = tried.first().map_or(&self.left, |best| &best.left);
         // What else moves inside follows the law of what was found to move there: little may then be left, and still be seen.
-        let much = left > UNNAMED_FROM * self.base_left.excess();
+        let much = !left.is_next_to_nothing(&self.base_left);
+        let left = left.excess();
         let named_gain = tried.first().map_or(0.0, |best| best.gain);
         let may_be = |look: &Look| look.cause.form == Form::Second || look.gain > named_gain;
         let worth_it = |look: &Look| self.promises(look) && (much || may_be(look));
@@ -352,7 +351,7 @@ impl Found<'_> {
         half_way()?;
         let best = tried.first().map_or(f64::INFINITY, |t| t.fitted.cost);
         // Beside a cause that leaves next to nothing, only those count that promise nearly as much.
-        let nearly_all = |t: &&Tried| t.left.excess() <= UNNAMED_FROM * self.left.excess();
+        let nearly_all = |t: &&Tried| t.left.is_next_to_nothing(&self.left);
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
         tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));

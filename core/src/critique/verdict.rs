@@ -15,8 +15,6 @@ use crate::language::{Argument, Text};
 
 /// Causes within this of the best, natural logarithm of the evidence, are not told from it: odds of 100 to 1.
 pub const NOT_TOLD: f64 = 4.6;
-/// What is left may be this share of what the base simulation left: laws differ a little from nature's.
-pub const LEFT_SHARE: f64 = 0.01;
 /// Two causes at once happen. Where more are needed together, each for what the others leave, one that is not known is likelier.
 pub const MOST_NAMED: usize = 2;
 /// Gusts are irregular: a few tones account for most of them, not for all.
@@ -31,8 +29,8 @@ impl Found<'_> {
         let many = self.model.named().count() > MOST_NAMED;
         let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
         let gusts = self.model.causes.iter().any(|cause| cause.form == Form::Gust);
-        let share = if gusts { LEFT_SHARE_OF_GUSTS } else { LEFT_SHARE };
-        many || unnamed || (!self.left.is_white() && self.left.excess() > share * self.base_left.excess())
+        let of_gusts = gusts && self.left.excess() <= LEFT_SHARE_OF_GUSTS * self.base_left.excess();
+        many || unnamed || !(of_gusts || self.left.is_next_to_nothing(&self.base_left))
     }
 
     /// The round in which the last cause was taken.

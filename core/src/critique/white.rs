@@ -20,6 +20,9 @@ const BAND: f64 = 0.06;
 const LINE: f64 = 0.15;
 /// The white level of a channel is known to this, relative: broad bands must exceed it to count.
 const LEVEL_U: f64 = 0.01;
+/// What a model leaves is next to nothing up to this share of what another left: laws differ a little from nature's. (A law that bends to
+/// much leaves a hundredth of a great effect, and an inertia that is off by many standard deviations.)
+const NEXT_TO_NOTHING: f64 = 1e-3;
 
 /// A band of a channel in which more is left than noise.
 #[derive(Debug, Clone)]
@@ -58,6 +61,11 @@ impl Left {
 
     pub fn is_white(&self) -> bool {
         self.bands.is_empty()
+    }
+
+    /// Whether it is so little that it does not count beside what another model left.
+    pub fn is_next_to_nothing(&self, beside: &Left) -> bool {
+        self.excess() <= NEXT_TO_NOTHING * beside.excess()
     }
 
     /// Frequencies where most is left, Hz, so many of them and no nearer to each other than what is one line.

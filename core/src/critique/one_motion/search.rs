@@ -4,7 +4,7 @@
 use super::super::causes::UNKNOWN;
 use super::super::evidence::{LEAST_GAIN, is_missed, pays};
 use super::super::point::{Part, SETTLING_S};
-use super::super::search::{MOST_CAUSES, UNNAMED_FROM, UNNAMED_LEAVES};
+use super::super::search::{MOST_CAUSES, UNNAMED_LEAVES};
 use super::super::verdict::simplest_first;
 use super::super::white::{Left, in_record};
 use super::causes::{Cause, Kind, catalogue};
@@ -136,10 +136,10 @@ impl Found<'_> {
         let unknown = best.iter().position(|t| t.id == UNKNOWN).map(|k| best.remove(k));
         simplest_first(&mut best, |t| self.parameters(t));
         let Some(unknown) = unknown else { return best };
-        let left = best.first().map_or(self.best.left.excess(), |t| t.with.left.excess());
-        if left > UNNAMED_FROM * self.base.left.excess() {
+        let left = best.first().map_or(&self.best.left, |t| &t.with.left);
+        if !left.is_next_to_nothing(&self.base.left) {
             let beats = best.first().is_none_or(|t| unknown.gain > t.gain);
-            let takes_all = beats && unknown.with.left.excess() < UNNAMED_LEAVES * left;
+            let takes_all = beats && unknown.with.left.excess() < UNNAMED_LEAVES * left.excess();
             best.insert(if takes_all { 0 } else { best.len() }, unknown);
         }
         best

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::causes::UNKNOWN;
 use super::super::result::{CauseResult, CauseVerdict, ParameterResult};
-use super::super::verdict::{LEFT_SHARE, MOST_NAMED, NOT_TOLD, Ranked, are_one_drag, judged, ranked, result};
+use super::super::verdict::{MOST_NAMED, NOT_TOLD, Ranked, are_one_drag, judged, ranked, result};
 use super::search::{Found, Round, Tried};
 
 impl Ranked for Tried {
@@ -26,7 +26,7 @@ impl Found<'_> {
     pub fn is_unexplained(&self) -> bool {
         let (names, left) = (self.names(), &self.best.left);
         let beyond = names.len() > MOST_NAMED || names.iter().any(|id| id == UNKNOWN);
-        beyond || (!left.is_white() && left.excess() > LEFT_SHARE * self.base.left.excess())
+        beyond || !left.is_next_to_nothing(&self.base.left)
     }
 
     fn decisive(&self) -> Option<&Round> {
