@@ -18,7 +18,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from borrowed import rb
 from effects import ALL, EFFECTS, OUTSIDE, Session
-from scene import clipped, move, sense
+from scene import move, sense
 
 EVERY = 5  # samples taken for sensitivities; each counts as so many
 STEP_S = 0.05
@@ -48,10 +48,12 @@ class Study:
     session: Session
     motions: list = field(default_factory=list)
     looks: list = field(default_factory=list)
+    within: list = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.motions = [move(s, STEP_S, EVERY) for s in self.session.scenes]
         self.looks = [look(s, m) for s, m in zip(self.session.scenes, self.motions)]
+        self.within = [np.abs(v) < limits(s, v.size) for s, v in zip(self.session.scenes, self.looks)]
 
     def rows(self) -> list[int]:
         """Readings by swing, then stated dimensions and gravity."""
@@ -67,9 +69,17 @@ class Study:
                 parts.append(np.zeros(self.looks[n].size))
                 continue
             at = self.motions[n] if change.phone_only else move(scene, STEP_S, EVERY)
-            parts.append((look(scene, at) - self.looks[n]) / change.unit)
+            parts.append(self.changed(n, scene, look(scene, at)) / change.unit)
         parts.append((stated(other) - stated(self.session)) / change.unit)
         return parts
+
+    def changed(self, n: int, scene, there: np.ndarray) -> np.ndarray:
+        """Readings of a swing less the truth's. At a sensor's limit nothing changes, beside it all does: which readings are there is taken
+        from the truth, or where a step moves some across the edge that would stand out by itself. Another limit moves the edge."""
+        mine, other = limits(self.session.scenes[n], there.size), limits(scene, there.size)
+        if np.array_equal(mine, other):
+            return np.where(self.within[n], there - self.looks[n], 0.0)
+        return np.clip(there, -other, other) - np.clip(self.looks[n], -mine, mine)
 
     def central(self, more: Change, less: Change) -> list[np.ndarray]:
         """The same from a change to either side: what bends cancels."""
@@ -77,9 +87,15 @@ class Study:
 
 
 def look(scene, at: np.ndarray) -> np.ndarray:
-    """Readings over their noise, as one row; each stands for EVERY of them."""
-    gyro, acc = clipped(scene, *sense(scene, at, EVERY))
+    """Readings over their noise, as one row, of sensors without limits; each stands for EVERY of them."""
+    gyro, acc = sense(scene, at, EVERY)
     return np.sqrt(EVERY) * np.concatenate([np.ravel(gyro) / scene.phone.gyro_noise, np.ravel(acc) / scene.phone.acc_noise])
+
+
+def limits(scene, size: int) -> np.ndarray:
+    """The sensors' limits, reading by reading, as `look` has them."""
+    of_each = [scene.flaws.gyro_limit / scene.phone.gyro_noise, scene.flaws.acc_limit / scene.phone.acc_noise]
+    return np.sqrt(EVERY) * np.repeat(of_each, size // 2)
 
 
 def stated(session: Session) -> np.ndarray:

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import sessions
 from borrowed import blind
+from scene import move, sense
 
 SHORT = 3000  # samples of each swing
 
@@ -96,3 +97,13 @@ def test_what_is_absorbed_does_not_stand_out_by_what_bends(drawn, monkeypatch):
         monkeypatch.setattr(detect, "BACK", back)
         found.append(detect.study(drawn, hidden)["effects"][0]["signal_sigma"])
     assert found[0] == pytest.approx(found[1], rel=0.1, abs=0.5)
+
+
+def test_a_limit_takes_away_from_what_shows(drawn):
+    """Beside an accelerometer at its limit for a fifth of the time a clock shows no better than without: readings are a part of those."""
+    clock = sessions.Hidden("clock_scale", {"relative": 0.05})
+    readings = np.abs(np.concatenate([sense(s, move(s))[1] for s in drawn.scenes]))
+    limit = sessions.Hidden("saturation", {"sensor": "acc", "limit": float(np.quantile(readings.max(axis=1), 0.8))})
+    alone = detect.study(drawn, [clock])["effects"][0]["signal_sigma"]
+    beside = detect.study(drawn, [limit, clock])["effects"][1]["signal_sigma"]
+    assert 0 < beside <= 1.01 * alone
