@@ -212,6 +212,27 @@ fn a_springy_mount_rings_when_the_hull_is_let_go() {
 }
 
 #[test]
+fn a_springy_mount_on_a_hull_that_swings_already_does_not_ring() {
+    // What the drive keeps up, from the first sample on; the series in Ω/ω₀ at the start leaves its third power.
+    let (omega, start) = small_yaw();
+    let (own, zeta) = (TAU * 3.0, 0.02);
+    let kept =
+        1e-4 * omega * omega / num_complex::Complex::new(own * own - omega * omega, 2.0 * zeta * own * omega);
+    let mount = [("turn_hz", 3.0), ("damping_ratio", zeta)];
+    let mut experiment = swing(start, &[("phone_mount_resonance", &mount)]);
+    experiment.phone = Phone::default();
+    let t_s: Vec<f64> = (0..300).map(|i| f64::from(i) / 100.0).collect();
+    let turns = kept.norm() * omega;
+    for (t, found) in t_s.iter().zip(six(&experiment.record(&t_s, &Draws::new()).unwrap())) {
+        let turn_rate =
+            (kept * num_complex::Complex::new(0.0, omega) * (num_complex::Complex::i() * omega * t).exp()).re;
+        let expected = -1e-4 * omega * (omega * t).sin() + turn_rate;
+        let most = 2.0 * (omega / own).powi(2) * turns;
+        assert!((found[2] - expected).abs() < most, "{t}: {} against {expected} within {most}", found[2]);
+    }
+}
+
+#[test]
 fn a_slip_turns_shifts_and_is_felt() {
     let slip: &[(&str, f64)] = &[
         ("at_s", 2.0),

@@ -18,6 +18,9 @@ const LEGENDRE: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
+/// ω times the time over which the slope of a drive is taken.
+const SLOPE: f64 = 1e-3;
+
 /// Place and velocity.
 type State<S> = (V3<S>, V3<S>);
 
@@ -38,8 +41,8 @@ pub struct Driven<S: Real, D> {
 }
 
 impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
-    /// Follows the drive from rest at `from_s`, before which the drive is constant; there it may jump, as where a held
-    /// hull is let go.
+    /// Follows the drive from `from_s`, before which it has followed for long what changed slowly or not at all; there the drive may jump, as
+    /// where a held hull is let go.
     pub fn new((omega, zeta): (S, S), (from_s, to_s): (f64, f64), drive: D) -> Result<Self> {
         let step_s = STEP / omega.value();
         let count = ((to_s - from_s) / step_s).ceil().max(1.0);
@@ -61,8 +64,20 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
         Ok(driven)
     }
 
+    /// What has followed the drive for long, as fast as that changed: x = (u − 2 ζ u̇/ω − (1 − 4 ζ²) ü/ω²) / ω² and its derivative, the
+    /// series of the steady response in Ω/ω, Ω the drive's frequency, to the second order. The derivatives are those before `t_s`.
     fn steady(&self, t_s: S) -> State<S> {
-        ((self.drive)(t_s) / (self.omega * self.omega), V3::zeros())
+        let back_s = SLOPE / self.omega.value();
+        let [u, before, long_before] = [0.0, 1.0, 2.0].map(|n| (self.drive)(t_s - S::constant(n * back_s)));
+        // Per radian of ω.
+        let by = |x: V3<S>, n: i32| x.map(|x| x.scale(SLOPE.powi(-n)));
+        let bend = by(u - before.map(|x| x.scale(2.0)) + long_before, 2);
+        let slope = by(u - before, 1) + bend.map(|x| x.scale(0.5 * SLOPE));
+        let twice_zeta = self.zeta.scale(2.0);
+        let place = u - slope * twice_zeta - bend * (S::one() - twice_zeta * twice_zeta);
+        let velocity = (slope - bend * twice_zeta) * self.omega;
+        let square = self.omega * self.omega;
+        (place / square, velocity / square)
     }
 
     /// The state so long after knot `n`.
@@ -99,13 +114,13 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
     /// Place, velocity, acceleration.
     pub fn at(&self, t_s: S) -> [V3<S>; 3] {
         let since = t_s.value() - self.from_s;
-        if since <= 0.0 {
-            let (x, v) = self.steady(t_s);
-            return [x, v, V3::zeros()];
-        }
-        let n = ((since / self.step_s) as usize).min(self.knots.len() - 1);
-        let time = t_s - S::constant(self.from_s + n as f64 * self.step_s);
-        let (x, v) = self.after(n, time, &self.responses(time));
+        let (x, v) = if since <= 0.0 {
+            self.steady(t_s)
+        } else {
+            let n = ((since / self.step_s) as usize).min(self.knots.len() - 1);
+            let time = t_s - S::constant(self.from_s + n as f64 * self.step_s);
+            self.after(n, time, &self.responses(time))
+        };
         let damping = (self.zeta * self.omega).scale(2.0);
         [x, v, (self.drive)(t_s) - v * damping - x * (self.omega * self.omega)]
     }
