@@ -49,7 +49,7 @@ pub struct Fitted {
     /// Of the samples alone, and how many rows they have.
     pub chi2: f64,
     pub rows: usize,
-    /// Information: half of the second derivative of χ², priors included; of strengths that are held at zero that of their priors alone.
+    /// Information: half of the second derivative of χ², priors included; of what is held at a limit that of its prior alone.
     pub matrix: DMatrix<f64>,
     /// Places of those in the list of all that is fitted.
     pub held: Vec<usize>,
@@ -212,20 +212,7 @@ impl Model<'_> {
                 self.learn_from_step(&mut jacobians, (&before, &misfit), &step.delta, &matrix);
             }
         }
-        let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
-        let held = self.pin(&point, &mut matrix, &mut gradient);
-        let rows = misfit.count();
-        Ok(Fitted {
-            point,
-            cost: misfit.cost,
-            chi2: misfit.chi2(),
-            rows,
-            matrix,
-            held,
-            gradient,
-            jacobians,
-            last_gained,
-        })
+        Ok(self.ended(point, &misfit, jacobians, last_gained))
     }
 
     /// Derivatives changed by as little as makes them true of a step that was made (C. G. Broyden, *Math. Comp.* 19 (1965) 577),
@@ -253,11 +240,20 @@ impl Model<'_> {
     /// What was fitted, with derivatives taken apart from what makes them costly: those of first looks beside it are taken so as well, and
     /// what the one absorbs of the other is a small difference of large ones.
     pub fn with_derivatives_apart(&self, fitted: &Fitted) -> Result<Fitted> {
-        let jacobians = self.jacobians(&fitted.point)?;
-        let misfit = self.misfit(&fitted.point)?;
-        let (mut matrix, mut gradient) = self.normal(&fitted.point, &misfit, &jacobians);
-        let held = self.pin(&fitted.point, &mut matrix, &mut gradient);
-        Ok(Fitted { matrix, held, gradient, jacobians, ..fitted.clone() })
+        Ok(Fitted { last_gained: fitted.last_gained, ..self.unmoved(&fitted.point)? })
+    }
+
+    /// A point as it is, with all derivatives there.
+    pub fn unmoved(&self, point: &Point) -> Result<Fitted> {
+        let (jacobians, misfit) = (self.jacobians(point)?, self.misfit(point)?);
+        Ok(self.ended(point.clone(), &misfit, jacobians, 0.0))
+    }
+
+    fn ended(&self, point: Point, misfit: &Misfit, jacobians: Vec<DMatrix<f64>>, last_gained: f64) -> Fitted {
+        let (mut matrix, mut gradient) = self.normal(&point, misfit, &jacobians);
+        let held = self.pin(&point, &mut matrix, &mut gradient);
+        let (cost, chi2, rows) = (misfit.cost, misfit.chi2(), misfit.count());
+        Fitted { point, cost, chi2, rows, matrix, held, gradient, jacobians, last_gained }
     }
 
     fn most_steps(&self) -> usize {
@@ -405,15 +401,17 @@ impl Model<'_> {
         all
     }
 
-    /// Strengths that stand at zero and would go below are held there: their places.
+    /// What stands at a limit and would go beyond is held there (a strength at zero): its places.
     fn pin(&self, point: &Point, matrix: &mut DMatrix<f64>, gradient: &mut DVector<f64>) -> Vec<usize> {
         let swings = self.base.swings.len();
         let mut first = Places::of(self).first_cause();
         let mut held = Vec::new();
         for (cause, values) in self.causes.iter().zip(&point.causes) {
-            for k in cause.one_sided_places(swings).into_iter().filter(|k| values[*k] <= 0.0) {
+            for (k, (low, high)) in cause.limits(swings).into_iter().enumerate() {
                 let place = first + k;
-                if gradient[place] <= 0.0 {
+                let goes_out = (values[k] <= low && gradient[place] <= 0.0)
+                    || (values[k] >= high && gradient[place] >= 0.0);
+                if goes_out {
                     matrix.row_mut(place).fill(0.0);
                     matrix.column_mut(place).fill(0.0);
                     // Its width is that of its prior, so that it neither gains nor costs evidence.
@@ -427,12 +425,13 @@ impl Model<'_> {
         held
     }
 
-    /// With a body that there can be, and no strength below zero that has no meaning there.
+    /// With a body that there can be, and nothing beyond its limits.
     pub fn bounded(&self, mut point: Point) -> Point {
         self.base.keep_a_body(&mut point.x);
         let swings = self.base.swings.len();
         for (cause, values) in self.causes.iter().zip(&mut point.causes) {
-            cause.one_sided_places(swings).into_iter().for_each(|k| values[k] = values[k].max(0.0));
+            let limits = cause.limits(swings).into_iter();
+            values.iter_mut().zip(limits).for_each(|(v, (low, high))| *v = v.clamp(low, high));
         }
         point
     }
@@ -463,9 +462,9 @@ struct Step {
 }
 
 impl Fitted {
-    /// Where the so many values of the last cause begin in the list of all that is fitted.
+    /// Where the so many values of the last causes begin in the list of all that is fitted.
     pub fn place_of_last(&self, count: usize) -> usize {
-        self.matrix.nrows() - OWN * self.jacobians.len() - count
+        self.matrix.nrows() - OWN * self.point.owns.len() - count
     }
 
     /// The point, and what is known there.

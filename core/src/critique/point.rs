@@ -65,7 +65,12 @@ pub struct CauseParameter {
     pub is_strength: bool,
     /// Each swing has its own.
     pub of_swing: bool,
+    /// There is none below or above these.
+    pub limits: (f64, f64),
 }
+
+/// Where any value has a meaning.
+pub const NO_LIMITS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Puts a cause of given parameters (the session's, then the swing's own) into the experiment of a swing.
 pub type Put = Arc<dyn Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync>;
@@ -146,10 +151,11 @@ impl Cause {
         of_session.chain(of_swing).collect()
     }
 
-    /// Places of the strengths that cannot be below zero.
-    pub fn one_sided_places(&self, swings: usize) -> Vec<usize> {
-        let expanded = self.expanded(swings);
-        (0..expanded.len()).filter(|k| self.one_sided && expanded[*k].0.is_strength).collect()
+    /// Limits of its parameters, value by value; those of strengths that cannot be below zero among them.
+    pub fn limits(&self, swings: usize) -> Vec<(f64, f64)> {
+        let above_zero = |p: &CauseParameter| self.one_sided && p.is_strength;
+        let of = |p: &CauseParameter| if above_zero(p) { (0.0, p.limits.1) } else { p.limits };
+        self.expanded(swings).into_iter().map(|(p, _)| of(p)).collect()
     }
 
     /// Where its priors have their mean.

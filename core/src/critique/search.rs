@@ -7,8 +7,8 @@ use crate::inertia::by_samples::in_parallel;
 use crate::progress::{Progress, tell};
 
 use super::causes::{
-    GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, ringing,
-    seconds,
+    GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, moving,
+    ringing, seconds,
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Fitted, Places};
@@ -30,6 +30,8 @@ const FURTHER: usize = 3;
 const GUSTY: f64 = 0.15;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
+/// What moves inside is looked for anew so often beside a second.
+const ANEW: usize = 2;
 /// Something that rings inside is looked for at so many frequencies where most is left.
 const PEAKS: usize = 4;
 /// First looks are right to this share, where laws are not linear.
@@ -318,16 +320,51 @@ impl Found<'_> {
         let mut found: Vec<Tried> = found.into_iter().flatten().collect();
         // The best last, which puts it before the others.
         found.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        if let Some(best) = found.last_mut().filter(|best| best.cause.form == Form::Second) {
+            *best = self.with_first_anew(best)?;
+        }
         for unknown in found {
             let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
             let takes_all = unknown.left.excess() < UNNAMED_LEAVES * left;
             // A line's slip is a law as sharp as those that have names; others may bend to what a name leaves.
             let is_as_good = matches!(unknown.cause.form, Form::LineSlip(_)) || unknown.left.excess() <= left;
             let is_clear = is_as_good && unknown.gain > named_gain + LEAST_GAIN;
-            let place = if is_clear || (beats && takes_all) { 0 } else { tried.len() };
+            // What moves inside beside another has the law of that one: it bends no more than a name does.
+            let is_law = unknown.cause.form == Form::Second;
+            let place = if is_clear || (beats && (takes_all || is_law)) { 0 } else { tried.len() };
             tried.insert(place, unknown);
         }
         Ok(tried)
+    }
+
+    /// Of two things that move inside the first had bent itself to what both do: while something is left it is looked for anew beside the second.
+    fn with_first_anew(&self, second: &Tried) -> Result<Tried> {
+        let mut best = second.clone();
+        for _ in 0..ANEW {
+            let first = best.causes.iter().position(|cause| cause.id == INTERNAL_MOTION);
+            let Some(first) = first.filter(|_| !best.left.is_white()) else { break };
+            let (mut model, mut point) =
+                (Model { causes: best.causes.clone(), ..self.model.clone() }, best.fitted.point.clone());
+            model.causes.remove(first);
+            point.causes.remove(first);
+            let beside = Found::begun(model.clone(), self.begin.clone(), model.unmoved(&point)?)?;
+            let slides = moving(&Scales::of(model.base, &point)?, &beside.left.peaks_hz(PEAKS));
+            let mut looks = looks_at(&Standing::of(&beside.model, &beside.fitted)?, &slides);
+            looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+            let found = beside.fitted_in_full(foremost(&looks), &|| Ok(()))?.into_iter().next();
+            let Some(mut found) = found.filter(|t| t.fitted.cost < best.fitted.cost - LEAST_GAIN) else {
+                break;
+            };
+            // They have the same law, and the one found last is the one without a name.
+            let seconds = found.causes.iter_mut().filter(|cause| cause.form == Form::Second);
+            seconds.for_each(|cause| (cause.id, cause.form) = (INTERNAL_MOTION, Form::Law));
+            let last = found.causes.last_mut().into_iter();
+            last.for_each(|cause| (cause.id, cause.form) = (UNKNOWN, Form::Second));
+            let model = Model { causes: found.causes, ..model };
+            let Some(renewed) = self.weighed_up(&best.cause, model, found.fitted) else { break };
+            best = renewed;
+        }
+        Ok(best)
     }
 
     /// Whether a look promises enough for a full fit.

@@ -6,6 +6,7 @@ use crate::recording::{RepairKind, Sensor};
 
 use super::base::Base;
 use super::causes::UNKNOWN;
+use super::fitting::Fitted;
 use super::point::{Cause, Form};
 use super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::search::{Found, Round};
@@ -58,8 +59,19 @@ impl Found<'_> {
 
     /// Every cause of the rounds with its probability in its round; those taken first.
     pub fn causes(&self) -> Vec<CauseResult> {
-        let result = |t: &Tried| result(t.cause.id, t.gain, parameters(t));
-        let rounds = self.rounds.iter().map(|r| (r.taken, r.tried.iter().map(result).collect()));
+        // Those taken have the values that they have beside all others.
+        let place =
+            |t: &Tried| self.model.causes.iter().position(|c| (c.id, c.form) == (t.cause.id, t.cause.form));
+        let of_taken = |t: &Tried| place(t).map(|k| parameters_of(&self.model.causes, &self.fitted, k));
+        let results = |round: &Round| -> Vec<CauseResult> {
+            let is_taken = |n: usize| round.taken && n == 0;
+            let found = |(n, t): (usize, &Tried)| {
+                let of_taken = is_taken(n).then(|| of_taken(t)).flatten();
+                result(t.cause.id, t.gain, of_taken.unwrap_or_else(|| parameters(t)))
+            };
+            round.tried.iter().enumerate().map(found).collect()
+        };
+        let rounds = self.rounds.iter().map(|round| (round.taken, results(round)));
         let left = self.is_unexplained().then(|| self.left.excess());
         ranked(rounds, left, saturation(self.model.base))
     }
@@ -224,13 +236,20 @@ pub fn simplest_first<T: Ranked>(
     }
 }
 
-/// Parameters of a cause in units of the rig.
+/// Parameters of the cause that was tried.
 pub fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
-    let cause: &Cause = &tried.cause;
-    let values = tried.fitted.point.causes.last().cloned().unwrap_or_default();
-    let first = tried.fitted.place_of_last(values.len());
-    let covariance = tried.fitted.covariance();
-    let swings = tried.fitted.jacobians.len();
+    parameters_of(&tried.causes, &tried.fitted, tried.causes.len().saturating_sub(1))
+}
+
+/// Parameters of one of the causes of a fitted model, in units of the rig.
+fn parameters_of(causes: &[Cause], fitted: &Fitted, number: usize) -> BTreeMap<String, ParameterResult> {
+    let Some((cause, values)) = causes.get(number).zip(fitted.point.causes.get(number)) else {
+        return BTreeMap::new();
+    };
+    let swings = fitted.point.owns.len();
+    let behind: usize = causes[number..].iter().map(|cause| cause.size(swings)).sum();
+    let first = fitted.place_of_last(behind);
+    let covariance = fitted.covariance();
     let mut found = BTreeMap::new();
     for (k, (parameter, own)) in cause.expanded(swings).into_iter().enumerate() {
         let u = covariance.as_ref().map_or(f64::INFINITY, |c| c[(first + k, first + k)].max(0.0).sqrt());

@@ -26,10 +26,17 @@ pub fn ringing(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
     frequencies_hz.iter().map(|hz| ringing_at(scales, *hz)).collect()
 }
 
+/// Both.
+pub fn moving(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
+    [causes(scales), ringing(scales, frequencies_hz)].concat()
+}
+
 /// The same beside one that was taken: not a cause with a name of its own, since one that moves in more ways than one is not known.
 pub fn seconds(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
-    let firsts = [causes(scales), ringing(scales, frequencies_hz)].concat();
-    firsts.into_iter().map(|cause| Cause { id: UNKNOWN, form: Form::Second, ..cause }).collect()
+    moving(scales, frequencies_hz)
+        .into_iter()
+        .map(|cause| Cause { id: UNKNOWN, form: Form::Second, ..cause })
+        .collect()
 }
 
 /// Damping ratio from which a fit begins.
@@ -41,6 +48,9 @@ const RINGING_SHARE: f64 = 1e-3;
 /// Where a thing is when a recording begins, times its share of the hull, m, and its speed so, m/s: what shows of it is in proportion to
 /// both together, whatever it weighs.
 const START_M: f64 = 3e-3;
+/// What is aboard is no further from where it is looked for than so many widths of its priors: one and a half times half the hull's length
+/// fore and aft. Far outside a light thing does by its lever what a heavy one does aboard, and fits stay there.
+const ABOARD: f64 = 3.0;
 /// Places of the look's slides, shares of half the hull's length.
 const FORE: f64 = 0.5;
 
@@ -64,30 +74,43 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
         factor: scales.mass_kg,
         ..number(name, unit, 0.0, START_M)
     };
+    let aboard = |name, mean: f64, u: f64| CauseParameter {
+        limits: (mean - ABOARD * u, mean + ABOARD * u),
+        ..number(name, "m", mean, u)
+    };
     let parameters = vec![
         strength("mass_kg", "kg", scales.mass_kg, 0.01),
         logarithm("frequency_hz", "Hz", frequency_hz, 0.4),
         logarithm("damping_ratio", "1", damping_ratio, 1.0),
         number("direction_rad", "rad", 0.0, 1.6),
-        number("place_x_m", "m", 0.0, 0.5 * half_m),
-        number("place_y_m", "m", 0.0, 0.2 * half_m),
-        number("place_z_m", "m", -depth_m, depth_m.max(0.3 * half_m)),
+        aboard("place_x_m", 0.0, 0.5 * half_m),
+        aboard("place_y_m", 0.0, 0.2 * half_m),
+        aboard("place_z_m", -depth_m, depth_m.max(0.3 * half_m)),
         of_start("start_kg_m", "kg m"),
         of_start("start_kg_m_s", "kg m/s"),
     ];
     let law = put(move |q, _, e| {
+        let omega_rad_s = TAU * q[1].clamp(-4.0, 3.0).exp();
         let share = q[0].clamp(1e-9, 0.3);
         let slide = Slide {
             share,
-            omega_rad_s: TAU * q[1].clamp(-4.0, 3.0).exp(),
+            omega_rad_s,
             damping_ratio: q[2].clamp(-7.0, 0.5).exp(),
             direction_rad: q[3],
             place_m: [q[4], q[5], q[6]],
-            start: [q[7] / share, q[8] / share],
+            start: start([q[7], q[8]], share, omega_rad_s, half_m),
         };
         slide.put(e)
     });
     Cause { one_sided: true, look: Some(Arc::new(look)), ..cause(INTERNAL_MOTION, parameters, law) }
+}
+
+/// Where a thing is and how fast at the start, from both times its share of the hull's mass. Nothing moves further than half the hull's
+/// length: a share of next to nothing would start from beyond all bounds.
+fn start(by_share: [f64; 2], share: f64, omega_rad_s: f64, half_m: f64) -> [f64; 2] {
+    let start = by_share.map(|v| v / share);
+    let reach_m = start[0].hypot(start[1] / omega_rad_s);
+    start.map(|v| v * (half_m / reach_m).min(1.0))
 }
 
 /// A mass on a spring along a level way in the hull.
@@ -197,4 +220,51 @@ fn one_slide(w: &[f64], half_m: f64) -> Option<Vec<f64>> {
     // Frequency and damping stay where the look has them.
     let frequency_and_damping = [f64::NAN; 2];
     Some([&[share][..], &frequency_and_damping, &[direction_rad, place_m]].concat())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HULL: Scales = Scales {
+        mass_kg: 50.0,
+        gyradii2_m2: [0.1, 0.5, 0.6],
+        depth_m: 0.3,
+        line_m: 2.0,
+        spacing_m: 1.0,
+        gravity_m_s2: 9.81,
+        yaw_rad_s: 1.5,
+        slowest_rad_s: 1.5,
+        fastest_rad_s: 3.0,
+        pitches: true,
+        half_length_m: 1.4,
+    };
+
+    #[test]
+    fn a_light_thing_starts_aboard() {
+        // As far as given: 2 mm of the hull are 0.2 m of a hundredth of it.
+        let near = start([2e-3, 4e-3], 0.01, 2.0, 1.4);
+        assert!((near[0] - 0.2).abs() < 1e-15 && (near[1] - 0.4).abs() < 1e-15, "{near:?}");
+        // 2 m and 4 m/s at 2 rad/s reach 2 sqrt 2 m: what is left of them reaches 1.4 m.
+        let far = start([2e-3, 4e-3], 1e-3, 2.0, 1.4);
+        assert!((far[0].hypot(far[1] / 2.0) - 1.4).abs() < 1e-12 && (far[1] - 2.0 * far[0]).abs() < 1e-12);
+        assert_eq!(start([0.0, 0.0], 1e-9, 2.0, 1.4), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_moves_inside_weighs_something_and_is_aboard() {
+        for cause in moving(&HULL, &[0.5]) {
+            let limits = cause.limits(2);
+            let of = |name: &str| {
+                let k = cause.expanded(2).iter().position(|(p, _)| p.name == name).unwrap();
+                limits[k]
+            };
+            assert_eq!(of("mass_kg"), (0.0, f64::INFINITY));
+            assert_eq!(of("start_kg_m"), (f64::NEG_INFINITY, f64::INFINITY));
+            // Three widths, of half of half the length, a fifth of it, and of the depth or 0.3 of it.
+            let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-9 && (a.1 - b.1).abs() < 1e-9;
+            assert!(near(of("place_x_m"), (-2.1, 2.1)) && near(of("place_y_m"), (-0.84, 0.84)));
+            assert!(near(of("place_z_m"), (-0.3 - 1.26, -0.3 + 1.26)), "{:?}", of("place_z_m"));
+        }
+    }
 }

@@ -18,9 +18,9 @@ use crate::inertia::theory::{mode_names, swing_body, swing_rig};
 use crate::recording::{ModeName, Orientation};
 
 use super::base::Base;
-use super::point::{Cause, CauseParameter, Form, Point, Put};
+use super::point::{Cause, CauseParameter, Form, NO_LIMITS, Point, Put};
 
-pub use aboard::{INTERNAL_MOTION, ringing, seconds};
+pub use aboard::{INTERNAL_MOTION, moving, ringing, seconds};
 pub use friction::{GUSTS, WIND, gust};
 pub use outside::{GIVES_S, TERMS, UNKNOWN, knock_at, learned_force, line_slip_at, reach};
 pub use phone::{SLIP_S, mounts, slip_at};
@@ -91,7 +91,17 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
 /// A strength in proportion to which the effect grows.
 fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> CauseParameter {
     let (prior, step) = ((0.0, u), 0.01 * u);
-    CauseParameter { name, unit, factor, is_log: false, prior, step, is_strength: true, of_swing: false }
+    CauseParameter {
+        name,
+        unit,
+        factor,
+        is_log: false,
+        prior,
+        step,
+        is_strength: true,
+        of_swing: false,
+        limits: NO_LIMITS,
+    }
 }
 
 /// A number that the effect depends on in other ways.
@@ -106,6 +116,7 @@ fn number(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CausePar
         step,
         is_strength: false,
         of_swing: false,
+        limits: NO_LIMITS,
     }
 }
 

@@ -4,7 +4,7 @@
 //! damping (or of stiffness, or of inertia) that it has at the widest angle or the fastest rate of the swing.
 
 use super::super::causes::{TERMS, UNKNOWN};
-use super::super::point::CauseParameter;
+use super::super::point::{CauseParameter, NO_LIMITS};
 
 /// Share of critical damping, of stiffness or of inertia that causes ordinarily have: a hundredth.
 const ORDINARY: f64 = 0.01;
@@ -99,6 +99,7 @@ fn parameter(name: &'static str, unit: &'static str, factor: f64, prior: (f64, f
         step: 0.01 * prior.1,
         is_strength: true,
         of_swing: true,
+        limits: NO_LIMITS,
     }
 }
 
