@@ -7,7 +7,8 @@ thousand runs: that risk is shared equally among the rates (Bonferroni), each ju
 an answer fails at once.
 
 An effect is *testable* where it stands out by more than 10 standard deviations and no other cause points its way (largest
-cosine below 0.95, `detect.py`); one outside the catalogue, where it stands out so far beside the cause that is nearest; one of
+cosine below 0.95, `detect.py`: of 11 standard deviations that leaves as few as 3 beside the nearest cause, so that those are told
+of by themselves of which 10 are left); one outside the catalogue, where it stands out so far beside the cause that is nearest; one of
 two, where it does so beside the other, every number of which is open.
 """
 
@@ -35,6 +36,7 @@ ALIKE = 2.0  # extended uncertainties: a base model no further from the truth th
 QUANTITIES = ("k_yaw_m", "k_pitch_m")
 RATES = {
     "named right, where testable": 0.95,
+    "named right, where 10 σ stand out beside the nearest cause too": 0.95,
     "complete models called adequate": 0.98,
     "outside the catalogue called unexplained": 0.90,
     "ambiguous sets hold the truth": 0.95,
@@ -123,7 +125,10 @@ def mark_verdict(outcome: Outcome) -> None:
     if sort == "none":
         marks["complete models called adequate"] = status == "adequate"
     if sort == "one" and outcome.testable():
-        marks["named right, where testable"] = status == "explained" and outcome.named == outcome.hidden
+        right = status == "explained" and outcome.named == outcome.hidden
+        marks["named right, where testable"] = right
+        if all(e["beyond_best_cause_sigma"] > DETECTABLE_SIGMA for e in outcome.truth["detection"]["effects"]):
+            marks["named right, where 10 σ stand out beside the nearest cause too"] = right
     if sort == "two" and outcome.testable():
         marks["both of two named"] = outcome.hidden <= outcome.named
     if sort == "outside" and outcome.testable():
@@ -235,7 +240,8 @@ def missed(outcomes: list[Outcome]) -> list[str]:
     lines = []
     for o in outcomes:
         if any(not met for rate, met in o.marks.items() if "inside" not in rate and "nearer" not in rate):
-            told = ", ".join(f"{e['name']} {e['signal_sigma']:.0f} σ (like {e['nearest']} {e['largest_cosine']:.2f})"
+            told = ", ".join(f"{e['name']} {e['signal_sigma']:.0f} σ (like {e['nearest']} {e['largest_cosine']:.2f}, "
+                             f"{e['beyond_best_cause_sigma']:.0f} σ beside it)"
                              for e in o.truth["detection"]["effects"]) or "none"  # fmt: skip
             lines.append(f"- {o.name}: {told}: {answer(o)}")
     return lines

@@ -320,8 +320,9 @@ impl Found<'_> {
         let mut found: Vec<Tried> = found.into_iter().flatten().collect();
         // The best last, which puts it before the others.
         found.sort_by(|a, b| a.gain.total_cmp(&b.gain));
-        if let Some(best) = found.last_mut().filter(|best| best.cause.form == Form::Second) {
-            *best = self.with_first_anew(best)?;
+        let is_best_of_all = |t: &&mut Tried| t.cause.form == Form::Second && t.gain > named_gain;
+        if let Some(second) = found.last_mut().filter(is_best_of_all) {
+            *second = self.with_first_anew(second)?;
         }
         for unknown in found {
             let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
