@@ -90,18 +90,7 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
 
 /// A strength in proportion to which the effect grows.
 fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> CauseParameter {
-    let (prior, step) = ((0.0, u), 0.01 * u);
-    CauseParameter {
-        name,
-        unit,
-        factor,
-        is_log: false,
-        prior,
-        step,
-        is_strength: true,
-        of_swing: false,
-        limits: NO_LIMITS,
-    }
+    CauseParameter { factor, step: 0.01 * u, is_strength: true, ..number(name, unit, 0.0, u) }
 }
 
 /// A number that the effect depends on in other ways.

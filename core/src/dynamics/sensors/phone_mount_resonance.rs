@@ -11,7 +11,8 @@ numbers! {
     /// The phone is light against the hull and hangs in a spring and damper, alike along and about all axes: against the
     /// hull it turns by θ̈ + 2 ζ ω θ̇ + ω² θ = −α and shifts by d̈ + 2 ζ ω ḋ + ω² d = −f, with the hull's angular
     /// acceleration α and the specific force f at the phone's place (base excitation of an oscillator: e.g. D. J. Inman,
-    /// *Engineering Vibration*, sec. 2.4). θ is small. A frequency of 0 leaves its part out. The phone begins at rest.
+    /// *Engineering Vibration*, sec. 2.4). θ is small. A frequency of 0 leaves its part out. On a hull that was held
+    /// the phone begins at rest; on one that swings already it has followed for long.
     pub struct PhoneMountResonance {
         /// ω / 2π of the turn.
         turn_hz: "Hz",
