@@ -18,6 +18,7 @@ pub mod intake;
 pub mod language;
 pub mod live;
 pub mod modes;
+mod parallel;
 pub mod plan;
 pub mod practice;
 pub mod procedure;

@@ -7,12 +7,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// `room: what it may know`. `error`, `constants`, `frames`, `language` and `progress` are known to all.
-const MAY_KNOW: [(&str, &[&str]); 18] = [
+const MAY_KNOW: [(&str, &[&str]); 19] = [
     ("error", &[]),
     ("constants", &[]),
     ("frames", &[]),
     ("language", &[]),
     ("progress", &[]),
+    ("parallel", &[]),
     ("recording", &[]),
     ("recorder", &["recording"]),
     ("signal", &["recording"]),
@@ -27,7 +28,7 @@ const MAY_KNOW: [(&str, &[&str]); 18] = [
     ("procedure", &["recording", "recorder", "live", "plan", "practice", "inertia", "critique"]),
     ("report", &["recording", "signal", "modes", "dynamics", "inertia", "critique"]),
 ];
-const KNOWN_TO_ALL: [&str; 5] = ["error", "constants", "frames", "language", "progress"];
+const KNOWN_TO_ALL: [&str; 6] = ["error", "constants", "frames", "language", "progress", "parallel"];
 
 fn sources(dir: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(dir).unwrap() {

@@ -4,16 +4,15 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::error::{Error, Result};
 use crate::frames::Vec3;
-use crate::inertia::by_samples::in_parallel;
 use crate::inertia::samples::Own;
+use crate::parallel::in_parallel;
 
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
 const MOST_DAMPING: f64 = 1e8;
-/// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones, as does
-/// one that had to be shortened.
-const KEPT: f64 = 0.5;
+/// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones.
+const KEPT: f64 = 0.8;
 /// A fit ends where an undamped step promises less of χ² than this, a tenth of a standard deviation, or than this share of it; or where a step
 /// with new derivatives gains no more than twice that.
 const CONVERGED: f64 = 1e-2;
@@ -28,6 +27,8 @@ const EARLY_STEPS: usize = 6;
 const OF_NO_USE: f64 = 0.1;
 /// Derivatives are good to about one of χ²: less than that, promised by new ones and not kept, is not there.
 const UNKEPT: f64 = 1.0;
+/// Derivatives taken within so much of χ² are as good as new ones.
+const NEAR: f64 = 0.1;
 /// Residual over noise beyond which a model is far from the data …
 pub const FAR: f64 = 2.0;
 /// … and is not worth more than so many steps of no use one after another.
@@ -58,7 +59,32 @@ pub struct Fitted {
     pub jacobians: Vec<DMatrix<f64>>,
     /// What its last step gained of χ²: much, where the steps were used up on the way.
     pub last_gained: f64,
+    /// Whether the derivatives are all there, over short steps: none taken without a cause or to one side of it alone.
+    pub is_fine: bool,
 }
+
+/// Where a fit's derivatives come from.
+pub enum Derivatives {
+    /// Taken at the start, and anew where they are of no use any more.
+    Taken,
+    /// Good near the start; taken anew where they are of no use any more.
+    Known(Vec<DMatrix<f64>>),
+    /// Good where the fit will end: none are taken anew.
+    Kept(Vec<DMatrix<f64>>),
+}
+
+/// How far a fit has come.
+#[derive(Debug, Clone, Copy)]
+pub struct Pace {
+    pub cost: f64,
+    /// The larger gain of its last two steps.
+    pub gained: f64,
+    pub steps: usize,
+    pub steps_left: usize,
+}
+
+/// Whether a fit that has come so far is hopeless.
+pub type Stop<'a> = dyn Fn(Pace) -> bool + Sync + 'a;
 
 /// Where the parts of the list of all that is fitted begin.
 pub struct Places {
@@ -122,15 +148,14 @@ impl Misfit {
 }
 
 impl Model<'_> {
-    /// Something for each swing, side by side where nothing else is.
+    /// Something for each swing, side by side as far as cores are idle.
     pub fn each<T: Send>(&self, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
-        let count = self.base.swings.len();
-        if self.alone { (0..count).map(of).collect() } else { in_parallel(count, of) }
+        in_parallel(self.base.swings.len(), of)
     }
 
-    /// Fits from a start, until nothing is left to gain or `stop` (of χ²) says that it is hopeless.
-    pub fn fit(&self, start: &Point, stop: &(dyn Fn(f64) -> bool + Sync)) -> Result<Fitted> {
-        self.fit_with(start, None, CONVERGED_SHARE, stop)
+    /// Fits from a start, until nothing is left to gain or `stop` says that it is hopeless.
+    pub fn fit(&self, start: &Point, stop: &Stop) -> Result<Fitted> {
+        self.fit_with(start, Derivatives::Taken, CONVERGED_SHARE, stop)
     }
 
     /// Where fits over longer and longer parts of the recordings lead, and χ² of the last: a phase known over one stays within a quarter
@@ -141,7 +166,7 @@ impl Model<'_> {
         for horizon_s in HORIZONS_S {
             let early = Model { part: Part::First(horizon_s), ..self.clone() };
             // A part that cannot be simulated from here leads nowhere; the next may.
-            let Ok(fitted) = early.fit_with(&point, None, NEARLY, &|_| false) else { continue };
+            let Ok(fitted) = early.fit_with(&point, Derivatives::Taken, NEARLY, &|_| false) else { continue };
             (point, cost) = (fitted.point, fitted.cost);
             // A few swings say little of how they die away, and a rate that is wrong runs away over the next part.
             for (own, begun) in point.owns.iter_mut().zip(&start.owns) {
@@ -157,37 +182,50 @@ impl Model<'_> {
         grown.or_else(|_| self.fit(start, &|_| false))
     }
 
-    /// The same beginning with derivatives that are known already, good near the start, until a step promises less than a
-    /// share of χ².
+    /// The same with derivatives that are known already, until a step promises less than a share of χ².
     pub fn fit_with(
         &self,
         start: &Point,
-        known: Option<Vec<DMatrix<f64>>>,
+        derivatives: Derivatives,
         enough_share: f64,
-        stop: &(dyn Fn(f64) -> bool + Sync),
+        stop: &Stop,
     ) -> Result<Fitted> {
         let mut point = start.clone();
         let mut misfit = self.misfit(&point)?;
-        let mut fresh = known.is_none();
-        let mut jacobians = known.map_or_else(|| self.jacobians(&point), Ok)?;
+        let is_kept = matches!(derivatives, Derivatives::Kept(_));
+        let mut fresh = matches!(derivatives, Derivatives::Taken);
+        // Of χ², since derivatives were taken.
+        let mut gained_since = if fresh { 0.0 } else { f64::INFINITY };
+        let mut jacobians = match derivatives {
+            Derivatives::Taken => self.jacobians(&point)?,
+            Derivatives::Known(known) | Derivatives::Kept(known) => known,
+        };
         let mut damping = 1e-4;
         let mut of_no_use = 0;
-        let slow_share = if self.alone { SLOW_OF_MANY } else { SLOW };
+        let slow_share = if self.of_many { SLOW_OF_MANY } else { SLOW };
         let mut was_slow = false;
-        let exact = !self.causes.iter().any(|c| c.apart);
+        let exact = !self.is_apart();
         let mut last_gained = 0.0;
         for n in 0..self.most_steps() {
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
             let equations = (&matrix, &gradient, &jacobians[..]);
             let Some(step) = self.step(&point, &misfit, equations, &mut damping) else {
-                let renewed = if fresh { None } else { self.jacobians(&point).ok() };
+                let is_known_here = gained_since < NEAR || is_kept;
+                let renewed = if is_known_here { None } else { self.jacobians(&point).ok() };
                 let Some(renewed) = renewed else { break };
-                (jacobians, fresh) = (renewed, true);
+                (jacobians, fresh, gained_since) = (renewed, true, 0.0);
                 continue;
             };
             let gained = misfit.cost - step.misfit.cost;
+            let pace = Pace {
+                cost: step.misfit.cost,
+                gained: gained.max(last_gained),
+                steps: n,
+                steps_left: self.most_steps() - 1 - n,
+            };
             last_gained = gained;
+            gained_since += gained;
             let before = std::mem::replace(&mut misfit, step.misfit);
             point = step.point;
             let is_slow = gained < slow_share * (misfit.cost - misfit.count() as f64);
@@ -195,24 +233,31 @@ impl Model<'_> {
             was_slow = is_slow;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
             let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
-            let unkept = of_no_use > 0 && step.promised < UNKEPT;
+            let unkept = gained < OF_NO_USE * step.hoped && step.hoped < UNKEPT;
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
-            let arrived = enough || (!step.strained && (unkept || gained < 2.0 * CONVERGED));
-            if ((fresh || !exact) && arrived) || creeps || crawls || (n > 3 && stop(misfit.cost)) {
+            let arrived = enough || unkept || (!step.strained && gained < 2.0 * CONVERGED);
+            let is_known_there = gained_since < NEAR || is_kept || !exact;
+            if (is_known_there && arrived) || creeps || crawls || stop(pace) {
                 break;
             }
             let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));
             // Derivatives that leave a cause out are no better when they are taken anew: those made true of steps are.
-            fresh = if exact { step.strained || enough || !as_promised } else { step.strained && !fresh };
+            fresh = if exact { enough || !as_promised } else { step.strained && !fresh };
+            fresh = fresh && !is_kept;
             if fresh {
                 // At the edge of what can be simulated there are none: the fit ends there.
                 let Ok(renewed) = self.jacobians(&point) else { break };
-                jacobians = renewed;
-            } else if !exact {
+                (jacobians, gained_since) = (renewed, 0.0);
+            } else if !exact || is_kept {
                 self.learn_from_step(&mut jacobians, (&before, &misfit), &step.delta, &matrix);
             }
         }
         Ok(self.ended(point, &misfit, jacobians, last_gained))
+    }
+
+    /// Whether derivatives are taken without one of the causes.
+    pub fn is_apart(&self) -> bool {
+        self.causes.iter().any(|cause| cause.apart)
     }
 
     /// Derivatives changed by as little as makes them true of a step that was made (C. G. Broyden, *Math. Comp.* 19 (1965) 577),
@@ -253,7 +298,8 @@ impl Model<'_> {
         let (mut matrix, mut gradient) = self.normal(&point, misfit, &jacobians);
         let held = self.pin(&point, &mut matrix, &mut gradient);
         let (cost, chi2, rows) = (misfit.cost, misfit.chi2(), misfit.count());
-        Fitted { point, cost, chi2, rows, matrix, held, gradient, jacobians, last_gained }
+        let is_fine = !self.is_apart() && (self.fine || !self.is_coarse());
+        Fitted { point, cost, chi2, rows, matrix, held, gradient, jacobians, last_gained, is_fine }
     }
 
     fn most_steps(&self) -> usize {
@@ -349,6 +395,7 @@ impl Model<'_> {
         damping: &mut f64,
     ) -> Option<Step> {
         let begun = *damping;
+        let mut hoped = None;
         let at = |delta: DVector<f64>| {
             let there = self.bounded(self.moved(point, &delta));
             self.misfit(&there).ok().map(|misfit| (there, misfit, delta))
@@ -360,6 +407,7 @@ impl Model<'_> {
             let factor = damped.cholesky()?;
             let delta = factor.solve(gradient);
             let promised = 2.0 * gradient.dot(&delta) - delta.dot(&(matrix * &delta));
+            let hoped = *hoped.get_or_insert(promised);
             let straight = at(delta);
             let corrected =
                 straight.as_ref().filter(|there| !is_better(there)).and_then(|(_, there, delta)| {
@@ -369,7 +417,7 @@ impl Model<'_> {
             if let Some((point, better, delta)) = straight.into_iter().chain(corrected).find(is_better) {
                 let strained = *damping > begun;
                 *damping = (*damping * 0.1).max(1e-9);
-                return Some(Step { point, misfit: better, delta, promised, strained });
+                return Some(Step { point, misfit: better, delta, promised, hoped, strained });
             }
             *damping *= 10.0;
             if promised < CONVERGED {
@@ -457,6 +505,8 @@ struct Step {
     misfit: Misfit,
     delta: DVector<f64>,
     promised: f64,
+    /// What the longest that was tried promised.
+    hoped: f64,
     /// Whether a longer one led nowhere.
     strained: bool,
 }

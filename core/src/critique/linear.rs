@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::frames::Vec3;
 use crate::inertia::samples::{LANES, SHARED_LANES, Sensor, Stream};
 
-use super::point::{BIAS, Model, OWN, Part, Point};
+use super::point::{BIAS, Cause, Model, OWN, Part, Point};
 
 /// Steps of numerical derivatives by the phone's place, m, and turn, rad; by a clock's error.
 const PLACE_STEP_M: f64 = 1e-4;
@@ -157,9 +157,11 @@ impl Model<'_> {
         whole.iter().enumerate().map(|(s, jacobian)| jacobian.select_rows(&rows(s))).collect()
     }
 
-    /// Whether derivatives by a cause are taken to one side alone, over steps that are long near the best fit.
+    /// Whether derivatives by a cause are taken to one side alone, over steps that are long near the best fit. (Where a phone's readings
+    /// are in proportion to all of a cause, no step is long.)
     pub fn is_coarse(&self) -> bool {
-        self.causes.iter().any(|cause| !is_few(cause.size(self.base.swings.len())))
+        let in_proportion = |cause: &Cause| cause.on_phone && cause.parameters.iter().all(|p| p.is_strength);
+        self.causes.iter().any(|cause| !is_few(cause.size(self.base.swings.len())) && !in_proportion(cause))
     }
 
     /// Derivatives of this model, the last of whose causes was just added, from those without it.

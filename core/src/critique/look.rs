@@ -9,13 +9,13 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::dynamics::Path;
 use crate::error::Result;
-use crate::inertia::by_samples::in_parallel;
+use crate::parallel::in_parallel;
 
 use super::fitting::{Fitted, Places};
 use super::linear::Reader;
 use super::point::{Cause, Model, Point};
 
-/// A fitted model as first looks see it. They are made side by side: within one of them the swings come one after another.
+/// A fitted model as first looks see it. They are made side by side.
 pub struct Standing<'a> {
     pub model: Model<'a>,
     pub fitted: Cow<'a, Fitted>,
@@ -32,10 +32,12 @@ impl<'a> Standing<'a> {
             Ok((DVector::from_vec(model.rows(&fitted.point, s)?), pliant.path(&there, s)?))
         });
         let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
-        let is_apart = model.causes.iter().any(|cause| cause.apart);
-        let fitted =
-            if is_apart { Cow::Owned(model.with_derivatives_apart(fitted)?) } else { Cow::Borrowed(fitted) };
-        Ok(Self { model: Model { alone: true, ..model.clone() }, fitted, residuals, paths })
+        let fitted = if model.is_apart() {
+            Cow::Owned(model.with_derivatives_apart(fitted)?)
+        } else {
+            Cow::Borrowed(fitted)
+        };
+        Ok(Self { model: Model { of_many: true, ..model.clone() }, fitted, residuals, paths })
     }
 }
 
@@ -322,6 +324,7 @@ mod tests {
             gradient,
             jacobians,
             last_gained: 0.0,
+            is_fine: true,
         };
         let outer = jacobian.tr_mul(&sensitivity);
         let (inner, score) = (sensitivity.tr_mul(&sensitivity), DVector::zeros(1));

@@ -5,7 +5,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::error::Result;
-use crate::inertia::by_samples::in_parallel;
+use crate::parallel::in_parallel;
 
 use super::causes::{GIVES_S, SLIP_S, Scales, knock_at, line_slip_at, slip_at};
 use super::look::{Equations, Look, Part, Solved, Standing, columns, laid_out};

@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::error::Result;
-use crate::inertia::by_samples::in_parallel;
+use crate::parallel::in_parallel;
 use crate::recording::{Excitation, Orientation, Swing};
 
 use super::fitting::Places;

@@ -178,8 +178,8 @@ pub struct Model<'a> {
     pub causes: Vec<Cause>,
     /// Which stretches of the recordings count.
     pub part: Part,
-    /// Swings one after the other, where many models are fitted side by side.
-    pub alone: bool,
+    /// One of many that are fitted side by side.
+    pub of_many: bool,
     /// Near the best fit: derivatives by causes are taken over short steps.
     pub fine: bool,
 }

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use crate::error::{Error, Result};
-use crate::inertia::by_samples::in_parallel;
+use crate::parallel::in_parallel;
 use crate::progress::{Progress, tell};
 
 use super::causes::{
@@ -11,7 +11,7 @@ use super::causes::{
     ringing, seconds,
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, gain, is_missed, pays};
-use super::fitting::{CONVERGED_SHARE, Fitted, Places};
+use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
@@ -28,6 +28,8 @@ const LEADING: usize = 4;
 const FURTHER: usize = 3;
 /// A wind that gains this share of what the best cause does may gain more than that by its gusts.
 const GUSTY: f64 = 0.15;
+/// A cause that takes less than this share of what is left leaves room for gusts of a wind that blows no other way.
+const TAKEN: f64 = 0.5;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
 /// What moves inside is looked for anew so often beside a second.
@@ -47,6 +49,8 @@ const SURE: f64 = 1e3;
 const OF_MOMENT: [&str; 5] = ["at_s", "over_s", "shift_x_m", "shift_y_m", "shift_z_m"];
 /// … and how far they may move, shares of a derivative's step, while what they are judged by is held out.
 const PINNED: f64 = 1e-3;
+/// A fit to a part of the recordings that gained more of χ² than this in its last step has not arrived.
+const UNSETTLED: f64 = 0.1;
 
 /// One round: what was tried, the best first.
 #[derive(Clone)]
@@ -88,7 +92,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         let looked = found.looks()?;
         tell(progress, done + 0.08, FULL)?;
         let mut tried = found.tried(foremost(&looked.looks), &|| tell(progress, done + 0.13, FULL))?;
-        if let Some(wind) = found.may_blow(&tried) {
+        if let Some(wind) = found.may_blow(&mut tried) {
             tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
                 found.rounds.push(Round { tried, taken: true, looked: None });
@@ -152,20 +156,33 @@ impl Found<'_> {
         (self.fitted, self.left, self.looked_from) = (best.fitted, best.left, best.from);
     }
 
-    /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks.
-    fn may_blow(&self, tried: &[Tried]) -> Option<usize> {
+    /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks. Where none takes
+    /// much of what is left, a wind is tried that hardly blows but in gusts.
+    fn may_blow(&self, tried: &mut Vec<Tried>) -> Option<usize> {
+        let takes = |best: &Tried| best.left.excess() < TAKEN * self.left.excess();
+        let known = tried.iter().position(|t| t.cause.id == WIND);
+        let is_taken = self.model.causes.iter().any(|cause| cause.id == WIND);
+        if !is_taken && !self.left.is_white() && !tried.first().is_some_and(takes) {
+            return known.or_else(|| {
+                tried.push(self.by_name(WIND).ok()?);
+                Some(tried.len() - 1)
+            });
+        }
         let best = tried.first().filter(|best| best.gain > LEAST_GAIN)?;
-        let wind = tried.iter().position(|t| t.cause.id == WIND && t.gain > GUSTY * best.gain)?;
+        let wind = known.filter(|wind| tried[*wind].gain > GUSTY * best.gain)?;
         (wind == 0 || !best.left.is_next_to_nothing(&self.base_left)).then_some(wind)
     }
 
     /// Takes a wind and its gusts where they are the best; else all stays as it was.
     fn blows_better(&mut self, tried: &mut [Tried], wind: usize) -> bool {
+        let blows = tried[wind].gain > GUSTY * tried[0].gain;
         let pays = wind == 0 && self.pays(&tried[0]);
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(tried[wind].clone());
         let with_gusts = tried[wind].gain + self.blow();
-        if pays || with_gusts > tried[0].gain {
+        // One that does not must account for what is left by its gusts.
+        let accounts = blows || self.left.excess() < TAKEN * kept.2.excess();
+        if pays || (accounts && with_gusts > tried[0].gain.max(LEAST_GAIN)) {
             tried[wind].gain = with_gusts;
             tried[..=wind].rotate_right(1);
             return true;
@@ -266,12 +283,11 @@ impl Found<'_> {
     /// Derivatives taken without a cause, or over long steps, lead near the best fit, and say too much or too little of how near: the last
     /// fit has all of them.
     fn polish(&mut self) {
-        let is_apart = self.model.causes.iter().any(|cause| cause.apart);
         self.model.fine = true;
-        if !is_apart && !self.model.is_coarse() {
+        self.model.causes.iter_mut().for_each(|cause| cause.apart = false);
+        if self.fitted.is_fine {
             return;
         }
-        self.model.causes.iter_mut().for_each(|cause| cause.apart = false);
         let Ok(fitted) = self.model.fit(&self.fitted.point, &|_| false) else { return };
         let Ok(left) = Left::of(&self.model, &fitted.point) else { return };
         (self.fitted, self.left) = (fitted, left);
@@ -306,13 +322,14 @@ impl Found<'_> {
     /// such a one comes first where it takes nearly all that the named ones leave.
     fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
         let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
-        let mut tried = self.fitted_in_full(named, half_way)?;
+        // What promises more than all names may keep it, even where one of them leaves nothing: a line that slips turns a phone with the hull.
+        let promised = named.iter().map(|look| look.gain).fold(0.0, f64::max);
+        let tried = self.fitted_in_full(named, half_way)?;
         let left = tried.first().map_or(&self.left, |best| &best.left);
         // What else moves inside follows the law of what was found to move there: little may then be left, and still be seen.
         let much = !left.is_next_to_nothing(&self.base_left);
-        let left = left.excess();
         let named_gain = tried.first().map_or(0.0, |best| best.gain);
-        let may_be = |look: &Look| look.cause.form == Form::Second || look.gain > named_gain;
+        let may_be = |look: &Look| look.cause.form == Form::Second || look.gain > named_gain.min(promised);
         let worth_it = |look: &Look| self.promises(look) && (much || may_be(look));
         let unnamed: Vec<Look> = unnamed.into_iter().filter(worth_it).take(2).collect();
         let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
@@ -320,10 +337,13 @@ impl Found<'_> {
         let mut found: Vec<Tried> = found.into_iter().flatten().collect();
         // The best last, which puts it before the others.
         found.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        let mut tried = self.led_to_their_ends(tried, found.last().map_or(0.0, |unknown| unknown.gain));
+        let named_gain = tried.first().map_or(0.0, |best| best.gain);
         let is_best_of_all = |t: &&mut Tried| t.cause.form == Form::Second && t.gain > named_gain;
         if let Some(second) = found.last_mut().filter(is_best_of_all) {
             *second = self.with_first_anew(second)?;
         }
+        let left = tried.first().map_or(&self.left, |best| &best.left).excess();
         for unknown in found {
             let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
             let takes_all = unknown.left.excess() < UNNAMED_LEAVES * left;
@@ -336,6 +356,22 @@ impl Found<'_> {
             tried.insert(place, unknown);
         }
         Ok(tried)
+    }
+
+    /// The best of those with names is led to its end, and so is what was still on its way and may yet be better: than it, or than what has no
+    /// name and gained so much.
+    fn led_to_their_ends(&self, mut tried: Vec<Tried>, unnamed_gain: f64) -> Vec<Tried> {
+        let best_gain = tried.first().map_or(0.0, |t| t.gain);
+        let may_be_better =
+            |k: usize| k == 0 || (tried[k].is_on_its_way() && tried[k].gain > RIVAL_SHARE * best_gain);
+        let to_beat = |k: usize| if k == 0 { unnamed_gain } else { unnamed_gain.max(best_gain) };
+        let ends = in_parallel(tried.len(), |k| {
+            may_be_better(k).then(|| self.led_on(&tried[k], to_beat(k), k > 0)).flatten()
+        });
+        tried.iter_mut().zip(ends).for_each(|(t, end)| *t = end.unwrap_or_else(|| t.clone()));
+        tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        simplest_first(&mut tried, parameters);
+        tried
     }
 
     /// Of two things that move inside the first had bent itself to what both do: while something is left it is looked for anew beside the second.
@@ -352,7 +388,8 @@ impl Found<'_> {
             let slides = moving(&Scales::of(model.base, &point)?, &beside.left.peaks_hz(PEAKS));
             let mut looks = looks_at(&Standing::of(&beside.model, &beside.fitted)?, &slides);
             looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-            let found = beside.fitted_in_full(foremost(&looks), &|| Ok(()))?.into_iter().next();
+            let found = beside.fitted_in_full(foremost(&looks), &|| Ok(()))?;
+            let found = beside.led_to_their_ends(found, 0.0).into_iter().next();
             let Some(mut found) = found.filter(|t| t.fitted.cost < best.fitted.cost - LEAST_GAIN) else {
                 break;
             };
@@ -393,15 +430,6 @@ impl Found<'_> {
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
         tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        // The best is led to its end, and so is what was still on its way and may yet be better.
-        let best_gain = tried.first().map_or(0.0, |t| t.gain);
-        let on_its_way = |t: &Tried| t.is_on_its_way() && t.gain > RIVAL_SHARE * best_gain;
-        let ends = in_parallel(tried.len(), |k| {
-            (k == 0 || on_its_way(&tried[k])).then(|| self.led_on(&tried[k], k > 0)).flatten()
-        });
-        tried.iter_mut().zip(ends).for_each(|(t, end)| *t = end.unwrap_or_else(|| t.clone()));
-        tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        simplest_first(&mut tried, parameters);
         Ok(tried)
     }
 
@@ -448,11 +476,14 @@ impl<'a> Found<'a> {
                 }
             }
         }
-        // Across kinks there may be no derivatives at the very point: those that led to it are good there.
-        let known = || Some(fitting.of_part(&fitted.jacobians));
-        let fitting = fitting
-            .fit(&fitted.point, &|_| false)
-            .or_else(|_| fitting.fit_with(&fitted.point, known(), CONVERGED_SHARE, &|_| false))?;
+        // The fit to all was nearly there, and its derivatives are good enough for what is left of the way.
+        let kept = Derivatives::Kept(fitting.of_part(&fitted.jacobians));
+        let settled = fitting.fit_with(&fitted.point, kept, CONVERGED_SHARE, &|_| false)?;
+        let fitting = if settled.last_gained < UNSETTLED {
+            settled
+        } else {
+            fitting.fit(&settled.point, &|_| false).unwrap_or(settled)
+        };
         let mut there = fitting.point.clone();
         // Moments are fitted on the true clock; it is on the phone's that they stay.
         for (cause, values) in model.causes.iter().zip(&mut there.causes) {

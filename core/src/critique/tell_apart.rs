@@ -38,7 +38,7 @@ pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress
         return Err(Error::no_result("telling causes apart", reason));
     };
     tell(progress, 0.3, "fitting all swings together")?;
-    let model = Model { base: &base, causes: vec![], part: Part::All, alone: false, fine: false };
+    let model = Model { base: &base, causes: vec![], part: Part::All, of_many: false, fine: false };
     let fitted = model.fit_from_afar(&start)?;
     let found = Found::begun(model, start, fitted)?;
     tell(progress, 0.5, "fitting the two causes")?;

@@ -3,7 +3,7 @@
 use crate::error::Result;
 
 use super::evidence::gain;
-use super::fitting::{CONVERGED_SHARE, FAR, Fitted};
+use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, Pace};
 use super::look::Look;
 use super::point::{Cause, Model, Point};
 use super::search::Found;
@@ -13,6 +13,12 @@ use super::white::Left;
 const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
+/// … after so many.
+const HOPELESS_AFTER: usize = 3;
+/// One that at its pace would end further behind (χ²) than this is given up as well …
+const BEHIND: f64 = 20.0;
+/// … after so many steps, two of which tell the pace.
+const PACED_AFTER: usize = 1;
 /// A fit whose last step gained more of χ² than this has not come to its end.
 const STILL_GAINS: f64 = 1.0;
 
@@ -40,19 +46,22 @@ impl Tried {
 
 impl Found<'_> {
     /// Fits a cause in full; `None` where no start leads anywhere.
-    pub fn fit(&self, look: &Look, best: f64, alone: bool) -> Option<Tried> {
-        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + 20.0;
-        let hopeless = |cost| cost > best + behind;
-        let model = Model { alone, ..self.model.with(&look.cause) };
+    pub fn fit(&self, look: &Look, best: f64, of_many: bool) -> Option<Tried> {
+        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + BEHIND;
+        let hopeless = |pace: Pace| {
+            pace.steps > HOPELESS_AFTER && (pace.cost > best + behind || cannot_reach(best, pace))
+        };
+        let model = Model { of_many, ..self.model.with(&look.cause) };
         if let Some(start) = self.near(look, &model) {
             let known = model.each(|s| model.widened(&self.fitted.jacobians[s], &start, s));
-            let known = known.into_iter().collect::<Result<Vec<_>>>().ok();
+            let known = known.into_iter().collect::<Result<Vec<_>>>();
+            let known = known.map_or(Derivatives::Taken, Derivatives::Known);
             let fitted = model.fit_with(&start, known, CONVERGED_SHARE, &hopeless).ok()?;
             return self.weighed_up(&look.cause, model, fitted);
         }
         // So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part.
         let led = [look].into_iter().chain(&look.others).filter_map(|form| {
-            let model = Model { alone, ..self.model.with(&form.cause) };
+            let model = Model { of_many, ..self.model.with(&form.cause) };
             let (point, cost) = model.grown(&self.afar(form, &model)).ok()?;
             Some((cost, &form.cause, model, point))
         });
@@ -95,14 +104,24 @@ impl Found<'_> {
     }
 
     /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse. What ends on
-    /// the way with derivatives taken apart needs all of them.
-    pub fn led_on(&self, tried: &Tried, alone: bool) -> Option<Tried> {
-        let mut model = Model { causes: tried.causes.clone(), fine: true, alone, ..self.model.clone() };
+    /// the way with derivatives taken apart needs all of them. It is left where it stands once it cannot gain as much as the best of the others.
+    pub fn led_on(&self, tried: &Tried, best_gain: f64, of_many: bool) -> Option<Tried> {
+        let mut model = Model { causes: tried.causes.clone(), fine: true, of_many, ..self.model.clone() };
         if !tried.is_on_its_way() && !model.is_coarse() {
             return None;
         }
         model.causes.iter_mut().for_each(|cause| cause.apart = false);
-        let fitted = model.fit(&tried.fitted.point, &|_| false).ok()?;
+        // What the evidence lacks is half of what χ² must come down by.
+        let wanted = tried.fitted.cost - 2.0 * (best_gain - tried.gain).max(0.0);
+        let hopeless = |pace: Pace| pace.steps >= PACED_AFTER && cannot_reach(wanted, pace);
+        let fitted = model.fit(&tried.fitted.point, &hopeless).ok()?;
+        // Where a further cause is looked for beside it, derivatives are taken apart again.
+        let model = Model { causes: tried.causes.clone(), ..model };
         self.weighed_up(&tried.cause, model, fitted)
     }
+}
+
+/// Whether a fit would end above a cost, were all steps that are left as good as the better of its last two.
+fn cannot_reach(cost: f64, pace: Pace) -> bool {
+    pace.cost - pace.steps_left as f64 * pace.gained > cost + BEHIND
 }

@@ -18,7 +18,8 @@ use crate::language::{Argument, Text};
 pub const NOT_TOLD: f64 = 4.6;
 /// Two causes at once happen. Where more are needed together, each for what the others leave, one that is not known is likelier.
 pub const MOST_NAMED: usize = 2;
-/// Gusts are irregular: a few tones account for most of them, not for all.
+/// Gusts are irregular: a few tones account for most of them, not for all: what is left is held against what showed before, or against the
+/// χ² that wind and tones took, much of which need not show in any one band.
 const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
 const EXPONENT_U: f64 = 0.2;
@@ -30,7 +31,8 @@ impl Found<'_> {
         let many = self.model.named().count() > MOST_NAMED;
         let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
         let gusts = self.model.causes.iter().any(|cause| cause.form == Form::Gust);
-        let of_gusts = gusts && self.left.excess() <= LEFT_SHARE_OF_GUSTS * self.base_left.excess();
+        let explained = self.base_left.excess().max(self.base.cost - self.fitted.cost);
+        let of_gusts = gusts && self.left.excess() <= LEFT_SHARE_OF_GUSTS * explained;
         many || unnamed || !(of_gusts || self.left.is_next_to_nothing(&self.base_left))
     }
 

@@ -3,11 +3,9 @@
 //! Level swings are fitted each by itself, tilted ones beside what the level ones say (a tilted hull seen from its other end
 //! is another hull), swings that contradict the rest once more beside the rest; in the end all of them together.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
-
 use crate::error::Result;
 use crate::modes::NamedMode;
+use crate::parallel::in_parallel;
 use crate::recording::{ModeName, Quantity, Session, Swing};
 
 use super::estimate::{Observation, Observed, Solution, System};
@@ -394,23 +392,4 @@ impl SwingWork {
         };
         self.result = result.warned(warnings);
     }
-}
-
-/// `f(0)`, `f(1)`, … on as many threads as the machine has cores.
-pub(crate) fn in_parallel<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let (next, f) = (AtomicUsize::new(0), &f);
-    let work = || {
-        let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);
-        std::iter::from_fn(take).map(|i| (i, f(i))).collect::<Vec<_>>()
-    };
-    let cores = thread::available_parallelism().map_or(1, |n| n.get()).min(count);
-    let mut found = thread::scope(|scope| {
-        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
-        let join = |w: thread::ScopedJoinHandle<Vec<(usize, T)>>| {
-            w.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        workers.into_iter().flat_map(join).collect::<Vec<_>>()
-    });
-    found.sort_by_key(|(i, _)| *i);
-    found.into_iter().map(|(_, value)| value).collect()
 }

@@ -9,9 +9,9 @@ use super::step::{PlannedSwing, Step};
 use super::wanted::Wanted;
 use super::warnings::{from_in_phase, predicted};
 use crate::error::{Error, Result};
-use crate::inertia::by_samples::in_parallel;
 use crate::inertia::expected::Expected;
 use crate::inertia::words::period_label;
+use crate::parallel::in_parallel;
 
 /// Spacings that are thought of, over twice the yaw gyradius: near to it, and off it by enough for a beat.
 const SPACINGS: [f64; 4] = [0.85, 0.93, 1.07, 1.15];

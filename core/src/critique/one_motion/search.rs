@@ -11,7 +11,7 @@ use super::causes::{Cause, Kind, catalogue};
 use super::fitting::{Fitted, fit, fit_from_afar};
 use super::swing::Swing;
 use crate::error::Result;
-use crate::inertia::by_samples::in_parallel;
+use crate::parallel::in_parallel;
 use crate::progress::{Progress, tell};
 
 /// Causes by their places in the catalogue, fitted to every swing.
