@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_is_done_in_order_and_every_core_comes_back() {
+    fn calls_within_calls_do_all_in_order() {
         let squares = in_parallel(20, |i| in_parallel(10, |j| i * j).into_iter().sum::<usize>());
         let expected: Vec<usize> = (0..20).map(|i| 45 * i).collect();
         assert_eq!(squares, expected);
@@ -85,7 +85,7 @@ mod tests {
     fn a_panic_reaches_the_caller() {
         let panics = std::panic::catch_unwind(|| in_parallel(8, |i| assert_ne!(i, 5, "the sixth")));
         assert!(panics.is_err());
-        // The cores are still there.
+        // What comes later is done all the same.
         assert_eq!(in_parallel(4, |i| i), [0, 1, 2, 3]);
     }
 }

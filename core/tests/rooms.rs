@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// `room: what it may know`. `error`, `constants`, `frames`, `language` and `progress` are known to all.
+/// `room: what it may know`. `error`, `constants`, `frames`, `language`, `progress` and `parallel` are known to all.
 const MAY_KNOW: [(&str, &[&str]); 19] = [
     ("error", &[]),
     ("constants", &[]),

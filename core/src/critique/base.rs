@@ -131,13 +131,7 @@ impl<'a> Base<'a> {
     /// A start with that set of the session's parameters which is nearest to the first seconds of the recordings. Swings
     /// that contradict each other agree on no body that there can be, or on one that cannot hang; from rest every body can.
     fn nearest(&self, sets: Vec<Vec<f64>>, start: Point) -> Point {
-        let early = Model {
-            base: self,
-            causes: vec![],
-            part: Part::First(HORIZONS_S[0]),
-            of_many: false,
-            fine: false,
-        };
+        let early = Model { part: Part::First(HORIZONS_S[0]), ..Model::of(self) };
         let cost = |point: &Point| early.chi2(point).unwrap_or(f64::INFINITY);
         let mut at_rest = start.clone();
         at_rest.owns.iter_mut().for_each(|own| own[..BIAS].fill(0.0));

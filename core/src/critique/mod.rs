@@ -53,7 +53,7 @@ use doubt::widen;
 use findings::findings;
 use learned::learned;
 use next_swing::{Explained, next_swing};
-use point::{Model, Part};
+use point::Model;
 use quantities::quantities;
 use search::{Found, search};
 use traces::traces;
@@ -78,7 +78,7 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
         return turning.map_or_else(by_periods_alone, Ok);
     };
     tell(progress, 0.15, "fitting all swings together")?;
-    let model = Model { base: &base, causes: vec![], part: Part::All, of_many: false, fine: false };
+    let model = Model::of(&base);
     let Ok(fitted) = model.fit_from_afar(&start) else {
         let mut judged = by_periods_alone()?;
         judged.critique.warn(words::said("no_fit", []));

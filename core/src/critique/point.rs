@@ -221,6 +221,13 @@ impl Part {
     }
 }
 
+impl<'a> Model<'a> {
+    /// The base simulation, for all of the recordings.
+    pub fn of(base: &'a Base<'a>) -> Self {
+        Self { base, causes: vec![], part: Part::All, of_many: false, fine: false }
+    }
+}
+
 impl Model<'_> {
     pub fn swing(&self, s: usize) -> &Swung<'_> {
         &self.base.swings[s]

@@ -92,7 +92,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         let looked = found.looks()?;
         tell(progress, done + 0.08, FULL)?;
         let mut tried = found.tried(foremost(&looked.looks), &|| tell(progress, done + 0.13, FULL))?;
-        if let Some(wind) = found.may_blow(&mut tried) {
+        if let Some(wind) = found.may_blow(&mut tried, &looked.looks) {
             tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
                 found.rounds.push(Round { tried, taken: true, looked: None });
@@ -158,13 +158,15 @@ impl Found<'_> {
 
     /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks. Where none takes
     /// much of what is left, a wind is tried that hardly blows but in gusts.
-    fn may_blow(&self, tried: &mut Vec<Tried>) -> Option<usize> {
+    fn may_blow(&self, tried: &mut Vec<Tried>, looks: &[Look]) -> Option<usize> {
         let takes = |best: &Tried| best.left.excess() < TAKEN * self.left.excess();
         let known = tried.iter().position(|t| t.cause.id == WIND);
         let is_taken = self.model.causes.iter().any(|cause| cause.id == WIND);
         if !is_taken && !self.left.is_white() && !tried.first().is_some_and(takes) {
             return known.or_else(|| {
-                tried.push(self.by_name(WIND).ok()?);
+                let winds = looks.iter().filter(|look| look.cause.id == WIND);
+                let best = winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
+                tried.push(self.fit(best, f64::INFINITY, false)?);
                 Some(tried.len() - 1)
             });
         }
@@ -177,11 +179,12 @@ impl Found<'_> {
     fn blows_better(&mut self, tried: &mut [Tried], wind: usize) -> bool {
         let blows = tried[wind].gain > GUSTY * tried[0].gain;
         let pays = wind == 0 && self.pays(&tried[0]);
+        let left = self.left.excess();
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(tried[wind].clone());
         let with_gusts = tried[wind].gain + self.blow();
         // One that does not must account for what is left by its gusts.
-        let accounts = blows || self.left.excess() < TAKEN * kept.2.excess();
+        let accounts = blows || self.left.excess() < TAKEN * left;
         if pays || (accounts && with_gusts > tried[0].gain.max(LEAST_GAIN)) {
             tried[wind].gain = with_gusts;
             tried[..=wind].rotate_right(1);
@@ -368,7 +371,11 @@ impl Found<'_> {
         let ends = in_parallel(tried.len(), |k| {
             may_be_better(k).then(|| self.led_on(&tried[k], to_beat(k), k > 0)).flatten()
         });
-        tried.iter_mut().zip(ends).for_each(|(t, end)| *t = end.unwrap_or_else(|| t.clone()));
+        for (t, end) in tried.iter_mut().zip(ends) {
+            if let Some(end) = end {
+                *t = end;
+            }
+        }
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         simplest_first(&mut tried, parameters);
         tried

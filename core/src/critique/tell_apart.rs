@@ -9,7 +9,7 @@ use crate::recording::{LoadedData, LoadedSession};
 use super::base::{Base, by_periods};
 use super::by_periods::tell_apart_by_periods;
 use super::next_swing::{Explained, next_swing};
-use super::point::{Model, Part};
+use super::point::Model;
 use super::result::{NextSwing, Progress};
 use super::search::Found;
 use super::trial::Tried;
@@ -38,7 +38,7 @@ pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress
         return Err(Error::no_result("telling causes apart", reason));
     };
     tell(progress, 0.3, "fitting all swings together")?;
-    let model = Model { base: &base, causes: vec![], part: Part::All, of_many: false, fine: false };
+    let model = Model::of(&base);
     let fitted = model.fit_from_afar(&start)?;
     let found = Found::begun(model, start, fitted)?;
     tell(progress, 0.5, "fitting the two causes")?;
