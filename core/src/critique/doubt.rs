@@ -32,6 +32,13 @@ pub struct Otherwise {
     quantities: BTreeMap<String, QuantityResult>,
 }
 
+impl Otherwise {
+    /// No model counts for more than the one that is believed: what is passed over for the structure that it leaves may have gained far more.
+    fn new(odds: f64, quantities: BTreeMap<String, QuantityResult>) -> Self {
+        Self { odds: odds.min(1.0), quantities }
+    }
+}
+
 impl Found<'_> {
     /// What else may be: rivals of the cause taken last, and what was not taken where no more is to be seen.
     pub fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
@@ -69,7 +76,7 @@ impl Found<'_> {
             let odds = odds_before * weak.gain.exp() / of_name(look.cause.id) as f64;
             let body = || quantities(&weak.model, (&weak.point, &weak.matrix), 1.0, inclines).ok();
             let quantities = (odds > LEAST_ODDS).then(body).flatten()?;
-            Some(Otherwise { odds, quantities })
+            Some(Otherwise::new(odds, quantities))
         });
         in_full.chain(weak).collect()
     }
@@ -78,7 +85,7 @@ impl Found<'_> {
     fn by(&self, t: &Tried, odds: f64, inclines: &[Option<Quantity>]) -> Option<Otherwise> {
         let model = Model { causes: t.causes.clone(), ..self.model.clone() };
         let quantities = quantities(&model, t.fitted.at(), 1.0, inclines).ok()?;
-        Some(Otherwise { odds, quantities })
+        Some(Otherwise::new(odds, quantities))
     }
 }
 
@@ -217,6 +224,21 @@ mod tests {
         // scipy.optimize.brentq over scipy.stats.norm: 0.9 N(0, 1) + 0.1 N(3, 2^2).
         let two = half_width_95(&[(9.0, 0.0, 1.0), (1.0, 3.0, 2.0)]);
         assert!((two - 3.0947098415).abs() < 1e-9, "{two}");
+    }
+
+    /// A rival whose evidence is beyond all numbers (it was passed over for what it leaves) once took all width from an interval.
+    #[test]
+    fn a_model_passed_over_counts_like_the_one_believed() {
+        let body = |value: f64, u: f64| {
+            let method = "joint_estimate".into();
+            let quantity = QuantityResult { value: value.into(), u: u.into(), interval_95: None, method };
+            BTreeMap::from([("k_yaw_m".to_string(), quantity)])
+        };
+        let mut believed = body(1.0, 0.1);
+        widen(&mut believed, &[Otherwise::new(f64::INFINITY, body(4.0, 0.1))]);
+        // Half of all lies 30 of its widths away: of that one in ten beyond the end, at 1.2815515655 of them (scipy.stats.norm.isf(0.1)).
+        let half = believed["k_yaw_m"].u.as_f64().unwrap() * COVERAGE_95;
+        assert!((half - 3.12815515655).abs() < 1e-9, "{half}");
     }
 
     #[test]

@@ -36,6 +36,8 @@ const FASTEST_GUST_HZ: f64 = 0.35;
 const ANEW: usize = 2;
 /// Something that rings inside is looked for at so many frequencies where most is left.
 const PEAKS: usize = 4;
+/// Derivatives without a cause can put the logarithm of its evidence off by so much: 3 of it were seen, and 4.6 are what a verdict turns on.
+const CLOSE: f64 = 15.0;
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name come first where they leave less than this share of what the best cause does.
@@ -361,15 +363,20 @@ impl Found<'_> {
         Ok(tried)
     }
 
-    /// The best of those with names is led to its end, and so is what was still on its way and may yet be better: than it, or than what has no
-    /// name and gained so much.
+    /// The best of those with names is led to its end, and so is what is close behind, and what was still on its way and may yet be better:
+    /// than it, or than what has no name and gained so much.
     fn led_to_their_ends(&self, mut tried: Vec<Tried>, unnamed_gain: f64) -> Vec<Tried> {
         let best_gain = tried.first().map_or(0.0, |t| t.gain);
-        let may_be_better =
-            |k: usize| k == 0 || (tried[k].is_on_its_way() && tried[k].gain > RIVAL_SHARE * best_gain);
+        let is_near = |t: &Tried| best_gain > LEAST_GAIN && best_gain - t.gain < CLOSE;
+        let is_race = tried.iter().skip(1).any(is_near);
+        let may_be_better = |k: usize| {
+            let t = &tried[k];
+            k == 0 || is_near(t) || (t.is_on_its_way() && t.gain > RIVAL_SHARE * best_gain)
+        };
         let to_beat = |k: usize| if k == 0 { unnamed_gain } else { unnamed_gain.max(best_gain) };
         let ends = in_parallel(tried.len(), |k| {
-            may_be_better(k).then(|| self.led_on(&tried[k], to_beat(k), k > 0)).flatten()
+            let t = &tried[k];
+            may_be_better(k).then(|| self.led_on(t, to_beat(k), (k > 0, is_race && is_near(t)))).flatten()
         });
         for (t, end) in tried.iter_mut().zip(ends) {
             if let Some(end) = end {

@@ -103,11 +103,13 @@ impl Found<'_> {
         Some(Tried { cause: cause.clone(), causes: model.causes, fitted, gain, left, from })
     }
 
-    /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse. What ends on
-    /// the way with derivatives taken apart needs all of them. It is left where it stands once it cannot gain as much as the best of the others.
-    pub fn led_on(&self, tried: &Tried, best_gain: f64, of_many: bool) -> Option<Tried> {
+    /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse, or in a close
+    /// race taken apart. What ends on the way with derivatives taken apart needs all of them. It is left where it stands once it cannot gain
+    /// as much as the best of the others.
+    pub fn led_on(&self, tried: &Tried, best_gain: f64, (of_many, is_close): (bool, bool)) -> Option<Tried> {
         let mut model = Model { causes: tried.causes.clone(), fine: true, of_many, ..self.model.clone() };
-        if !tried.is_on_its_way() && !model.is_coarse() {
+        let needs_all = tried.is_on_its_way() || model.is_coarse() || (is_close && model.is_apart());
+        if !needs_all {
             return None;
         }
         model.causes.iter_mut().for_each(|cause| cause.apart = false);
