@@ -78,6 +78,17 @@ def test_heavy_slides_are_named(tmp_path):
     assert sum(result["verdict"]["causes"] == ["internal_motion"] for result, _ in answers) >= 2
 
 
+def test_a_thing_inside_is_no_wind(tmp_path):
+    """Something inside that stands out by 197 σ, 154 beside the cause that is nearest, and leaves the base no more than twice the noise: what
+    the first look said of all the rest led away from it, and it was called a wind."""
+    pytest.importorskip("gyradius", reason="the package is not installed")
+    name = sessions.make(tmp_path, 107479795916, 1, "internal_motion", False)
+    result, trouble = judge.critique(judge.COMMAND.split(), tmp_path / name, TIMEOUT_S)
+    assert trouble == ""
+    assert result["baseline"]["rms_over_noise"] < 2
+    assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["internal_motion"])
+
+
 def test_what_bends_to_much_is_not_taken_for_all(tmp_path):
     """A spring that hardens, of which something that moves inside accounts for all but half a hundredth: that was called explained, and
     k_yaw 11 standard uncertainties off."""

@@ -23,6 +23,8 @@ use super::trial::Tried;
 
 /// Odds below this move no interval of 95 %.
 const LEAST_ODDS: f64 = 1e-3;
+/// Standard deviations of a dimension of the body by which the ends of two fits differ that are not one.
+const ELSEWHERE: f64 = 0.1;
 /// Halvings of the bracket of an interval.
 const HALVINGS: usize = 60;
 
@@ -47,12 +49,24 @@ impl Found<'_> {
         all
     }
 
-    /// Rivals of the cause taken last. Those that a verdict calls alike count alike.
+    /// Rivals of the cause taken last, and other valleys of its own. Rivals that a verdict calls alike count alike.
     fn instead(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
         let rivals = self.rivals();
         let Some(best) = self.decisive().and_then(|round| round.tried.first()) else { return vec![] };
-        let odds = |t: &Tried| if self.is_unexplained() { (t.gain - best.gain).exp() } else { 1.0 };
-        rivals.into_iter().filter_map(|t| self.by(t, odds(t), inclines)).collect()
+        let by_evidence = |t: &Tried| (t.gain - best.gain).exp();
+        let odds = |t: &Tried| if self.is_unexplained() { by_evidence(t) } else { 1.0 };
+        let rivals = rivals.into_iter().filter_map(|t| self.by(t, odds(t), inclines));
+        let elsewhere =
+            best.ends.iter().filter(|end| by_evidence(end) > LEAST_ODDS && self.is_elsewhere(end, best));
+        rivals.chain(elsewhere.filter_map(|end| self.by(end, by_evidence(end), inclines))).collect()
+    }
+
+    /// Whether a fit ended with another body than the best: two that did not are one model.
+    fn is_elsewhere(&self, end: &Tried, best: &Tried) -> bool {
+        let Some(covariance) = best.fitted.covariance() else { return false };
+        let moved = |i: usize| (end.fitted.point.x[i] - best.fitted.point.x[i]).abs();
+        let free = self.model.base.free.iter().enumerate();
+        free.map(|(k, i)| moved(*i) / covariance[(k, k)].sqrt()).any(|z| z > ELSEWHERE)
     }
 
     /// Causes that were not taken: those fitted in full, and the weak ones by what first looks saw of them.

@@ -364,19 +364,24 @@ impl Found<'_> {
     }
 
     /// The best of those with names is led to its end, and so is what is close behind, and what was still on its way and may yet be better:
-    /// than it, or than what has no name and gained so much.
+    /// than it, or than what has no name and gained so much. That is where a fit used up its steps on the way, or where derivatives were
+    /// coarse, or in a close race taken apart.
     fn led_to_their_ends(&self, mut tried: Vec<Tried>, unnamed_gain: f64) -> Vec<Tried> {
         let best_gain = tried.first().map_or(0.0, |t| t.gain);
         let is_near = |t: &Tried| best_gain > LEAST_GAIN && best_gain - t.gain < CLOSE;
         let is_race = tried.iter().skip(1).any(is_near);
-        let may_be_better = |k: usize| {
-            let t = &tried[k];
+        let may_be_better = |k: usize, t: &Tried| {
             k == 0 || is_near(t) || (t.is_on_its_way() && t.gain > RIVAL_SHARE * best_gain)
+        };
+        let is_short_of_its_end = |t: &Tried| {
+            let model = self.fine(t);
+            t.is_on_its_way() || model.is_coarse() || (is_race && is_near(t) && model.is_apart())
         };
         let to_beat = |k: usize| if k == 0 { unnamed_gain } else { unnamed_gain.max(best_gain) };
         let ends = in_parallel(tried.len(), |k| {
             let t = &tried[k];
-            may_be_better(k).then(|| self.led_on(t, to_beat(k), (k > 0, is_race && is_near(t)))).flatten()
+            let goes_on = may_be_better(k, t) && is_short_of_its_end(t);
+            goes_on.then(|| self.led_on(t, to_beat(k), k > 0)).flatten()
         });
         for (t, end) in tried.iter_mut().zip(ends) {
             if let Some(end) = end {

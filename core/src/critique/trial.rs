@@ -11,6 +11,8 @@ use super::white::Left;
 
 /// Shares of the way to where the first look points, from which a full fit may begin.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
+/// So many forms of a cause are fitted near the data.
+const FORMS: usize = 3;
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
 /// … after so many.
@@ -35,6 +37,8 @@ pub struct Tried {
     pub left: Left,
     /// Where it was looked for.
     pub from: Point,
+    /// Where fits of its other forms ended, the best first.
+    pub ends: Vec<Tried>,
 }
 
 impl Tried {
@@ -47,38 +51,63 @@ impl Tried {
 impl Found<'_> {
     /// Fits a cause in full; `None` where no start leads anywhere.
     pub fn fit(&self, look: &Look, best: f64, of_many: bool) -> Option<Tried> {
-        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + BEHIND;
-        let hopeless = |pace: Pace| {
-            pace.steps > HOPELESS_AFTER && (pace.cost > best + behind || cannot_reach(best, pace))
-        };
-        let model = Model { of_many, ..self.model.with(&look.cause) };
-        if let Some(start) = self.near(look, &model) {
+        let forms: Vec<&Look> = [look].into_iter().chain(&look.others).collect();
+        let fit = if self.fitted.rms() > FAR { Self::fit_from_afar } else { Self::fit_nearby };
+        fit(self, &forms, best, of_many)
+    }
+
+    /// Near the data: from the leading forms of a cause, which end in valleys of their own. The best, with the others' ends.
+    fn fit_nearby(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
+        let mut ends: Vec<Tried> = Vec::new();
+        for form in forms.iter().take(FORMS) {
+            let to_beat = ends.iter().map(|end| end.fitted.cost).fold(best, f64::min);
+            let model = Model { of_many, ..self.model.with(&form.cause) };
+            let Some(start) = self.near(form, &model) else { continue };
             let known = model.each(|s| model.widened(&self.fitted.jacobians[s], &start, s));
             let known = known.into_iter().collect::<Result<Vec<_>>>();
             let known = known.map_or(Derivatives::Taken, Derivatives::Known);
-            let fitted = model.fit_with(&start, known, CONVERGED_SHARE, &hopeless).ok()?;
-            return self.weighed_up(&look.cause, model, fitted);
+            let fitted =
+                model.fit_with(&start, known, CONVERGED_SHARE, &|pace| self.is_hopeless(pace, to_beat));
+            ends.extend(fitted.ok().and_then(|fitted| self.weighed_up(&form.cause, model, fitted)));
         }
-        // So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part.
-        let led = [look].into_iter().chain(&look.others).filter_map(|form| {
+        ends.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        // Nothing begins at the others.
+        let mut ends = ends.into_iter();
+        let first = ends.next()?;
+        let others = ends.map(|end| Tried { fitted: Fitted { jacobians: vec![], ..end.fitted }, ..end });
+        Some(Tried { ends: others.collect(), ..first })
+    }
+
+    /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part.
+    fn fit_from_afar(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
+        let led = forms.iter().filter_map(|form| {
             let model = Model { of_many, ..self.model.with(&form.cause) };
             let (point, cost) = model.grown(&self.afar(form, &model)).ok()?;
             Some((cost, &form.cause, model, point))
         });
         let (_, cause, model, point) = led.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let fitted = model.fit(&point, &hopeless).ok()?;
+        let fitted = model.fit(&point, &|pace| self.is_hopeless(pace, best)).ok()?;
         self.weighed_up(cause, model, fitted)
     }
 
-    /// The start of a cause's fit from where its look leads, if that is better than without the cause.
+    /// Whether a fit with one more cause is left far behind a cost, or on its way to be.
+    fn is_hopeless(&self, pace: Pace, best: f64) -> bool {
+        let behind = HOPELESS * (self.fitted.cost - best).max(0.0) + BEHIND;
+        pace.steps > HOPELESS_AFTER && (pace.cost > best + behind || cannot_reach(best, pace))
+    }
+
+    /// The start of a fit on the way to where a look leads. Where that is nowhere better than without the cause, the look saw something
+    /// alike, and what it says of all the rest does not hold: the cause alone is then as it has it.
     fn near(&self, look: &Look, model: &Model) -> Option<Point> {
-        if self.fitted.rms() > FAR {
-            return None;
-        }
         let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
-        let costs = starts.into_iter().map(|start| (model.cost(&start).unwrap_or(f64::INFINITY), start));
+        let costs = starts.iter().map(|start| (model.cost(start).unwrap_or(f64::INFINITY), start));
         let (cost, start) = costs.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        (cost <= self.fitted.cost).then_some(start)
+        if cost <= self.fitted.cost {
+            return Some(start.clone());
+        }
+        let mut start = self.fitted.point.clone();
+        start.causes.push(starts[0].causes.last()?.clone());
+        Some(start)
     }
 
     /// Where a fit over longer and longer parts begins: where the look leads. Far from the data the base has bent itself to whatever
@@ -86,9 +115,6 @@ impl Found<'_> {
     /// (what moves inside starts in proportion to its mass) as the look has it.
     fn afar(&self, look: &Look, model: &Model) -> Point {
         let seen = look.start(&self.model, &self.fitted, 1.0);
-        if self.fitted.rms() <= FAR {
-            return seen;
-        }
         let mut start = self.begin.clone();
         start.causes = if look.cause.look.is_some() { seen.causes } else { self.fitted.point.causes.clone() };
         start.causes.resize_with(model.causes.len(), || look.cause.start(model.base.swings.len()));
@@ -100,18 +126,18 @@ impl Found<'_> {
         let gain = gain(&self.fitted, &fitted, cause, model.base.swings.len())?;
         let left = Left::of(&model, &fitted.point).ok()?;
         let from = self.fitted.point.clone();
-        Some(Tried { cause: cause.clone(), causes: model.causes, fitted, gain, left, from })
+        Some(Tried { cause: cause.clone(), causes: model.causes, fitted, gain, left, from, ends: vec![] })
     }
 
-    /// What was tried, with its fit led to its end: where that used up its steps on the way, or where derivatives were coarse, or in a close
-    /// race taken apart. What ends on the way with derivatives taken apart needs all of them. It is left where it stands once it cannot gain
-    /// as much as the best of the others.
-    pub fn led_on(&self, tried: &Tried, best_gain: f64, (of_many, is_close): (bool, bool)) -> Option<Tried> {
-        let mut model = Model { causes: tried.causes.clone(), fine: true, of_many, ..self.model.clone() };
-        let needs_all = tried.is_on_its_way() || model.is_coarse() || (is_close && model.is_apart());
-        if !needs_all {
-            return None;
-        }
+    /// The model of what was tried, with derivatives over short steps.
+    pub fn fine(&self, tried: &Tried) -> Model<'_> {
+        Model { causes: tried.causes.clone(), fine: true, ..self.model.clone() }
+    }
+
+    /// What was tried, with its fit led to its end with all derivatives. It is left where it stands once it cannot gain as much as the best
+    /// of the others.
+    pub fn led_on(&self, tried: &Tried, best_gain: f64, of_many: bool) -> Option<Tried> {
+        let mut model = Model { of_many, ..self.fine(tried) };
         model.causes.iter_mut().for_each(|cause| cause.apart = false);
         // What the evidence lacks is half of what χ² must come down by.
         let wanted = tried.fitted.cost - 2.0 * (best_gain - tried.gain).max(0.0);
@@ -119,7 +145,8 @@ impl Found<'_> {
         let fitted = model.fit(&tried.fitted.point, &hopeless).ok()?;
         // Where a further cause is looked for beside it, derivatives are taken apart again.
         let model = Model { causes: tried.causes.clone(), ..model };
-        self.weighed_up(&tried.cause, model, fitted)
+        let ends = tried.ends.clone();
+        self.weighed_up(&tried.cause, model, fitted).map(|led| Tried { ends, ..led })
     }
 }
 
