@@ -89,6 +89,15 @@ def test_a_thing_inside_is_no_wind(tmp_path):
     assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["internal_motion"])
 
 
+def test_what_friction_holds_still_may_grow_without_it(tmp_path):
+    """Friction of 22 σ: derivatives were taken of motions without it, which grew beyond all bounds, and there was no answer."""
+    pytest.importorskip("gyradius", reason="the package is not installed")
+    name = sessions.make(tmp_path, 141905861965385, 21, None, False)
+    result, trouble = judge.critique(judge.COMMAND.split(), tmp_path / name, TIMEOUT_S)
+    assert trouble == ""
+    assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["bearing_friction"])
+
+
 def test_what_bends_to_much_is_not_taken_for_all(tmp_path):
     """A spring that hardens, of which something that moves inside accounts for all but half a hundredth: that was called explained, and
     k_yaw 11 standard uncertainties off."""

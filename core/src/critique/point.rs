@@ -258,6 +258,20 @@ impl Model<'_> {
         (Self { causes, ..self.clone() }, Point { causes: values, ..point.clone() })
     }
 
+    /// The same model, its derivatives taken of all at once.
+    pub fn whole(&self) -> Self {
+        let mut model = self.clone();
+        model.causes.iter_mut().for_each(|cause| cause.apart = false);
+        model
+    }
+
+    /// Whether the motions stay within the numbers without what derivatives are taken apart from. What a bearing that sticks holds still may
+    /// have damping below nothing: without the friction it grows.
+    pub fn lasts_apart(&self, point: &Point) -> bool {
+        let (pliant, there) = self.pliant(point, self.causes.len());
+        !self.is_apart() || self.each(|s| pliant.path(&there, s).is_ok()).into_iter().all(|lasts| lasts)
+    }
+
     pub fn fineness(&self) -> Fineness {
         let kinked = self.causes.iter().any(|c| c.kinked);
         if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }

@@ -156,6 +156,9 @@ impl Found<'_> {
     fn take(&mut self, best: Tried) {
         self.model.causes = best.causes;
         (self.fitted, self.left, self.looked_from) = (best.fitted, best.left, best.from);
+        if !self.model.lasts_apart(&self.fitted.point) {
+            self.model = self.model.whole();
+        }
     }
 
     /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks. Where none takes
@@ -288,8 +291,7 @@ impl Found<'_> {
     /// Derivatives taken without a cause, or over long steps, lead near the best fit, and say too much or too little of how near: the last
     /// fit has all of them.
     fn polish(&mut self) {
-        self.model.fine = true;
-        self.model.causes.iter_mut().for_each(|cause| cause.apart = false);
+        self.model = Model { fine: true, ..self.model.whole() };
         if self.fitted.is_fine {
             return;
         }

@@ -137,8 +137,7 @@ impl Found<'_> {
     /// What was tried, with its fit led to its end with all derivatives. It is left where it stands once it cannot gain as much as the best
     /// of the others.
     pub fn led_on(&self, tried: &Tried, best_gain: f64, of_many: bool) -> Option<Tried> {
-        let mut model = Model { of_many, ..self.fine(tried) };
-        model.causes.iter_mut().for_each(|cause| cause.apart = false);
+        let model = Model { of_many, ..self.fine(tried).whole() };
         // What the evidence lacks is half of what χ² must come down by.
         let wanted = tried.fitted.cost - 2.0 * (best_gain - tried.gain).max(0.0);
         let hopeless = |pace: Pace| pace.steps >= PACED_AFTER && cannot_reach(wanted, pace);
