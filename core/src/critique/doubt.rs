@@ -142,7 +142,7 @@ impl<'a> Weak<'a> {
         let swings = model.base.swings.len();
         let mut values = vec![0.0; cause.size(swings)];
         places.iter().zip(strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
-        let delta = laid_out(model, &(&beside.moved - &beside.absorbed * &strength), &values);
+        let delta = laid_out(model, &beside.rest(&strength), &values);
         let mut at = fitted.point.clone();
         at.causes.push(cause.start(swings));
         let extended = model.with(cause);

@@ -13,7 +13,7 @@ use crate::parallel::in_parallel;
 
 use super::fitting::{Fitted, Places};
 use super::linear::Reader;
-use super::point::{Cause, Model, Point};
+use super::point::{Cause, Model, Point, Seen};
 
 /// A fitted model as first looks see it. They are made side by side.
 pub struct Standing<'a> {
@@ -69,20 +69,22 @@ impl Look {
     /// Looks at a cause beside what is fitted; none where it has no parameters like what is seen.
     pub fn at(standing: &Standing, cause: &Cause) -> Result<Option<Self>> {
         let Some(alike) = &cause.look else { return Self::straight(standing, cause).map(Some) };
-        let seen = Self::straight(standing, &alike.cause)?;
+        let look = Self::straight(standing, &alike.cause)?;
         let model = &standing.model;
         let swings = model.base.swings.len();
         let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
-        let strengths: Vec<f64> = seen.delta.rows(split, size).iter().copied().collect();
-        let Some(nearest) = (alike.nearest)(&strengths) else { return Ok(None) };
+        let beside = look.glimpse.as_ref().and_then(|glimpse| Beside::of(&standing.fitted, &glimpse.sums));
+        let Some(beside) = beside else { return Ok(None) };
+        let strengths = look.delta.rows(split, size).into_owned();
+        let seen = Seen { strengths, information: beside.schur.clone(), score: beside.score.clone() };
+        let Some(nearest) = (alike.nearest)(&seen) else { return Ok(None) };
         let values: Vec<f64> = (cause.start(swings).iter().enumerate())
             .map(|(k, from)| {
-                nearest.get(k).filter(|value| value.is_finite()).map_or(0.0, |value| value - from)
+                nearest.parameters.get(k).filter(|value| value.is_finite()).map_or(0.0, |value| value - from)
             })
             .collect();
-        let rest = seen.delta.remove_rows(split, size);
-        let delta = laid_out(model, &rest, &values);
-        Ok(Some(Self { cause: cause.clone(), delta, ..seen }))
+        let delta = laid_out(model, &beside.rest(&nearest.strengths), &values);
+        Ok(Some(Self { cause: cause.clone(), delta, ..look }))
     }
 
     fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
@@ -175,7 +177,7 @@ impl<'a> Equations<'a> {
     pub fn solved(&self, one_sided: bool) -> Option<Solved> {
         let beside = Beside::of(&self.standing.fitted, &self.sums)?;
         let (strength, gain) = strengths(&beside.schur, &beside.score, &self.sums.u, one_sided)?;
-        let rest = beside.moved - &beside.absorbed * &strength;
+        let rest = beside.rest(&strength);
         Some(Solved { strength, rest, gain })
     }
 }
@@ -199,6 +201,11 @@ impl Beside {
         let schur = &sums.inner - sums.outer.tr_mul(&absorbed);
         let score = &sums.score - absorbed.tr_mul(&fitted.gradient);
         Some(Self { absorbed, moved: base.solve(&fitted.gradient), schur, score })
+    }
+
+    /// The change of everything that is fitted beside given strengths.
+    pub fn rest(&self, strengths: &DVector<f64>) -> DVector<f64> {
+        &self.moved - &self.absorbed * strengths
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::dynamics::effects::EffectValues;
 use crate::dynamics::sensors;
 use crate::dynamics::{Experiment, Fineness, Phone};
@@ -86,7 +88,7 @@ pub struct Cause {
     pub on_phone: bool,
     /// Whether its law has a kink.
     pub kinked: bool,
-    /// Whether it makes the motion stiff, so that a simulation takes long.
+    /// Whether it makes the motion stiff, so that a simulation takes long, or has no meaning below zero: first looks step to one side.
     pub stiff: bool,
     /// Whether derivatives by everything else are taken without it, since with it they take long and differ little.
     pub apart: bool,
@@ -127,15 +129,36 @@ impl Form {
     }
 }
 
-/// A linear form of a cause: strengths without regard to how they hang together, and the cause's parameters that come
-/// nearest to them; none where nothing does.
+/// A linear form of a cause: strengths without regard to how they hang together, and what comes nearest to them of all that the cause can
+/// be; none where nothing does.
 pub struct LookAlike {
     pub cause: Cause,
-    pub nearest: Nearest,
+    pub nearest: FindNearest,
 }
 
-/// The parameters of a cause that come nearest to strengths that were seen.
-pub type Nearest = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + Send + Sync>;
+pub type FindNearest = Box<dyn Fn(&Seen) -> Option<Nearest> + Send + Sync>;
+
+/// Strengths that a first look saw, with what the data say of them beside everything that is fitted: information and score.
+pub struct Seen {
+    pub strengths: DVector<f64>,
+    pub information: DMatrix<f64>,
+    pub score: DVector<f64>,
+}
+
+impl Seen {
+    /// How far to go along strengths, not backwards, and what that gains of the logarithm of the likelihood.
+    pub fn along(&self, way: &DVector<f64>) -> (f64, f64) {
+        let pull = self.score.dot(way).max(0.0);
+        let amount = pull / way.dot(&(&self.information * way));
+        (amount, 0.5 * pull * amount)
+    }
+}
+
+/// What a cause can be that is nearest to strengths that were seen: its own strengths, and its parameters (not a number: where they begin).
+pub struct Nearest {
+    pub strengths: DVector<f64>,
+    pub parameters: Vec<f64>,
+}
 
 impl Cause {
     /// How many values its parameters have in a session of so many swings.

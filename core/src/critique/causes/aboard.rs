@@ -1,12 +1,14 @@
 //! What moves inside the hull.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 use std::sync::Arc;
+
+use nalgebra::DVector;
 
 use crate::dynamics::Experiment;
 use crate::error::Result;
 
-use super::super::point::{Cause, CauseParameter, Form, LookAlike};
+use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen};
 use super::{Scales, UNKNOWN, add, cause, logarithm, number, put, strength};
 
 /// Name in the contract.
@@ -53,11 +55,16 @@ const START_M: f64 = 3e-3;
 const ABOARD: f64 = 3.0;
 /// Places of the look's slides, shares of half the hull's length.
 const FORE: f64 = 0.5;
+/// So many ways round half a turn, and places on either side of the middle, are tried for the slide nearest to them.
+const WAYS: i32 = 24;
+const PLACES: i32 = 8;
 
 fn internal_motion(scales: &Scales, frequency_hz: f64) -> Cause {
     let half_m = scales.half_length_m;
-    let look =
-        LookAlike { cause: slides(scales, frequency_hz), nearest: Box::new(move |w| one_slide(w, half_m)) };
+    let look = LookAlike {
+        cause: slides(scales, frequency_hz),
+        nearest: Box::new(move |seen| one_slide(seen, half_m)),
+    };
     seen_by(scales, (frequency_hz, DAMPING_RATIO), look)
 }
 
@@ -143,7 +150,7 @@ impl Slide {
 }
 
 /// What a first look sees: slides fore and aft, athwartships and half-way between, each in the fore and in the after part.
-/// Any slide along a level way at any place along the hull is a sum of them.
+/// A slide along any level way at their places is a sum of them, and nearly so at any place along the hull.
 fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
     let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
     let parameters = (0..6).map(|_| strength("mass_kg", "kg", scales.mass_kg, 0.01)).collect();
@@ -162,7 +169,8 @@ fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
         }
         Ok(())
     });
-    cause(INTERNAL_MOTION, parameters, law)
+    // There is no mass below none.
+    Cause { stiff: true, ..cause(INTERNAL_MOTION, parameters, law) }
 }
 
 /// What a first look sees of one that rings: in each swing, along the hull and across, from a place and from a speed.
@@ -189,7 +197,8 @@ fn rings(scales: &Scales, frequency_hz: f64) -> Cause {
 }
 
 /// The one slide nearest to what rings in all swings: the way along which most of it goes.
-fn one_ring(w: &[f64]) -> Option<Vec<f64>> {
+fn one_ring(seen: &Seen) -> Option<Nearest> {
+    let w = seen.strengths.as_slice();
     let (mut xx, mut yy, mut xy) = (0.0, 0.0, 0.0);
     for swing in w.chunks(4) {
         xx += swing[0] * swing[0] + swing[1] * swing[1];
@@ -198,32 +207,47 @@ fn one_ring(w: &[f64]) -> Option<Vec<f64>> {
     }
     let direction_rad = 0.5 * (2.0 * xy).atan2(xx - yy);
     let (sin, cos) = direction_rad.sin_cos();
-    let along = w.chunks(4).flat_map(|s| [cos * s[0] + sin * s[2], cos * s[1] + sin * s[3]]);
+    let along: Vec<f64> =
+        w.chunks(4).flat_map(|s| [cos * s[0] + sin * s[2], cos * s[1] + sin * s[3]]).collect();
+    let ways = along.chunks(2).flat_map(|s| [cos * s[0], cos * s[1], sin * s[0], sin * s[1]]);
+    let strengths = DVector::from_iterator(w.len(), ways);
     let of_session = [RINGING_SHARE, f64::NAN, f64::NAN, direction_rad, f64::NAN, f64::NAN, f64::NAN];
-    Some(of_session.into_iter().chain(along).collect())
+    Some(Nearest { strengths, parameters: of_session.into_iter().chain(along).collect() })
 }
 
-/// The slide nearest to such a sum.
+/// The slide that gains most of what such a sum does; none where a mass gains nothing anywhere. (The sum itself may well have masses below
+/// nothing: above what drives it a slide goes along as if it belonged to the hull, and little of it is left to be seen.)
+fn one_slide(seen: &Seen, half_m: f64) -> Option<Nearest> {
+    let ways = (0..WAYS).map(|k| PI * k as f64 / WAYS as f64);
+    let tried = ways.flat_map(|direction_rad| {
+        (-PLACES..=PLACES).map(move |k| (direction_rad, half_m * k as f64 / PLACES as f64))
+    });
+    let all = tried.map(|(direction_rad, place_m)| {
+        let way = as_slides(direction_rad, place_m / (FORE * half_m));
+        let (share, gain) = seen.along(&way);
+        (gain, way * share, vec![share, f64::NAN, f64::NAN, direction_rad, place_m])
+    });
+    let (gain, strengths, parameters) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (gain > 0.0).then_some(Nearest { strengths, parameters })
+}
+
+/// A slide along a level way at a place, in units of that of the fore slides, as a sum of the look's.
 ///
-/// The response to a slide along (cos φ, sin φ) is that of cos² φ along x, sin² φ along y and sin φ cos φ across; half-way
+/// The response to one along (cos φ, sin φ) is that of cos² φ along x, sin² φ along y and sin φ cos φ across; half-way
 /// between, all three are a half.
-fn one_slide(w: &[f64], half_m: f64) -> Option<Vec<f64>> {
-    let both = |k: usize| (w[2 * k] + w[2 * k + 1], FORE * half_m * (w[2 * k] - w[2 * k + 1]));
-    let ((x, moment_x), (y, moment_y), (d, moment_d)) = (both(0), both(1), both(2));
-    let (xx, yy, xy) = (x + 0.5 * d, y + 0.5 * d, 0.5 * d);
-    let share = xx + yy;
-    if share <= 0.0 {
-        return None;
-    }
-    let direction_rad = 0.5 * (2.0 * xy).atan2(xx - yy);
-    let place_m = ((moment_x + moment_y + moment_d) / share).clamp(-half_m, half_m);
-    // Frequency and damping stay where the look has them.
-    let frequency_and_damping = [f64::NAN; 2];
-    Some([&[share][..], &frequency_and_damping, &[direction_rad, place_m]].concat())
+fn as_slides(direction_rad: f64, place: f64) -> DVector<f64> {
+    let (sin, cos) = direction_rad.sin_cos();
+    let ways = [cos * (cos - sin), sin * (sin - cos), 2.0 * sin * cos];
+    DVector::from_iterator(
+        6,
+        ways.into_iter().flat_map(|w| [0.5 * w * (1.0 + place), 0.5 * w * (1.0 - place)]),
+    )
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::DMatrix;
+
     use super::*;
 
     const HULL: Scales = Scales {
@@ -239,6 +263,48 @@ mod tests {
         pitches: true,
         half_length_m: 1.4,
     };
+
+    /// A light thing on a spring drives the hull by the product of how each of the hull's motions (surge, sway, roll, pitch, yaw) moves its
+    /// place along its way with how its pull drives each of them.
+    fn drives(direction_rad: f64, place: f64, depth: f64) -> DMatrix<f64> {
+        let (sin, cos) = direction_rad.sin_cos();
+        let moves = DVector::from_vec(vec![cos, sin, -depth * sin, depth * cos, place * sin]);
+        &moves * moves.transpose()
+    }
+
+    #[test]
+    fn a_slide_is_a_sum_of_the_look_s() {
+        for (direction_rad, place) in [(0.0, 0.3), (2.1, -1.0), (1.0, 1.0), (0.6, 1.7)] {
+            let sum = as_slides(direction_rad, place).iter().enumerate().fold(
+                DMatrix::zeros(5, 5),
+                |sum: DMatrix<f64>, (k, w)| {
+                    let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+                    sum + drives([0.0, FRAC_PI_2, FRAC_PI_4][k / 2], side, 0.4) * *w
+                },
+            );
+            let mut expected = drives(direction_rad, place, 0.4);
+            // Of turns about the hull's middle driven by themselves the look's slides show what those at their places do.
+            expected[(4, 4)] = direction_rad.sin().powi(2);
+            assert!((sum - expected).amax() < 1e-14, "{direction_rad} {place}");
+        }
+    }
+
+    /// Where the data are those of a slide, whatever they say of each strength, no other gains as much (Cauchy and Schwarz), not even if
+    /// masses stand out so little that their sum is seen to be below nothing.
+    #[test]
+    fn the_slide_that_gains_most_is_the_one_that_is_there() {
+        let (direction_rad, place_m, share) = (PI * 17.0 / 24.0, -0.875 * 1.4, 3e-3);
+        let way = as_slides(direction_rad, place_m / (FORE * 1.4));
+        let rows = DMatrix::from_fn(9, 6, |i, k| ((3 + i * i + 5 * k * i + k) as f64).sin());
+        let information = rows.tr_mul(&rows);
+        let score = &information * &way * share;
+        let strengths = DVector::from_element(6, -1e-3);
+        let found = one_slide(&Seen { strengths, information, score }, 1.4).unwrap();
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * b.abs();
+        assert!(close(found.parameters[0], share), "{:?}", found.parameters);
+        assert!(close(found.parameters[3], direction_rad) && close(found.parameters[4], place_m));
+        assert!((found.strengths - way * share).amax() < 1e-12);
+    }
 
     #[test]
     fn a_light_thing_starts_aboard() {

@@ -6,7 +6,7 @@ use crate::dynamics::Experiment;
 use crate::error::Result;
 use crate::frames::Vec3;
 
-use super::super::point::{Cause, CauseParameter, Form, LookAlike, sensor};
+use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen, sensor};
 use super::{cause, logarithm, number, put, strength};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -169,10 +169,12 @@ fn mount(axis: [f64; 3]) -> Cause {
     });
     let cause_of_parts = Cause { on_phone: true, ..cause("phone_mount_resonance", seen, parts) };
     // A mount of another frequency gives by its square.
-    let nearest = |w: &[f64]| {
-        let share = w[0];
-        (share > LEAST_TURNING)
-            .then(|| vec![(MOUNT_HZ / share.sqrt()).ln(), f64::NAN, 0.0, 0.0, w[1] / share, w[2] / share])
+    let nearest = |seen: &Seen| {
+        let (strengths, share) = (seen.strengths.clone(), seen.strengths[0]);
+        let frequency = (MOUNT_HZ / share.sqrt()).ln();
+        let lever = [1, 2].map(|k| strengths[k] / share);
+        let parameters = vec![frequency, f64::NAN, 0.0, 0.0, lever[0], lever[1]];
+        (share > LEAST_TURNING).then_some(Nearest { strengths, parameters })
     };
     let look = LookAlike { cause: cause_of_parts, nearest: Box::new(nearest) };
     Cause {
