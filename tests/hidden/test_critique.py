@@ -78,34 +78,33 @@ def test_heavy_slides_are_named(tmp_path):
     assert sum(result["verdict"]["causes"] == ["internal_motion"] for result, _ in answers) >= 2
 
 
+def answer_to(folder, seed: int, number: int, wanted: str | None = None) -> tuple[dict, dict]:
+    """What the program says of a session that it once got wrong, and the truth."""
+    pytest.importorskip("gyradius", reason="the package is not installed")
+    name = sessions.make(folder, seed, number, wanted, False)
+    result, trouble = judge.critique(judge.COMMAND.split(), folder / name, TIMEOUT_S)
+    assert trouble == ""
+    return result, json.loads((folder / f"{name}.truth.json").read_text())
+
+
 def test_a_thing_inside_is_no_wind(tmp_path):
     """Something inside that stands out by 197 σ, 154 beside the cause that is nearest, and leaves the base no more than twice the noise: what
     the first look said of all the rest led away from it, and it was called a wind."""
-    pytest.importorskip("gyradius", reason="the package is not installed")
-    name = sessions.make(tmp_path, 107479795916, 1, "internal_motion", False)
-    result, trouble = judge.critique(judge.COMMAND.split(), tmp_path / name, TIMEOUT_S)
-    assert trouble == ""
+    result, _ = answer_to(tmp_path, 107479795916, 1, "internal_motion")
     assert result["baseline"]["rms_over_noise"] < 2
     assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["internal_motion"])
 
 
 def test_what_friction_holds_still_may_grow_without_it(tmp_path):
     """Friction of 22 σ: derivatives were taken of motions without it, which grew beyond all bounds, and there was no answer."""
-    pytest.importorskip("gyradius", reason="the package is not installed")
-    name = sessions.make(tmp_path, 141905861965385, 21, None, False)
-    result, trouble = judge.critique(judge.COMMAND.split(), tmp_path / name, TIMEOUT_S)
-    assert trouble == ""
+    result, _ = answer_to(tmp_path, 141905861965385, 21)
     assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["bearing_friction"])
 
 
 def test_what_bends_to_much_is_not_taken_for_all(tmp_path):
     """A spring that hardens, of which something that moves inside accounts for all but half a hundredth: that was called explained, and
     k_yaw 11 standard uncertainties off."""
-    pytest.importorskip("gyradius", reason="the package is not installed")
-    name = sessions.make(tmp_path, 63844334495817, 92, None, False)
-    truth = json.loads((tmp_path / f"{name}.truth.json").read_text())
-    result, trouble = judge.critique(judge.COMMAND.split(), tmp_path / name, TIMEOUT_S)
-    assert trouble == ""
+    result, truth = answer_to(tmp_path, 63844334495817, 92)
     assert (truth["hidden"][0]["name"], result["verdict"]["status"]) == ("hardening_spring", "unexplained")
     k_yaw = result["extended"]["quantities"]["k_yaw_m"]
     assert abs(k_yaw["value"] - truth["k_yaw_m"]) < 4 * k_yaw["u"]
