@@ -73,8 +73,8 @@ def put_added(session: Session, p: dict, share: float) -> None:
     Keulegan-Carpenter number."""
     per = np.asarray(p["share_at_usual"]) * inertias(session)[[Y, PITCH, YAW]] / [0.06 * session.line_m(), 0.05, 0.1]
     everywhere(session, "added", per, share)
-    for scene in session.scenes:
-        scene.extras["added_omega"] = [session.omega("sway"), session.omega("in_phase"), session.omega("yaw")]
+    for scene, hung in zip(session.scenes, session.hungs):
+        scene.extras["added_omega"] = [hung.modes[mode].omega_rad_s for mode in ("sway", "in_phase", "yaw")]
 
 
 def draw_added(rng, session: Session) -> dict:

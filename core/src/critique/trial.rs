@@ -52,8 +52,11 @@ impl Found<'_> {
     /// Fits a cause in full; `None` where no start leads anywhere.
     pub fn fit(&self, look: &Look, best: f64, of_many: bool) -> Option<Tried> {
         let forms: Vec<&Look> = [look].into_iter().chain(&look.others).collect();
-        let fit = if self.fitted.rms() > FAR { Self::fit_from_afar } else { Self::fit_nearby };
-        fit(self, &forms, best, of_many)
+        let is_far = self.fitted.rms() > FAR;
+        let from_afar = is_far.then(|| self.fit_from_afar(&forms, best, of_many)).flatten();
+        let to_beat = from_afar.as_ref().map_or(best, |tried| tried.fitted.cost.min(best));
+        let nearby = self.fit_nearby(&forms, to_beat, of_many);
+        from_afar.into_iter().chain(nearby).max_by(|a, b| a.gain.total_cmp(&b.gain))
     }
 
     /// Near the data: from the leading forms of a cause, which end in valleys of their own. The best, with the others' ends.

@@ -21,6 +21,8 @@ pub const MOST_NAMED: usize = 2;
 /// Gusts are irregular: a few tones account for most of them, not for all: what is left is held against what showed before, or against the
 /// χ² that wind and tones took, much of which need not show in any one band.
 const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
+/// A model that leaves more than this, in noises, explains no session, however much it took: what is held out must come within it.
+const MOST_LEFT_RMS: f64 = 1.1;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is quadratic.
 const EXPONENT_U: f64 = 0.2;
 const EXPONENT_NEAR: f64 = 3.0;
@@ -33,7 +35,8 @@ impl Found<'_> {
         let gusts = self.model.causes.iter().any(|cause| cause.form == Form::Gust);
         let explained = self.base_left.excess().max(self.base.cost - self.fitted.cost);
         let of_gusts = gusts && self.left.excess() <= LEFT_SHARE_OF_GUSTS * explained;
-        many || unnamed || !(of_gusts || self.left.is_next_to_nothing(&self.base_left))
+        let is_little = of_gusts || self.left.is_next_to_nothing(&self.base_left);
+        many || unnamed || !is_little || self.fitted.rms() > MOST_LEFT_RMS
     }
 
     /// The round in which the last cause was taken.

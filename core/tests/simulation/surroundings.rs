@@ -85,6 +85,26 @@ fn steady_wind_pushes_a_pendulum() {
     assert!(worst < 2e-7);
 }
 
+/// The keelboat hangs from points abeam of each other and swings fore and aft as a double pendulum: what acts along it is c less its share,
+/// what acts across it is c.
+#[test]
+fn wind_finds_less_of_a_hull_from_ahead() {
+    let moved = |c: f64, less_along: f64, [x, y]: [f64; 2]| {
+        let numbers = [
+            ("force_coefficient", c),
+            ("less_along", less_along),
+            ("steady_x_m_s", x),
+            ("steady_y_m_s", y),
+            ("gust_time_s", 5.0),
+        ];
+        with(keelboat(Start::default()), "wind", &numbers).motion(30.0).unwrap().at(25.0).position
+    };
+    let (ahead, abeam) = ([4.0, 0.0], [0.0, 4.0]);
+    let (quarter, alike) = (moved(4.0, 0.75, ahead), moved(1.0, 0.0, ahead));
+    assert!(alike.x.abs() > 1e-4 && (quarter - alike).norm() < 1e-9, "{quarter} {alike}");
+    assert!((moved(4.0, 0.75, abeam) - moved(4.0, 0.0, abeam)).norm() < 1e-9);
+}
+
 #[test]
 fn gusts_can_be_had_again_and_differ_by_seed() {
     let of = |seed: f64| {

@@ -12,7 +12,8 @@ const TONES: usize = 24;
 
 numbers! {
     /// What a wind W adds to the drag of still air: F = c (|W − v| (W − v) + |v| v) in the horizontal plane, v the
-    /// velocity of the centre of mass; its moment is taken about the centre of pressure.
+    /// velocity of the centre of mass, of which the part along the hull is less; its moment is taken about the centre of
+    /// pressure.
     ///
     /// W is steady plus a gust, along x and y of the world independently: `24` sinusoids of equal size whose frequencies
     /// halve the spectrum 2σ²τ/(1 + ω²τ²) into equal parts (coloured noise of correlation time τ: M. Shinozuka and C. M.
@@ -22,6 +23,8 @@ numbers! {
     pub struct Wind {
         /// ½ ρ C_D A, c.
         force_coefficient: "N s^2/m^2",
+        /// By what share c is less along the hull than across it: a hull is narrower from ahead than from abeam.
+        less_along: "1",
         /// Steady wind along the world's x.
         steady_x_m_s: "m/s",
         /// Steady wind along the world's y.
@@ -133,7 +136,9 @@ impl<S: Real> Effect<S> for Wind<S> {
             wind.y += self.gust(now.t_s, 1);
         }
         let own = V3::new(now.velocity.x, now.velocity.y, S::zero());
-        let force = (squared(&(wind - own)) + squared(&own)) * self.force_coefficient;
+        let abeam = (squared(&(wind - own)) + squared(&own)) * self.force_coefficient;
+        let ahead = V3::new(now.turn[(0, 0)], now.turn[(1, 0)], S::zero());
+        let force = abeam - ahead * (abeam.dot(&ahead) / ahead.dot(&ahead) * self.less_along);
         let arm = V3::new(self.centre_x_m, self.centre_y_m, self.centre_z_m);
         loads.force += force;
         loads.torque += arm.cross(&now.turn.tr_mul(&force));
