@@ -37,12 +37,15 @@ pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
         (0..standing.residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
     let scales = Scales::of(model.base, &standing.fitted.point)?;
     let scan = Scan { standing, times, scales };
-    let slip = scan.best(Event::Slip);
-    let closer =
-        |event| slip.as_ref().filter(|slip| slip.gain > WORTH_IT).and_then(|slip| scan.closer(event, slip));
-    let gives = closer(Event::LineSlip).map(|seen| scan.look(Event::LineSlip, seen));
-    let slips = closer(Event::Slip).or(slip).map(|seen| scan.look(Event::Slip, seen));
-    let knock = scan.best(Event::Knock).map(|seen| scan.look(Event::Knock, seen));
+    let slips = scan.best_of_each(Event::Slip);
+    let closer = |event, slip: &Seen| (slip.gain > WORTH_IT).then(|| scan.closer(event, slip)).flatten();
+    // Where a line gave way early, the base has taken most swings as they were after it, and a phone seems to slip in one of these.
+    let gives = best(slips.iter().filter_map(|slip| closer(Event::LineSlip, slip)));
+    let gives = gives.map(|seen| scan.look(Event::LineSlip, seen));
+    let slip = best(slips.into_iter());
+    let slips = slip.map(|slip| closer(Event::Slip, &slip).unwrap_or(slip));
+    let slips = slips.map(|seen| scan.look(Event::Slip, seen));
+    let knock = best(scan.best_of_each(Event::Knock).into_iter()).map(|seen| scan.look(Event::Knock, seen));
     Ok(slips.into_iter().chain(knock).chain(gives).collect())
 }
 
@@ -53,8 +56,8 @@ struct Scan<'a> {
 }
 
 impl Scan<'_> {
-    /// An event's best moment, by what is known of the response.
-    fn best(&self, event: Event) -> Option<Seen> {
+    /// An event's best moment in each swing, by what is known of the response.
+    fn best_of_each(&self, event: Event) -> Vec<Seen> {
         let tried = in_parallel(self.times.len(), |s| {
             let duration_s = self.standing.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
@@ -70,7 +73,7 @@ impl Scan<'_> {
                 seen.max_by(|a, b| a.gain.total_cmp(&b.gain))
             })
         });
-        tried.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
+        tried.into_iter().flatten().collect()
     }
 
     /// A slip with what is felt of it while it lasts, at its best moment and length.
@@ -207,6 +210,10 @@ impl Scan<'_> {
         let delta = laid_out(&self.standing.model, &seen.rest, &values);
         Look { cause, gain: seen.gain, delta, others: vec![], glimpse: None }
     }
+}
+
+fn best(seen: impl Iterator<Item = Seen>) -> Option<Seen> {
+    seen.max_by(|a, b| a.gain.total_cmp(&b.gain))
 }
 
 struct Seen {

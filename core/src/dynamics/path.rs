@@ -86,6 +86,10 @@ impl<S: Real> Moment<S> {
 
 /// Newton steps onto the constraints after each step of the integration: it leaves them by rounding or a little more.
 const PROJECTIONS: usize = 1;
+/// Pieces that what happens once is made of at least, a push of half a sine as any.
+const PIECES_OF_EVENTS: f64 = 4.0;
+/// A piece that ends so near to where it begins or ends, shares of its length, ends there.
+const AT_AN_END: f64 = 1e-6;
 /// What rounding makes of a step at most (m, m/s, 1, rad/s), and of a derivative times the number differentiated by:
 /// some fifty times the last digit of a metre. No halving mends it.
 const ROUNDING: f64 = 1e-14;
@@ -134,6 +138,8 @@ struct Integration<'a, S: Real> {
     tension_n: [f64; MOST_LINES],
     path: Path<S>,
     fineness: Fineness,
+    /// What happens once: when it begins, s, and how long it lasts, s.
+    events_s: Vec<[f64; 2]>,
     /// Sizes of the numbers differentiated by.
     sizes: Vec<f64>,
 }
@@ -160,22 +166,45 @@ impl<'a, S: Real> Integration<'a, S> {
         };
         let zeros = || vec![S::zero(); size];
         let (state, end, end_slope) = (start, zeros(), zeros());
-        Self { equations, stepper, state, end, end_slope, tension_n, path, fineness, sizes }
+        let events_s = equations.events_s();
+        Self { equations, stepper, state, end, end_slope, tension_n, path, fineness, events_s, sizes }
     }
 
     /// One piece, or two of half its length, and so on.
     fn advance(&mut self, piece: Piece, halvings: u32) -> Result<()> {
+        if let Some(first_s) = self.parted_by_events(piece) {
+            return self.advance_parts(piece, first_s, halvings);
+        }
         let equations = self.equations;
         let mut f = |y: &[S], out: &mut [S]| {
             equations.slope(y, out);
         };
         self.stepper.advance(&mut f, &self.state, piece.length_s, &mut self.end);
         if halvings < self.fineness.most_halvings && self.is_rough(piece.length_s) {
-            let length_s = 0.5 * piece.length_s;
-            self.advance(Piece { length_s, ..piece }, halvings + 1)?;
-            return self.advance(Piece { from_s: piece.from_s + length_s, length_s }, halvings + 1);
+            return self.advance_parts(piece, 0.5 * piece.length_s, halvings + 1);
         }
         self.accept(piece)
+    }
+
+    fn advance_parts(&mut self, piece: Piece, first_s: f64, halvings: u32) -> Result<()> {
+        self.advance(Piece { length_s: first_s, ..piece }, halvings)?;
+        let (from_s, length_s) = (piece.from_s + first_s, piece.length_s - first_s);
+        self.advance(Piece { from_s, length_s }, halvings)
+    }
+
+    /// Length of the first part of a piece that meets something that happens once: it ends where that begins or ends, or is a half where
+    /// the piece is long against it.
+    fn parted_by_events(&self, piece: Piece) -> Option<f64> {
+        self.events_s.iter().find_map(|[begins_s, over_s]| {
+            let (begins_s, ends_s) = (begins_s - piece.from_s, begins_s + over_s - piece.from_s);
+            let room_s = AT_AN_END * over_s;
+            let is_inside = |t_s: &f64| (room_s..piece.length_s - room_s).contains(t_s);
+            let is_long = begins_s < piece.length_s - room_s
+                && ends_s > room_s
+                && piece.length_s > over_s / PIECES_OF_EVENTS;
+            let half_s = is_long.then_some(0.5 * piece.length_s);
+            [begins_s, ends_s].into_iter().find(is_inside).or(half_s)
+        })
     }
 
     /// Whether the step just made has too large an error: in the body's state or in the effects' memories.

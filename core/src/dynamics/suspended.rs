@@ -172,6 +172,12 @@ impl<S: Real> Equations<S> {
         self.effects.iter().map(|(effect, memory)| (effect.as_ref(), memory))
     }
 
+    /// When things that happen once begin, s, and how long they last, s.
+    pub fn events_s(&self) -> Vec<[f64; 2]> {
+        let events = self.effects.iter().filter_map(|(effect, _)| effect.event_s());
+        events.filter(|[_, over_s]| *over_s > 0.0).collect()
+    }
+
     /// Derivative of the state, and what was solved for on the way.
     pub fn slope(&self, y: &[S], out: &mut [S]) -> Solved<S> {
         let now = Now::at(y);

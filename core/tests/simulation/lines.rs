@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use gyradius_core::constants::STANDARD_GRAVITY_M_S2 as G;
-use gyradius_core::dynamics::{Line, Rig, RigidBody, Scene, Start, small_modes};
+use gyradius_core::dynamics::{Fineness, Line, Rig, RigidBody, Scene, Start, small_modes};
 use gyradius_core::frames::Vec3;
 
 use crate::scenes::*;
@@ -145,6 +145,27 @@ fn a_line_that_slips_is_longer_from_then_on() {
         with(keelboat(yawed(1e-4)), "line_slip", &[("at_s", -9.0), ("over_s", 0.5), alike[2], alike[3]]);
     let longer = with(keelboat(yawed(1e-4)), "stated_length", &[("excess_m", 0.1)]);
     assert_close(yaw_s(&slipped), yaw_s(&longer), 1e-9);
+}
+
+/// Both lines alike, the hull at rest falls with them: z̈ = −L s̈(x)/τ², s̈ = 60 x (1 − x) (1 − 2 x). Steps that were long against the slip
+/// once left 0.2 m/s² of it.
+#[test]
+fn a_slip_is_felt_as_it_goes_by_coarse_steps_too() {
+    let (at_s, over_s, more) = (1.23, 0.3, 8e-3);
+    let numbers = [("at_s", at_s), ("over_s", over_s), ("negative_m", more), ("positive_m", more)];
+    let scene = with(keelboat(Start::default()), "line_slip", &numbers);
+    for fineness in [Fineness::FULL, Fineness::OF_KINKED_FITS] {
+        let path = scene.motion_as(fineness, 3.0).unwrap();
+        let error = |n: u32| {
+            let t_s = at_s + over_s * (f64::from(n) / 20.0 - 0.5);
+            let x = ((t_s - at_s) / over_s).clamp(0.0, 1.0);
+            let felt = -more * 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / (over_s * over_s);
+            (path.at(t_s).acceleration.z - felt).abs()
+        };
+        let worst = (0..=40).map(error).fold(0.0, f64::max);
+        // A tenth of what the best accelerometer of the catalogue of phones scatters.
+        assert!(worst < 5e-4, "{worst} m/s²");
+    }
 }
 
 /// Frequencies that the turn of the hull and its displacement show, by small modes of a rig made apart.

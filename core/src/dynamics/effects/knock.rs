@@ -49,8 +49,7 @@ impl<S: Real> Effect<S> for Knock<S> {
         loads.torque += V3::new(self.turn_x_n_m_s, self.turn_y_n_m_s, self.turn_z_n_m_s) * size;
     }
 
-    /// The push must be seen by steps that are short against it.
-    fn fastest_rad_s(&self, _system: &Suspended<S>) -> f64 {
-        if self.over_s.value() > 0.0 { PI / self.over_s.value() } else { 0.0 }
+    fn event_s(&self) -> Option<[f64; 2]> {
+        Some([self.at_s.value(), self.over_s.value()])
     }
 }

@@ -42,4 +42,8 @@ impl<S: Real> Effect<S> for LineSlip<S> {
             law[2] += more * x * poly([60.0, -180.0, 120.0]) / (self.over_s * self.over_s);
         }
     }
+
+    fn event_s(&self) -> Option<[f64; 2]> {
+        Some([self.at_s.value(), self.over_s.value()])
+    }
 }

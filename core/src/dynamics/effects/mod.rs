@@ -285,6 +285,10 @@ pub trait Effect<S: Real>: Debug {
     fn fastest_rad_s(&self, _system: &Suspended<S>) -> f64 {
         0.0
     }
+    /// Where it is something that happens once: when it begins, s, and how long it lasts, s. Steps end there, and are short against it.
+    fn event_s(&self) -> Option<[f64; 2]> {
+        None
+    }
 }
 
 /// What is told of an effect.
