@@ -69,10 +69,9 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
             )
         })
         .collect();
-    let at_s = values[4];
+    let at_s = values[4] + cause.parameters[4].zero;
     let equation = format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", "));
-    let text =
-        format!("{id}: something pushed the hull {at_s:.2} s after the start of the part that was analysed");
+    let text = format!("{id}: something pushed the hull at {at_s:.2} s of the recording");
     Some(of_all(equation, text, heldout_rms))
 }
 
@@ -80,13 +79,14 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
 fn line_slip(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
     let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
     let [positive, negative, at_s, ..] = values[..] else { return None };
+    let at_s = at_s + cause.parameters.get(2)?.zero;
     let line_mm = 1e3 * cause.parameters.first()?.factor;
     let id = &found.model.swing(swing).setup.swing.id;
     let more = format!("{:+.2} mm and {:+.2} mm", positive * line_mm, negative * line_mm);
     let equation =
         format!("l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)");
     let text = format!(
-        "{id}: {at_s:.2} s after the start of the part that was analysed a line gave way: the lines are longer by {more} from then on"
+        "{id}: at {at_s:.2} s of the recording a line gave way: the lines are longer by {more} from then on"
     );
     Some(of_all(equation, text, heldout_rms))
 }

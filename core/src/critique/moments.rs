@@ -191,11 +191,14 @@ impl Scan<'_> {
     }
 
     fn cause(&self, event: Event, (s, t_s): (usize, f64)) -> Cause {
-        match event {
+        let mut cause = match event {
             Event::Slip => slip_at(s, t_s),
             Event::Knock => knock_at(&self.scales, s, t_s),
             Event::LineSlip => line_slip_at(&self.scales, s, t_s),
-        }
+        };
+        let start_s = self.standing.model.swing(s).samples.start_s;
+        cause.parameters.iter_mut().filter(|p| p.name == "at_s").for_each(|p| p.zero = start_s);
+        cause
     }
 
     fn look(&self, event: Event, seen: Seen) -> Look {

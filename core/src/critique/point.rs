@@ -58,6 +58,8 @@ pub struct CauseParameter {
     /// Unit of the rig, and how much of it is one of the parameter; logarithms are reported as what they are of.
     pub unit: &'static str,
     pub factor: f64,
+    /// Where its zero is, in that unit: a time in the samples begins when they do.
+    pub zero: f64,
     pub is_log: bool,
     /// Mean and standard deviation of its prior; the first look begins at the mean.
     pub prior: (f64, f64),

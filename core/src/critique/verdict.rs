@@ -261,7 +261,7 @@ fn parameters_of(causes: &[Cause], fitted: &Fitted, number: usize) -> BTreeMap<S
         let (value, u) = if parameter.is_log {
             (values[k].exp(), values[k].exp() * u)
         } else {
-            (values[k] * parameter.factor, u * parameter.factor)
+            (values[k] * parameter.factor + parameter.zero, u * parameter.factor)
         };
         let name = own.map_or(parameter.name.into(), |s| format!("{}_{}", parameter.name, s + 1));
         found.insert(name, ParameterResult { value, u, unit: parameter.unit.into() });

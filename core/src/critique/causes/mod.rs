@@ -100,6 +100,7 @@ fn number(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CausePar
         name,
         unit,
         factor: 1.0,
+        zero: 0.0,
         is_log: false,
         prior,
         step,

@@ -94,6 +94,7 @@ fn parameter(name: &'static str, unit: &'static str, factor: f64, prior: (f64, f
         name,
         unit,
         factor,
+        zero: 0.0,
         is_log: false,
         prior,
         step: 0.01 * prior.1,

@@ -106,6 +106,8 @@ impl Stream {
 #[derive(Debug, Clone)]
 pub struct Samples {
     pub streams: Vec<Stream>,
+    /// When their time begins, s, by the phone's clock.
+    pub start_s: f64,
     pub duration_s: f64,
     /// The vertical in phone axes.
     pub up: Vec3,
@@ -123,8 +125,8 @@ impl Samples {
             Stream::of(evidence, Sensor::Gyroscope, map.gyroscope?, block_s)?,
             Stream::of(evidence, Sensor::Accelerometer, map.accelerometer?, block_s)?,
         ];
-        let (_, duration_s) = inside(evidence);
-        (duration_s > 0.0).then_some(Self { streams, duration_s, up })
+        let (start_s, duration_s) = inside(evidence);
+        (duration_s > 0.0).then_some(Self { streams, start_s, duration_s, up })
     }
 
     /// Of a recording to come: one reading for each block that its samples would be averaged over, with the noise of that
@@ -147,7 +149,12 @@ impl Samples {
             stream(Sensor::Gyroscope, recorded.gyro_rad_s),
             stream(Sensor::Accelerometer, recorded.acc_m_s2),
         ];
-        (duration_s > 2.0 * fastest_period_s).then_some(Self { streams, duration_s, up: Vec3::z() })
+        (duration_s > 2.0 * fastest_period_s).then_some(Self {
+            streams,
+            start_s: 0.0,
+            duration_s,
+            up: Vec3::z(),
+        })
     }
 }
 
