@@ -11,6 +11,14 @@ use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
 const MOST_DAMPING: f64 = 1e8;
+/// … and the least that it comes down to.
+const LEAST_DAMPING: f64 = 1e-9;
+/// … and what it begins with where a step without any leads nowhere.
+const FIRST_DAMPING: f64 = 1e-4;
+/// Shares of the way to where derivatives point that are tried without damping.
+const SHARES: [f64; 3] = [1.0, 0.4, 0.15];
+/// A step that leads uphill is corrected so often at most.
+const CORRECTIONS: usize = 3;
 /// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones.
 const KEPT: f64 = 0.8;
 /// A fit ends where an undamped step promises less of χ² than this, a tenth of a standard deviation, or than this share of it; or where a step
@@ -81,6 +89,13 @@ pub struct Pace {
     pub gained: f64,
     pub steps: usize,
     pub steps_left: usize,
+}
+
+/// Information with so much more of each's own.
+fn damped(matrix: &DMatrix<f64>, by: f64) -> Option<Cholesky<f64, Dyn>> {
+    let mut damped = matrix.clone();
+    (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + by);
+    damped.cholesky()
 }
 
 /// Whether a fit that has come so far is hopeless.
@@ -200,7 +215,7 @@ impl Model<'_> {
             Derivatives::Taken => self.jacobians(&point)?,
             Derivatives::Known(known) | Derivatives::Kept(known) => known,
         };
-        let mut damping = 1e-4;
+        let mut damping = LEAST_DAMPING;
         let mut of_no_use = 0;
         let slow_share = if self.of_many { SLOW_OF_MANY } else { SLOW };
         let mut was_slow = false;
@@ -229,7 +244,8 @@ impl Model<'_> {
             let before = std::mem::replace(&mut misfit, step.misfit);
             point = step.point;
             let is_slow = gained < slow_share * (misfit.cost - misfit.count() as f64);
-            let crawls = is_slow && was_slow;
+            // While the damping comes down, steps grow by themselves.
+            let crawls = is_slow && was_slow && (step.strained || damping <= LEAST_DAMPING);
             was_slow = is_slow;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
             let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
@@ -384,48 +400,72 @@ impl Model<'_> {
         (matrix, gradient)
     }
 
-    /// A step downhill. Where one leads uphill, the readings bend along it: what they do beyond their derivatives is made up for
-    /// once (a second-order correction; J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed., sec. 18.3) before the
-    /// step is shortened. Without it a fit creeps along valleys in which, say, gyradius and spacing grow alike.
+    /// A step downhill: the whole way to where the derivatives point or a share of it, or, where none of these leads down, one held back by
+    /// damping. What is known least is held back first, and a fit that is damped creeps along valleys in which, say, gyradius and spacing
+    /// grow alike.
     fn step(
         &self,
         point: &Point,
         misfit: &Misfit,
-        (matrix, gradient, jacobians): (&DMatrix<f64>, &DVector<f64>, &[DMatrix<f64>]),
+        equations: (&DMatrix<f64>, &DVector<f64>, &[DMatrix<f64>]),
         damping: &mut f64,
     ) -> Option<Step> {
+        let (matrix, gradient, jacobians) = equations;
         let begun = *damping;
         let mut hoped = None;
+        while *damping < MOST_DAMPING {
+            let whole = damped(matrix, *damping)?.solve(gradient);
+            let stiff = damped(matrix, damping.max(FIRST_DAMPING))?;
+            let promised = |delta: &DVector<f64>| 2.0 * gradient.dot(delta) - delta.dot(&(matrix * delta));
+            let all_promised = promised(&whole);
+            let hoped = *hoped.get_or_insert(all_promised);
+            let shares = if *damping > LEAST_DAMPING { &SHARES[..1] } else { &SHARES };
+            let found = shares.iter().find_map(|share| {
+                let delta = &whole * *share;
+                let promised = promised(&delta);
+                Some((promised, self.downhill((point, misfit), jacobians, &stiff, delta)?))
+            });
+            if let Some((promised, (point, better, delta))) = found {
+                let strained = *damping > begun;
+                *damping = (*damping * 0.1).max(LEAST_DAMPING);
+                return Some(Step { point, misfit: better, delta, promised, hoped, strained });
+            }
+            *damping = (*damping * 10.0).max(FIRST_DAMPING);
+            if all_promised < CONVERGED {
+                break;
+            }
+        }
+        *damping = FIRST_DAMPING;
+        None
+    }
+
+    /// Where a step leads, if not uphill. Where it does, the readings bend along it: what they do beyond their derivatives is made up for (a
+    /// second-order correction; J. Nocedal, S. J. Wright, *Numerical Optimization*, 2nd ed., sec. 18.3) by what is known well, and again while that
+    /// brings it lower.
+    fn downhill(
+        &self,
+        (point, misfit): (&Point, &Misfit),
+        jacobians: &[DMatrix<f64>],
+        stiff: &Cholesky<f64, Dyn>,
+        straight: DVector<f64>,
+    ) -> Option<(Point, Misfit, DVector<f64>)> {
         let at = |delta: DVector<f64>| {
             let there = self.bounded(self.moved(point, &delta));
             self.misfit(&there).ok().map(|misfit| (there, misfit, delta))
         };
-        let is_better = |(_, there, _): &(Point, Misfit, DVector<f64>)| there.cost <= misfit.cost;
-        while *damping < MOST_DAMPING {
-            let mut damped = matrix.clone();
-            (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + *damping);
-            let factor = damped.cholesky()?;
-            let delta = factor.solve(gradient);
-            let promised = 2.0 * gradient.dot(&delta) - delta.dot(&(matrix * &delta));
-            let hoped = *hoped.get_or_insert(promised);
-            let straight = at(delta);
-            let corrected =
-                straight.as_ref().filter(|there| !is_better(there)).and_then(|(_, there, delta)| {
-                    let bent = self.bend(misfit, there, jacobians, delta);
-                    at(delta - factor.solve(&bent))
-                });
-            if let Some((point, better, delta)) = straight.into_iter().chain(corrected).find(is_better) {
-                let strained = *damping > begun;
-                *damping = (*damping * 0.1).max(1e-9);
-                return Some(Step { point, misfit: better, delta, promised, hoped, strained });
-            }
-            *damping *= 10.0;
-            if promised < CONVERGED {
+        let mut tried = at(straight.clone())?;
+        for _ in 0..CORRECTIONS {
+            if tried.1.cost <= misfit.cost {
                 break;
             }
+            let bent = self.bend(misfit, &tried.1, jacobians, &tried.2);
+            let corrected = at(&straight - stiff.solve(&bent))?;
+            if corrected.1.cost >= tried.1.cost {
+                return None;
+            }
+            tried = corrected;
         }
-        *damping = 1e-4;
-        None
+        (tried.1.cost <= misfit.cost).then_some(tried)
     }
 
     /// What the readings did beyond their derivatives along a step from one misfit to another, times these.
