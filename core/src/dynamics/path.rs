@@ -88,6 +88,8 @@ impl<S: Real> Moment<S> {
 const PROJECTIONS: usize = 1;
 /// Pieces that what happens once is made of at least, a push of half a sine as any.
 const PIECES_OF_EVENTS: f64 = 4.0;
+/// What happens within less, s, is refused: times of a long motion are not told apart much better.
+const QUICKEST_S: f64 = 1e-6;
 /// A piece that ends so near to where it begins or ends, shares of its length, ends there.
 const AT_AN_END: f64 = 1e-6;
 /// What rounding makes of a step at most (m, m/s, 1, rad/s), and of a derivative times the number differentiated by:
@@ -265,6 +267,10 @@ impl<S: Real> Path<S> {
             if !(value.is_finite() && value > 0.0) {
                 return Err(Error::argument(name, "a positive number", value));
             }
+        }
+        if let Some([_, over_s]) = equations.events_s().into_iter().find(|[_, over_s]| *over_s < QUICKEST_S) {
+            let text = format!("something that happens within {over_s} s is too quick to be followed");
+            return Err(Error::no_result("motion", text));
         }
         let steps = (duration_s / step_s).ceil();
         if steps > fineness.most_pieces as f64 {

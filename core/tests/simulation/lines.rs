@@ -168,6 +168,16 @@ fn a_slip_is_felt_as_it_goes_by_coarse_steps_too() {
     }
 }
 
+#[test]
+fn what_is_too_quick_is_refused() {
+    let of = |over_s: f64| {
+        let numbers = [("at_s", 1.23), ("over_s", over_s), ("negative_m", 1e-3), ("positive_m", 1e-3)];
+        with(keelboat(Start::default()), "line_slip", &numbers).motion(3.0).map(|_| ())
+    };
+    assert!(of(1e-300).unwrap_err().to_string().contains("too quick"));
+    assert!(of(1e-5).is_ok());
+}
+
 /// Frequencies that the turn of the hull and its displacement show, by small modes of a rig made apart.
 #[test]
 fn unequal_lines_and_a_centre_of_mass_off_the_middle() {
