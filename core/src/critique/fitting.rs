@@ -10,6 +10,7 @@ use crate::parallel::in_parallel;
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
+/// The most by which a step is held back, shares of the information of each that is fitted …
 const MOST_DAMPING: f64 = 1e8;
 /// … and the least that it comes down to.
 const LEAST_DAMPING: f64 = 1e-9;
@@ -414,8 +415,9 @@ impl Model<'_> {
         let begun = *damping;
         let mut hoped = None;
         while *damping < MOST_DAMPING {
-            let whole = damped(matrix, *damping)?.solve(gradient);
-            let stiff = damped(matrix, damping.max(FIRST_DAMPING))?;
+            let factor = damped(matrix, *damping)?;
+            let whole = factor.solve(gradient);
+            let stiff = if *damping < FIRST_DAMPING { damped(matrix, FIRST_DAMPING)? } else { factor };
             let promised = |delta: &DVector<f64>| 2.0 * gradient.dot(delta) - delta.dot(&(matrix * delta));
             let all_promised = promised(&whole);
             let hoped = *hoped.get_or_insert(all_promised);

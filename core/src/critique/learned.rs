@@ -63,13 +63,13 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
         .map(|(p, v)| {
             format!(
                 "{:.3} {} ({})",
-                v * p.factor,
+                p.told(*v),
                 p.unit,
                 p.name.trim_end_matches("_n_s").trim_end_matches("_n_m_s")
             )
         })
         .collect();
-    let at_s = values[4] + cause.parameters[4].zero;
+    let at_s = cause.parameters[4].told(values[4]);
     let equation = format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", "));
     let text = format!("{id}: something pushed the hull at {at_s:.2} s of the recording");
     Some(of_all(equation, text, heldout_rms))
@@ -79,7 +79,7 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
 fn line_slip(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
     let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
     let [positive, negative, at_s, ..] = values[..] else { return None };
-    let at_s = at_s + cause.parameters.get(2)?.zero;
+    let at_s = cause.parameters.get(2)?.told(at_s);
     let line_mm = 1e3 * cause.parameters.first()?.factor;
     let id = &found.model.swing(swing).setup.swing.id;
     let more = format!("{:+.2} mm and {:+.2} mm", positive * line_mm, negative * line_mm);

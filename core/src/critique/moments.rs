@@ -62,15 +62,13 @@ impl Scan<'_> {
             let duration_s = self.standing.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
             let coarse = (1..COARSE).map(|k| k as f64 * step_s);
-            let best =
-                coarse.filter_map(|t| self.seen(event, s, t)).max_by(|a, b| a.gain.total_cmp(&b.gain))?;
+            let roughly = best(coarse.filter_map(|t| self.seen(event, s, t)))?;
             // Twice finer about the best.
-            [step_s / 5.0, step_s / 40.0].into_iter().try_fold(best, |best, step_s| {
+            [step_s / 5.0, step_s / 40.0].into_iter().try_fold(roughly, |roughly, step_s| {
                 let half = (FINE / 2) as f64;
-                let from_s = best.t_s - half * step_s;
+                let from_s = roughly.t_s - half * step_s;
                 let near = (0..FINE).map(|k| from_s + k as f64 * step_s);
-                let seen = near.filter_map(|t| self.seen(event, s, t)).chain([best]);
-                seen.max_by(|a, b| a.gain.total_cmp(&b.gain))
+                best(near.filter_map(|t| self.seen(event, s, t)).chain([roughly]))
             })
         });
         tried.into_iter().flatten().collect()
@@ -86,10 +84,9 @@ impl Scan<'_> {
             near(roughly.t_s).chain(self.loudest_s(s).into_iter().flat_map(near)).collect();
         let at = |t_s: f64, over_s: f64| self.slip(event, &later, (s, t_s), over_s);
         let over_s = if event == Event::Slip { SLIP_S } else { GIVES_S };
-        let best = in_parallel(moments.len(), |k| at(moments[k], over_s)).into_iter().flatten();
-        let best = best.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
-        let others = OTHER_LENGTHS_S.map(|over_s| at(best.t_s, over_s));
-        others.into_iter().flatten().chain([best]).max_by(|a, b| a.gain.total_cmp(&b.gain))
+        let usual = best(in_parallel(moments.len(), |k| at(moments[k], over_s)).into_iter().flatten())?;
+        let others = OTHER_LENGTHS_S.map(|over_s| at(usual.t_s, over_s));
+        best(others.into_iter().flatten().chain([usual]))
     }
 
     /// What the swings after a slip add.
@@ -215,6 +212,7 @@ impl Scan<'_> {
     }
 }
 
+/// What gains most.
 fn best(seen: impl Iterator<Item = Seen>) -> Option<Seen> {
     seen.max_by(|a, b| a.gain.total_cmp(&b.gain))
 }

@@ -12,6 +12,7 @@ use crate::frames::{Rotation, Vec3, world_from_hull_pitched};
 use crate::inertia::samples::Own;
 
 use super::base::{Base, Swung};
+use super::result::ParameterResult;
 
 /// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and accelerometer (6).
 pub const OWN: usize = 19;
@@ -71,6 +72,20 @@ pub struct CauseParameter {
     pub of_swing: bool,
     /// There is none below or above these.
     pub limits: (f64, f64),
+}
+
+impl CauseParameter {
+    /// A value as it is told, in its unit.
+    pub fn told(&self, value: f64) -> f64 {
+        if self.is_log { value.exp() } else { value * self.factor + self.zero }
+    }
+
+    /// The same with its standard uncertainty.
+    pub fn result(&self, value: f64, u: f64) -> ParameterResult {
+        let told = self.told(value);
+        let scale = if self.is_log { told } else { self.factor };
+        ParameterResult { value: told, u: u * scale, unit: self.unit.into() }
+    }
 }
 
 /// Where any value has a meaning.

@@ -258,13 +258,8 @@ fn parameters_of(causes: &[Cause], fitted: &Fitted, number: usize) -> BTreeMap<S
     let mut found = BTreeMap::new();
     for (k, (parameter, own)) in cause.expanded(swings).into_iter().enumerate() {
         let u = covariance.as_ref().map_or(f64::INFINITY, |c| c[(first + k, first + k)].max(0.0).sqrt());
-        let (value, u) = if parameter.is_log {
-            (values[k].exp(), values[k].exp() * u)
-        } else {
-            (values[k] * parameter.factor + parameter.zero, u * parameter.factor)
-        };
         let name = own.map_or(parameter.name.into(), |s| format!("{}_{}", parameter.name, s + 1));
-        found.insert(name, ParameterResult { value, u, unit: parameter.unit.into() });
+        found.insert(name, parameter.result(values[k], u));
     }
     found
 }

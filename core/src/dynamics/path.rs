@@ -268,16 +268,16 @@ impl<S: Real> Path<S> {
                 return Err(Error::argument(name, "a positive number", value));
             }
         }
-        if let Some([_, over_s]) = equations.events_s().into_iter().find(|[_, over_s]| *over_s < QUICKEST_S) {
-            let text = format!("something that happens within {over_s} s is too quick to be followed");
-            return Err(Error::no_result("motion", text));
-        }
         let steps = (duration_s / step_s).ceil();
         if steps > fineness.most_pieces as f64 {
             return Err(too_long(fineness.most_pieces));
         }
         let steps = steps as usize;
         let mut integration = Integration::new(equations, start, sizes, step_s, fineness);
+        if let Some([_, over_s]) = integration.events_s.iter().find(|[_, over_s]| *over_s < QUICKEST_S) {
+            let text = format!("something that happens within {over_s} s is too quick to be followed");
+            return Err(Error::no_result("motion", text));
+        }
         integration.path.coefficients.reserve(steps * COEFFICIENTS);
         for n in 0..steps {
             integration.advance(Piece { from_s: n as f64 * step_s, length_s: step_s }, 0)?;

@@ -66,16 +66,11 @@ impl Found<'_> {
             for (k, parameter) in parameters.iter().enumerate() {
                 let at = first + k;
                 let u = covariance.as_ref().map_or(f64::INFINITY, |c| c[(at, at)].max(0.0).sqrt());
-                let (value, scale) = if parameter.is_log {
-                    (fitted.point[at].exp(), fitted.point[at].exp())
-                } else {
-                    (fitted.point[at] * parameter.factor, parameter.factor)
-                };
                 let name = match self.swings.len() {
                     1 => parameter.name.into(),
                     _ => format!("{}_{}", parameter.name, s + 1),
                 };
-                all.insert(name, ParameterResult { value, u: u * scale, unit: parameter.unit.into() });
+                all.insert(name, parameter.result(fitted.point[at], u));
             }
         }
         all
