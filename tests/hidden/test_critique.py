@@ -95,10 +95,19 @@ def test_a_thing_inside_is_no_wind(tmp_path):
     assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["internal_motion"])
 
 
-def test_what_friction_holds_still_may_grow_without_it(tmp_path):
+def test_what_friction_holds_still_does_not_grow_without_it(tmp_path):
     """Friction of 22 σ: derivatives were taken of motions without it, which grew beyond all bounds, and there was no answer."""
     result, _ = answer_to(tmp_path, 141905861965385, 21)
     assert (result["verdict"]["status"], result["verdict"]["causes"]) == ("explained", ["bearing_friction"])
+
+
+def test_no_motion_grows_of_itself(tmp_path):
+    """A clock wrong by 0.2 %, of 3 σ. Sway that nobody had set going, in the swing in yaw, was given a damping rate of -0.1/s, beside which no
+    step led on: the clock was called right, and k_pitch stood 51 standard uncertainties off."""
+    result, truth = answer_to(tmp_path, 600993356818053, 8)
+    verdict, k_pitch = result["verdict"], result["extended"]["quantities"]["k_pitch_m"]
+    assert truth["hidden"][0]["name"] in verdict["causes"] + verdict["indistinguishable_from"]
+    assert abs(k_pitch["value"] - truth["k_pitch_m"]) < 4 * k_pitch["u"]
 
 
 def test_what_bends_to_much_is_not_taken_for_all(tmp_path):

@@ -46,6 +46,9 @@ const PATIENCE: usize = 3;
 const SLOW: f64 = 1e-4;
 /// … and less than this share where many models are tried side by side: the best is led on.
 const SLOW_OF_MANY: f64 = 1e-3;
+/// Damping rates, 1/s: what hangs makes no motion of itself. What nobody set going had a rate of any sign, and where it was below zero a fit
+/// stopped: a step that is short by all derivatives made it grow by e to the power of 12 over a recording.
+const PASSIVE: (f64, f64) = (0.0, f64::INFINITY);
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it, rad.
 const PLACE_U_M: f64 = 5.0;
 const TURN_U_RAD: f64 = 1.0;
@@ -206,7 +209,7 @@ impl Model<'_> {
         enough_share: f64,
         stop: &Stop,
     ) -> Result<Fitted> {
-        let mut point = start.clone();
+        let mut point = self.bounded(start.clone());
         let mut misfit = self.misfit(&point)?;
         let is_kept = matches!(derivatives, Derivatives::Kept(_));
         let mut fresh = matches!(derivatives, Derivatives::Taken);
@@ -493,26 +496,55 @@ impl Model<'_> {
 
     /// What stands at a limit and would go beyond is held there (a strength at zero): its places.
     fn pin(&self, point: &Point, matrix: &mut DMatrix<f64>, gradient: &mut DVector<f64>) -> Vec<usize> {
-        let swings = self.base.swings.len();
-        let mut first = Places::of(self).first_cause();
+        let mut at_limits = self.at_limits(point);
         let mut held = Vec::new();
-        for (cause, values) in self.causes.iter().zip(&point.causes) {
-            for (k, (low, high)) in cause.limits(swings).into_iter().enumerate() {
-                let place = first + k;
-                let goes_out = (values[k] <= low && gradient[place] <= 0.0)
-                    || (values[k] >= high && gradient[place] >= 0.0);
-                if goes_out {
-                    matrix.row_mut(place).fill(0.0);
-                    matrix.column_mut(place).fill(0.0);
-                    // Its width is that of its prior, so that it neither gains nor costs evidence.
-                    matrix[(place, place)] = cause.expanded(swings)[k].0.prior.1.powi(-2);
-                    gradient[place] = 0.0;
-                    held.push(place);
-                }
+        loop {
+            // Beside what it hangs together with it may go the other way than by itself.
+            let factor = if at_limits.is_empty() { None } else { matrix.clone().cholesky() };
+            let step = factor.map(|factor| factor.solve(gradient));
+            let goes_out = |limited: &AtLimit| {
+                let outwards = |way: f64| if limited.is_low { way <= 0.0 } else { way >= 0.0 };
+                outwards(gradient[limited.place])
+                    || step.as_ref().is_some_and(|step| outwards(step[limited.place]))
+            };
+            let (out, stays) = at_limits.into_iter().partition::<Vec<_>, _>(goes_out);
+            for AtLimit { place, u, .. } in &out {
+                matrix.row_mut(*place).fill(0.0);
+                matrix.column_mut(*place).fill(0.0);
+                // Its width is that of its prior, so that it neither gains nor costs evidence.
+                matrix[(*place, *place)] = u.powi(-2);
+                gradient[*place] = 0.0;
+                held.push(*place);
             }
-            first += values.len();
+            if out.is_empty() {
+                return held;
+            }
+            at_limits = stays;
         }
-        held
+    }
+
+    /// What stands at a limit: strengths and other values of causes, damping rates at zero.
+    fn at_limits(&self, point: &Point) -> Vec<AtLimit> {
+        let (swings, places) = (self.base.swings.len(), Places::of(self));
+        let mut found = Vec::new();
+        let mut see = |place: usize, value: f64, (low, high): (f64, f64), u: f64| {
+            if value <= low || value >= high {
+                found.push(AtLimit { place, is_low: value <= low, u });
+            }
+        };
+        let mut place = places.first_cause();
+        for (cause, values) in self.causes.iter().zip(&point.causes) {
+            let parameters = cause.expanded(swings).into_iter().zip(cause.limits(swings));
+            for (((parameter, _), limits), value) in parameters.zip(values) {
+                see(place, *value, limits, parameter.prior.1);
+                place += 1;
+            }
+        }
+        let u = Own::prior_u();
+        for (s, own) in point.owns.iter().enumerate() {
+            (DAMPING..BIAS).for_each(|k| see(places.first_own(s) + k, own[k], PASSIVE, u[k]));
+        }
+        found
     }
 
     /// With a body that there can be, and nothing beyond its limits.
@@ -523,6 +555,8 @@ impl Model<'_> {
             let limits = cause.limits(swings).into_iter();
             values.iter_mut().zip(limits).for_each(|(v, (low, high))| *v = v.clamp(low, high));
         }
+        let rates = point.owns.iter_mut().flat_map(|own| &mut own[DAMPING..BIAS]);
+        rates.for_each(|rate| *rate = rate.clamp(PASSIVE.0, PASSIVE.1));
         point
     }
 
@@ -540,6 +574,13 @@ impl Model<'_> {
         there.owns.iter_mut().flatten().for_each(|v| *v += take());
         there
     }
+}
+
+/// What stands at a limit: its place in the list of all that is fitted, which limit it is, and the width of its prior.
+struct AtLimit {
+    place: usize,
+    is_low: bool,
+    u: f64,
 }
 
 struct Step {

@@ -305,16 +305,6 @@ impl Model<'_> {
         model
     }
 
-    /// Whether the motions stay within the numbers without what derivatives are taken apart from. What a bearing that sticks holds still may
-    /// have damping below nothing: without the friction it grows.
-    pub fn lasts_apart(&self, point: &Point) -> bool {
-        if !self.is_apart() {
-            return true;
-        }
-        let (pliant, there) = self.pliant(point, self.causes.len());
-        self.each(|s| pliant.path(&there, s).is_ok()).into_iter().all(|lasts| lasts)
-    }
-
     pub fn fineness(&self) -> Fineness {
         let kinked = self.causes.iter().any(|c| c.kinked);
         if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }

@@ -156,9 +156,6 @@ impl Found<'_> {
     fn take(&mut self, best: Tried) {
         self.model.causes = best.causes;
         (self.fitted, self.left, self.looked_from) = (best.fitted, best.left, best.from);
-        if !self.model.lasts_apart(&self.fitted.point) {
-            self.model = self.model.whole();
-        }
     }
 
     /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks. Where none takes

@@ -9,7 +9,7 @@ use crate::dynamics::Experiment;
 use crate::error::Result;
 
 use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen};
-use super::{Scales, UNKNOWN, add, cause, logarithm, number, put, strength};
+use super::{Scales, UNKNOWN, add, cause, logarithm, number, put, strength, within};
 
 /// Name in the contract.
 pub const INTERNAL_MOTION: &str = "internal_motion";
@@ -81,10 +81,7 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
         factor: scales.mass_kg,
         ..number(name, unit, 0.0, START_M)
     };
-    let aboard = |name, mean: f64, u: f64| CauseParameter {
-        limits: (mean - ABOARD * u, mean + ABOARD * u),
-        ..number(name, "m", mean, u)
-    };
+    let aboard = |name, mean: f64, u: f64| within(ABOARD, number(name, "m", mean, u));
     let parameters = vec![
         strength("mass_kg", "kg", scales.mass_kg, 0.01),
         logarithm("frequency_hz", "Hz", frequency_hz, 0.4),

@@ -115,6 +115,12 @@ fn logarithm(name: &'static str, unit: &'static str, mean: f64, u: f64) -> Cause
     CauseParameter { is_log: true, ..number(name, unit, mean.ln(), u) }
 }
 
+/// No further from the mean of its prior than so many of its standard deviations.
+fn within(count: f64, parameter: CauseParameter) -> CauseParameter {
+    let (mean, u) = parameter.prior;
+    CauseParameter { limits: (mean - count * u, mean + count * u), ..parameter }
+}
+
 fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
     Cause {
         id,
