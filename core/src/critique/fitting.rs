@@ -96,10 +96,10 @@ pub struct Pace {
 }
 
 /// Information with so much more of each's own.
-fn damped(matrix: &DMatrix<f64>, by: f64) -> Option<Cholesky<f64, Dyn>> {
+fn damped(matrix: &DMatrix<f64>, by: f64) -> DMatrix<f64> {
     let mut damped = matrix.clone();
     (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + by);
-    damped.cholesky()
+    damped
 }
 
 /// Whether a fit that has come so far is hopeless.
@@ -418,9 +418,8 @@ impl Model<'_> {
         let begun = *damping;
         let mut hoped = None;
         while *damping < MOST_DAMPING {
-            let factor = damped(matrix, *damping)?;
-            let whole = factor.solve(gradient);
-            let stiff = if *damping < FIRST_DAMPING { damped(matrix, FIRST_DAMPING)? } else { factor };
+            let whole = within_limits(self.limited(point), damped(matrix, *damping), gradient.clone())?;
+            let stiff = damped(matrix, damping.max(FIRST_DAMPING)).cholesky()?;
             let promised = |delta: &DVector<f64>| 2.0 * gradient.dot(delta) - delta.dot(&(matrix * delta));
             let all_promised = promised(&whole);
             let hoped = *hoped.get_or_insert(all_promised);
@@ -496,55 +495,36 @@ impl Model<'_> {
 
     /// What stands at a limit and would go beyond is held there (a strength at zero): its places.
     fn pin(&self, point: &Point, matrix: &mut DMatrix<f64>, gradient: &mut DVector<f64>) -> Vec<usize> {
-        let mut at_limits = self.at_limits(point);
         let mut held = Vec::new();
-        loop {
-            // Beside what it hangs together with it may go the other way than by itself.
-            let factor = if at_limits.is_empty() { None } else { matrix.clone().cholesky() };
-            let step = factor.map(|factor| factor.solve(gradient));
-            let goes_out = |limited: &AtLimit| {
-                let outwards = |way: f64| if limited.is_low { way <= 0.0 } else { way >= 0.0 };
-                outwards(gradient[limited.place])
-                    || step.as_ref().is_some_and(|step| outwards(step[limited.place]))
-            };
-            let (out, stays) = at_limits.into_iter().partition::<Vec<_>, _>(goes_out);
-            for AtLimit { place, u, .. } in &out {
-                matrix.row_mut(*place).fill(0.0);
-                matrix.column_mut(*place).fill(0.0);
+        for Limited { place, value, limits: (low, high), u } in self.limited(point) {
+            let goes_out =
+                (value <= low && gradient[place] <= 0.0) || (value >= high && gradient[place] >= 0.0);
+            if goes_out {
                 // Its width is that of its prior, so that it neither gains nor costs evidence.
-                matrix[(*place, *place)] = u.powi(-2);
-                gradient[*place] = 0.0;
-                held.push(*place);
+                set_apart(matrix, place, u.powi(-2));
+                gradient[place] = 0.0;
+                held.push(place);
             }
-            if out.is_empty() {
-                return held;
-            }
-            at_limits = stays;
         }
+        held
     }
 
-    /// What stands at a limit: strengths and other values of causes, damping rates at zero.
-    fn at_limits(&self, point: &Point) -> Vec<AtLimit> {
+    /// What has limits: values of causes (strengths that cannot be below zero among them), and damping rates.
+    fn limited(&self, point: &Point) -> Vec<Limited> {
         let (swings, places) = (self.base.swings.len(), Places::of(self));
-        let mut found = Vec::new();
-        let mut see = |place: usize, value: f64, (low, high): (f64, f64), u: f64| {
-            if value <= low || value >= high {
-                found.push(AtLimit { place, is_low: value <= low, u });
-            }
-        };
-        let mut place = places.first_cause();
-        for (cause, values) in self.causes.iter().zip(&point.causes) {
-            let parameters = cause.expanded(swings).into_iter().zip(cause.limits(swings));
-            for (((parameter, _), limits), value) in parameters.zip(values) {
-                see(place, *value, limits, parameter.prior.1);
-                place += 1;
-            }
-        }
+        let values = self.causes.iter().zip(&point.causes).flat_map(|(cause, values)| {
+            let parameters = cause.expanded(swings).into_iter().zip(cause.limits(swings)).zip(values);
+            parameters.map(|(((p, _), limits), value)| (*value, limits, p.prior.1)).collect::<Vec<_>>()
+        });
+        let of_causes =
+            values.enumerate().map(|(k, (value, limits, u))| (places.first_cause() + k, value, limits, u));
         let u = Own::prior_u();
-        for (s, own) in point.owns.iter().enumerate() {
-            (DAMPING..BIAS).for_each(|k| see(places.first_own(s) + k, own[k], PASSIVE, u[k]));
-        }
-        found
+        let rates = |(s, own): (usize, &[f64; OWN])| {
+            let (first, own) = (places.first_own(s), *own);
+            (DAMPING..BIAS).map(move |k| (first + k, own[k], PASSIVE, u[k]))
+        };
+        let all = of_causes.chain(point.owns.iter().enumerate().flat_map(rates));
+        all.map(|(place, value, limits, u)| Limited { place, value, limits, u }).collect()
     }
 
     /// With a body that there can be, and nothing beyond its limits.
@@ -576,11 +556,43 @@ impl Model<'_> {
     }
 }
 
-/// What stands at a limit: its place in the list of all that is fitted, which limit it is, and the width of its prior.
-struct AtLimit {
+/// What has limits: its place in the list of all that is fitted, its value, and the width of its prior.
+struct Limited {
     place: usize,
-    is_low: bool,
+    value: f64,
+    limits: (f64, f64),
     u: f64,
+}
+
+/// Makes what is at a place hang together with nothing.
+fn set_apart(matrix: &mut DMatrix<f64>, place: usize, information: f64) {
+    matrix.row_mut(place).fill(0.0);
+    matrix.column_mut(place).fill(0.0);
+    matrix[(place, place)] = information;
+}
+
+/// The change that takes a gradient away; what would go beyond a limit goes as far as that, and all else makes the best of it.
+fn within_limits(
+    mut open: Vec<Limited>,
+    mut matrix: DMatrix<f64>,
+    mut gradient: DVector<f64>,
+) -> Option<DVector<f64>> {
+    loop {
+        let change = matrix.clone().cholesky()?.solve(&gradient);
+        let there = |limited: &Limited| limited.value + change[limited.place];
+        let goes_beyond = |l: &Limited| there(l) < l.limits.0 || there(l) > l.limits.1;
+        let (beyond, within) = open.into_iter().partition::<Vec<_>, _>(goes_beyond);
+        if beyond.is_empty() {
+            return Some(change);
+        }
+        for limited in &beyond {
+            let as_far = there(limited).clamp(limited.limits.0, limited.limits.1) - limited.value;
+            gradient.axpy(-as_far, &matrix.column(limited.place), 1.0);
+            set_apart(&mut matrix, limited.place, 1.0);
+            gradient[limited.place] = as_far;
+        }
+        open = within;
+    }
 }
 
 struct Step {
@@ -623,5 +635,29 @@ impl Fitted {
     pub fn half_log_determinant(&self) -> Option<f64> {
         let l = self.cholesky()?;
         Some(l.l_dirty().diagonal().iter().map(|d| d.ln()).sum())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_would_go_beyond_a_limit_stops_there_and_all_else_makes_the_best_of_it() {
+        let a = DMatrix::from_row_slice(4, 3, &[1.0, 0.9, 0.2, 0.3, 1.0, 0.8, 0.5, 0.4, 1.0, 0.2, 0.1, 0.7]);
+        let b = DVector::from_row_slice(&[-1.0, 2.0, 0.5, -0.3]);
+        let (matrix, gradient) = (a.tr_mul(&a), a.tr_mul(&b));
+        let change = |limits: [(f64, f64); 2]| {
+            let limited = |k: usize| Limited { place: 2 * k, value: 1.0, limits: limits[k], u: 1.0 };
+            within_limits(vec![limited(0), limited(1)], matrix.clone(), gradient.clone()).unwrap()
+        };
+        let close = |found: DVector<f64>, expected: [f64; 3]| {
+            assert!((found - DVector::from_row_slice(&expected)).amax() < 1e-8);
+        };
+        // scipy.optimize.lsq_linear(a, b, bounds, method="bvls", tol=1e-14).
+        let free = (f64::NEG_INFINITY, f64::INFINITY);
+        close(change([free, free]), [-3.188286314, 2.341246561, 0.8011712927]);
+        close(change([(0.0, f64::INFINITY), free]), [-1.0, 0.8298619024, 0.7219816781]);
+        close(change([(0.0, 2.0), (0.0, 0.6)]), [-1.0, 1.651515152, -0.4]);
     }
 }
