@@ -134,8 +134,7 @@ fn conclude(
 
 /// The swing that would tell the cause taken last from a rival.
 fn would_tell(found: &Found, rival: &Tried) -> Option<NextSwing> {
-    let mut other = found.model.clone();
-    *other.causes.last_mut()? = rival.cause.clone();
+    let other = Model { causes: rival.causes.clone(), ..found.model.clone() };
     next_swing(
         &Explained { model: &found.model, point: &found.fitted.point, id: found.model.causes.last()?.id },
         &Explained { model: &other, point: &rival.fitted.point, id: rival.cause.id },

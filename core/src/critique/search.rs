@@ -30,6 +30,10 @@ const FURTHER: usize = 3;
 const GUSTY: f64 = 0.15;
 /// A cause that takes less than this share of what is left leaves room for gusts of a wind that blows no other way.
 const TAKEN: f64 = 0.5;
+/// A wind that hardly blows but in gusts brakes by this share of what is expected of winds before its gusts are fitted.
+const FAINT: f64 = 0.1;
+/// Gusts that come so often in a recording at most make no line in what is left.
+const SLOW_GUSTS: u32 = 8;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
 /// What moves inside is looked for anew so often beside a second.
@@ -94,11 +98,11 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         let looked = found.looks()?;
         tell(progress, done + 0.08, FULL)?;
         let mut tried = found.tried(foremost(&looked.looks), &|| tell(progress, done + 0.13, FULL))?;
-        if let Some(wind) = found.may_blow(&mut tried, &looked.looks) {
+        if let Some(wind) = found.may_blow(&tried, &looked.looks) {
             tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
                 found.rounds.push(Round { tried, taken: true, looked: None });
-                if found.is_unexplained() {
+                if found.is_unexplained() || found.left.is_white() {
                     continue;
                 }
                 break;
@@ -158,38 +162,64 @@ impl Found<'_> {
         (self.fitted, self.left, self.looked_from) = (best.fitted, best.left, best.from);
     }
 
-    /// Place among those tried of a wind that is the best, or that a better one leaves room for: gusts may be what that lacks. Where none takes
-    /// much of what is left, a wind is tried that hardly blows but in gusts.
-    fn may_blow(&self, tried: &mut Vec<Tried>, looks: &[Look]) -> Option<usize> {
-        let takes = |best: &Tried| best.left.excess() < TAKEN * self.left.excess();
-        let known = tried.iter().position(|t| t.cause.id == WIND);
+    /// A wind that is the best of those tried, or that a better one leaves room for: gusts may be what that lacks. Where none takes much of what
+    /// is left, or where something seems to move inside as slowly as gusts come, a wind that hardly blows but in gusts.
+    fn may_blow(&self, tried: &[Tried], looks: &[Look]) -> Option<Tried> {
+        let best = tried.first();
+        let steady = tried.iter().find(|t| t.cause.id == WIND);
         let is_taken = self.model.causes.iter().any(|cause| cause.id == WIND);
-        if !is_taken && !self.left.is_white() && !tried.first().is_some_and(takes) {
-            return known.or_else(|| {
+        let takes = |best: &Tried| best.left.excess() < TAKEN * self.left.excess();
+        if !is_taken && !self.left.is_white() && !best.is_some_and(|best| takes(best) && !is_slow(best)) {
+            let of_looks = || {
                 let winds = looks.iter().filter(|look| look.cause.id == WIND);
-                let best = winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?;
-                tried.push(self.fit(best, f64::INFINITY, false)?);
-                Some(tried.len() - 1)
-            });
+                self.fit(winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?, f64::INFINITY, false)
+            };
+            let steady = steady.cloned().or_else(of_looks).filter(|wind| wind.gain > LEAST_GAIN);
+            return steady.or_else(|| self.in_gusts_alone(GUSTY * best.map_or(0.0, |best| best.gain)));
         }
-        let best = tried.first().filter(|best| best.gain > LEAST_GAIN)?;
-        let wind = known.filter(|wind| tried[*wind].gain > GUSTY * best.gain)?;
-        (wind == 0 || !best.left.is_next_to_nothing(&self.base_left)).then_some(wind)
+        let best = best.filter(|best| best.gain > LEAST_GAIN)?;
+        let wind = steady.filter(|wind| wind.gain > GUSTY * best.gain)?;
+        let is_best = best.cause.id == WIND;
+        (is_best || !best.left.is_next_to_nothing(&self.base_left)).then(|| wind.clone())
+    }
+
+    /// A faint wind, as it is before any fit: the one whose gusts promise most, slow ones and those where most is left. None where they promise
+    /// no more than a gain.
+    fn in_gusts_alone(&self, least_gain: f64) -> Option<Tried> {
+        let scales = Scales::of(self.model.base, &self.fitted.point).ok()?;
+        let peaks_hz = self.left.peaks_hz(PEAKS).into_iter().filter(|hz| *hz < FASTEST_GUST_HZ);
+        let slow_hz = (1..=SLOW_GUSTS).map(|k| f64::from(k) / self.longest_s());
+        let tones = self.tones(GUSTS[0], slow_hz.chain(peaks_hz));
+        let winds = catalogue(&scales).into_iter().filter(|cause| cause.id == WIND);
+        let each = winds.filter_map(|wind| {
+            let model = self.model.with(&wind);
+            let mut point = self.fitted.point.clone();
+            let mut values = wind.start(model.base.swings.len());
+            values[0] = FAINT * wind.parameters[0].prior.1;
+            point.causes.push(values);
+            let fitted = model.unmoved(&point).ok()?;
+            let looks = looks_at(&Standing::of(&model, &fitted).ok()?, &tones);
+            let gain = looks.iter().map(|look| look.gain).fold(f64::NEG_INFINITY, f64::max);
+            (gain > least_gain.max(FURTHER_GAIN)).then_some((gain, wind, model, fitted))
+        });
+        let (_, wind, model, fitted) = each.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        self.weighed_up(&wind, model, fitted)
     }
 
     /// Takes a wind and its gusts where they are the best; else all stays as it was.
-    fn blows_better(&mut self, tried: &mut [Tried], wind: usize) -> bool {
-        let blows = tried[wind].gain > GUSTY * tried[0].gain;
-        let pays = wind == 0 && self.pays(&tried[0]);
+    fn blows_better(&mut self, tried: &mut Vec<Tried>, wind: Tried) -> bool {
+        let best_gain = tried.first().map_or(0.0, |best| best.gain);
+        let blows = wind.gain > GUSTY * best_gain;
+        let pays = tried.first().is_some_and(|best| best.cause.id == WIND && self.pays(best));
         let left = self.left.excess();
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
-        self.take(tried[wind].clone());
-        let with_gusts = tried[wind].gain + self.blow();
+        self.take(wind.clone());
+        let with_gusts = wind.gain + self.blow();
         // One that does not must account for what is left by its gusts.
         let accounts = blows || self.left.excess() < TAKEN * left;
-        if pays || (accounts && with_gusts > tried[0].gain.max(LEAST_GAIN)) {
-            tried[wind].gain = with_gusts;
-            tried[..=wind].rotate_right(1);
+        if pays || (accounts && with_gusts > best_gain.max(LEAST_GAIN)) {
+            tried.retain(|t| t.cause.id != WIND);
+            tried.insert(0, Tried { gain: with_gusts, left: self.left.clone(), ..wind });
             return true;
         }
         (self.model, self.fitted, self.left, self.looked_from) = kept;
@@ -198,18 +228,15 @@ impl Found<'_> {
 
     /// A wind that was taken may come in gusts: tones of it are added while something is left and they pay. Their gain.
     fn blow(&mut self) -> f64 {
-        let durations = self.model.base.swings.iter().map(|swung| swung.samples.duration_s);
-        let duration_s = durations.fold(0.0, f64::max);
-        let count = (FASTEST_GUST_HZ * duration_s) as usize;
+        let resolved_hz = self.longest_s().recip();
+        let count = (FASTEST_GUST_HZ / resolved_hz) as usize;
         let mut gained = 0.0;
         for tone in GUSTS {
             if self.left.is_white() {
                 break;
             }
             let Ok(standing) = Standing::of(&self.model, &self.fitted) else { break };
-            let tones: Vec<Cause> =
-                (1..=count).map(|k| gust(tone, k as f64 / duration_s, duration_s)).collect();
-            let looks = looks_at(&standing, &tones);
+            let looks = looks_at(&standing, &self.tones(tone, (1..=count).map(|k| k as f64 * resolved_hz)));
             let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
             let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
             let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
@@ -217,6 +244,17 @@ impl Found<'_> {
             self.take(tried);
         }
         gained
+    }
+
+    /// Gusts of given frequencies.
+    fn tones(&self, tone: [&'static str; 3], frequencies_hz: impl Iterator<Item = f64>) -> Vec<Cause> {
+        let duration_s = self.longest_s();
+        frequencies_hz.map(|hz| gust(tone, hz, duration_s)).collect()
+    }
+
+    /// Duration of the longest swing, s.
+    fn longest_s(&self) -> f64 {
+        self.model.base.swings.iter().map(|swung| swung.samples.duration_s).fold(0.0, f64::max)
     }
 
     /// A cause taken first may owe its gain to one that was taken later: without it nothing is then lost, and it goes.
@@ -457,8 +495,21 @@ impl Found<'_> {
         if best.cause.form == Form::Second && self.left.is_white() {
             return best.gain > FURTHER_GAIN;
         }
+        // Winds are irregular: what a steady one and a few tones leave is nothing for another to pick up either, and nothing to bend.
+        let taken = self.rounds.iter().filter(|round| round.taken).filter_map(|round| round.tried.first());
+        let wind = taken.filter(|t| t.cause.id == WIND).map(|t| t.gain).max_by(f64::total_cmp);
+        if let Some(wind) = wind.filter(|_| self.left.is_white()) {
+            let is_clean = best.cause.id != UNKNOWN && best.left.is_white();
+            return is_clean && best.gain > FURTHER_GAIN.max(GUSTY * wind);
+        }
         pays(first.map(|first| first.gain), best.gain, &best.left, &self.left)
     }
+}
+
+/// Whether what was tried is something inside that moves as slowly as gusts come.
+fn is_slow(tried: &Tried) -> bool {
+    let frequency = parameters(tried).remove("frequency_hz");
+    tried.cause.id == INTERNAL_MOTION && frequency.is_some_and(|f| f.value < FASTEST_GUST_HZ)
 }
 
 /// The first of each name, with those of its other forms that promise nearly as much.
