@@ -168,8 +168,8 @@ impl Found<'_> {
         let best = tried.first();
         let steady = tried.iter().find(|t| t.cause.id == WIND);
         let is_taken = self.model.causes.iter().any(|cause| cause.id == WIND);
-        let takes = |best: &Tried| best.left.excess() < TAKEN * self.left.excess();
-        if !is_taken && !self.left.is_white() && !best.is_some_and(|best| takes(best) && !is_slow(best)) {
+        let is_new = !is_taken && !self.left.is_white();
+        if is_new && !best.is_some_and(|best| best.left.excess() < TAKEN * self.left.excess()) {
             let of_looks = || {
                 let winds = looks.iter().filter(|look| look.cause.id == WIND);
                 self.fit(winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?, f64::INFINITY, false)
@@ -178,9 +178,10 @@ impl Found<'_> {
             return steady.or_else(|| self.in_gusts_alone(GUSTY * best.map_or(0.0, |best| best.gain)));
         }
         let best = best.filter(|best| best.gain > LEAST_GAIN)?;
-        let wind = steady.filter(|wind| wind.gain > GUSTY * best.gain)?;
-        let is_best = best.cause.id == WIND;
-        (is_best || !best.left.is_next_to_nothing(&self.base_left)).then(|| wind.clone())
+        let leaves_some = best.cause.id == WIND || !best.left.is_next_to_nothing(&self.base_left);
+        let steady = steady.filter(|wind| leaves_some && wind.gain > GUSTY * best.gain).cloned();
+        let in_gusts = || (is_new && is_slow(best)).then(|| self.in_gusts_alone(GUSTY * best.gain)).flatten();
+        steady.or_else(in_gusts)
     }
 
     /// A faint wind, as it is before any fit: the one whose gusts promise most, slow ones and those where most is left. None where they promise
@@ -215,8 +216,10 @@ impl Found<'_> {
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(wind.clone());
         let with_gusts = wind.gain + self.blow();
-        // One that does not must account for what is left by its gusts.
-        let accounts = blows || self.left.excess() < TAKEN * left;
+        // One that does not must account for what is left by its gusts: for all of it in the place of something inside that takes much.
+        let is_instead = tried.first().is_some_and(|best| is_slow(best) && best.left.excess() < TAKEN * left);
+        let takes = if is_instead { self.left.is_white() } else { self.left.excess() < TAKEN * left };
+        let accounts = blows || takes;
         if pays || (accounts && with_gusts > best_gain.max(LEAST_GAIN)) {
             tried.retain(|t| t.cause.id != WIND);
             tried.insert(0, Tried { gain: with_gusts, left: self.left.clone(), ..wind });
@@ -257,11 +260,12 @@ impl Found<'_> {
         self.model.base.swings.iter().map(|swung| swung.samples.duration_s).fold(0.0, f64::max)
     }
 
-    /// A cause taken first may owe its gain to one that was taken later: without it nothing is then lost, and it goes.
+    /// A cause taken first may owe its gain to one that was taken later, and one taken later to a first whose fit had ended elsewhere: without it
+    /// nothing is then lost, and it goes.
     fn prune(&mut self) {
         let swings = self.model.base.swings.len();
-        for k in (0..self.model.causes.len().saturating_sub(1)).rev() {
-            if self.model.causes[k].form == Form::Gust || self.is_sure_of(k) {
+        for k in (0..self.model.causes.len()).rev() {
+            if self.model.causes.len() == 1 || self.model.causes[k].form == Form::Gust || self.is_sure_of(k) {
                 continue;
             }
             let mut model = self.model.clone();
