@@ -169,7 +169,7 @@ impl Found<'_> {
         let steady = tried.iter().find(|t| t.cause.id == WIND);
         let is_taken = self.model.causes.iter().any(|cause| cause.id == WIND);
         let is_new = !is_taken && !self.left.is_white();
-        if is_new && !best.is_some_and(|best| best.left.excess() < TAKEN * self.left.excess()) {
+        if is_new && !best.is_some_and(|best| takes_much(&best.left, &self.left)) {
             let of_looks = || {
                 let winds = looks.iter().filter(|look| look.cause.id == WIND);
                 self.fit(winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?, f64::INFINITY, false)
@@ -212,13 +212,13 @@ impl Found<'_> {
         let best_gain = tried.first().map_or(0.0, |best| best.gain);
         let blows = wind.gain > GUSTY * best_gain;
         let pays = tried.first().is_some_and(|best| best.cause.id == WIND && self.pays(best));
-        let left = self.left.excess();
+        let is_instead =
+            tried.first().is_some_and(|best| is_slow(best) && takes_much(&best.left, &self.left));
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(wind.clone());
         let with_gusts = wind.gain + self.blow();
         // One that does not must account for what is left by its gusts: for all of it in the place of something inside that takes much.
-        let is_instead = tried.first().is_some_and(|best| is_slow(best) && best.left.excess() < TAKEN * left);
-        let takes = if is_instead { self.left.is_white() } else { self.left.excess() < TAKEN * left };
+        let takes = if is_instead { self.left.is_white() } else { takes_much(&self.left, &kept.2) };
         let accounts = blows || takes;
         if pays || (accounts && with_gusts > best_gain.max(LEAST_GAIN)) {
             tried.retain(|t| t.cause.id != WIND);
@@ -508,6 +508,11 @@ impl Found<'_> {
         }
         pays(first.map(|first| first.gain), best.gain, &best.left, &self.left)
     }
+}
+
+/// Whether so little is left of what was left before that there is no room for gusts.
+fn takes_much(left: &Left, before: &Left) -> bool {
+    left.excess() < TAKEN * before.excess()
 }
 
 /// Whether what was tried is something inside that moves as slowly as gusts come.
