@@ -24,6 +24,8 @@ EVERY = 5  # samples taken for sensitivities; each counts as so many
 STEP_S = 0.05
 BACK = 0.02  # share of the hidden strength over which its sensitivity is taken, to both sides
 MOMENT_S = 0.05  # by which a moment is taken to be off: readings kept are so far apart
+START_M = 0.01  # by which a slider is taken to be let go elsewhere
+SLIDER_STEPS = {"mass_share": 0.02, "frequency_hz": 0.01, "damping_ratio": 0.05}  # shares of themselves by which they are taken to be off
 SAME = 1e-12  # squared sine below which two directions are one
 FAINT = 1e-3  # of a cause's strongest direction: weaker ones are not counted as directions
 CAUSES_IN_BASE = ("bias_drift",)
@@ -296,25 +298,29 @@ def span(columns: np.ndarray) -> np.ndarray:
 
 
 def one_slider(study: Study, reduced: Reduced, hidden, k: int) -> np.ndarray:
-    """How a single slosh may change: the one of two sliders that it explains, in mass, frequency, damping, way and place."""
-    columns = []
-    for key, factor in (("mass_share", 1.02), ("frequency_hz", 1.01), ("damping_ratio", 1.05)):
-        columns.append(slider_difference(study, reduced, hidden, k, key, hidden.parameters["sliders"][k][key] * factor))
+    """How a single slosh may change: the one of two sliders that it explains, in mass, frequency, damping, way and place, and in each swing
+    where it is and how fast at the release, which nobody states. To both sides, like what it stands beside: what bends cancels."""
     slider = hidden.parameters["sliders"][k]
-    c, s = np.cos(0.02), np.sin(0.02)
-    x, y, _ = slider["way"]
-    columns.append(slider_difference(study, reduced, hidden, k, "way", [c * x - s * y, s * x + c * y, 0.0]))
-    for axis in np.eye(3):
-        columns.append(slider_difference(study, reduced, hidden, k, "place_m", list(np.array(slider["place_m"]) + 0.02 * axis)))
-    return np.array(columns).T
+    way = slider["way"]
+    across = np.array([-way[1], way[0], 0.0])
+    steps = [(key, share * slider[key]) for key, share in SLIDER_STEPS.items()]
+    steps += [("way", 0.02 * across), *(("place_m", 0.02 * axis) for axis in np.eye(3))]
+    pairs = [[with_slider(hidden, k, key, np.array(slider[key]) + sign * step, sign) for sign in (1, -1)] for key, step in steps]
+    starts = np.diag([START_M, 2 * np.pi * slider["frequency_hz"] * START_M])
+    pairs += [[started(n, k, sign * s, sign) for sign in (1, -1)] for n in range(len(study.session.scenes)) for s in starts]
+    return np.array([reduced.orthogonal(study.central(*pair)) for pair in pairs]).T
 
 
-def slider_difference(study: Study, reduced: Reduced, hidden, k: int, key: str, value) -> np.ndarray:
+def with_slider(hidden, k: int, key: str, value: np.ndarray, unit: float) -> Change:
     """Another value of one of a slider's parameters."""
     sliders = [dict(s) for s in hidden.parameters["sliders"]]
     sliders[k][key] = value
-    change = Change(lambda s: OUTSIDE["second_slosh"].put(s, {"sliders": sliders}, 1.0), 1.0)
-    return reduced.orthogonal(study.difference(change))
+    return Change(lambda s: OUTSIDE["second_slosh"].put(s, {"sliders": sliders}, 1.0), unit)
+
+
+def started(swing: int, k: int, start: np.ndarray, unit: float) -> Change:
+    """A slider that is let go in a swing from elsewhere, or with a speed."""
+    return Change(lambda s: s.scenes[swing].extras["slider_start"][0].__setitem__(k, start), unit, swing)
 
 
 def beyond(signal: np.ndarray, columns: np.ndarray) -> float:

@@ -42,6 +42,7 @@ RIG = np.dtype(
         ("slider_way", F8, (2, 3)),  # unit vector, hull axes
         ("slider_spring", F8, 2),
         ("slider_damping", F8, 2),
+        ("slider_start", F8, (2, 2)),  # m and m/s at the release
         ("wind_area", F8, 2),  # m2, drag area to wind along hull x and along hull y
         ("wind_arm", F8),  # m, centre of pressure forward of the centre of mass
         ("wind", F8, 2),  # m/s, mean, world

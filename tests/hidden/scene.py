@@ -115,13 +115,14 @@ def rig_of(scene: Scene) -> np.ndarray:
 
 
 def start_of(scene: Scene, rig: np.ndarray) -> np.ndarray:
-    """State at the release: rest, displaced; a support that yields is already bent."""
+    """State at the release: rest, displaced; a support that yields is already bent, and what slides is where it is put."""
     line = scene.line_m.mean()
     drop = np.sqrt(line**2 - (scene.top_spacing_m - scene.spacing_m) ** 2 / 4)
     centre = -rig["point"][0].mean(0)
     rest = np.concatenate([centre - [0, 0, drop], [1.0], np.zeros(9)])[:, None]
     state = np.zeros(motion.STATE)
     state[:13] = rb.displaced(rest, scene.move, scene.rate)[:, 0]
+    state[motion.SLIDERS : motion.SUPPORT] = np.ravel(rig["slider_start"])
     if rig["support"][0, 0] > 0:
         aside = scene.move[:2] - np.cross(scene.move[3:], centre)[:2]
         bent = scene.mass_kg * scene.gravity_m_s2 / line * aside / rig["support"][0, 1]

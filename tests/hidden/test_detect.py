@@ -107,3 +107,20 @@ def test_a_limit_takes_away_from_what_shows(drawn):
     alone = detect.study(drawn, [clock])["effects"][0]["signal_sigma"]
     beside = detect.study(drawn, [limit, clock])["effects"][1]["signal_sigma"]
     assert 0 < beside <= 1.01 * alone
+
+
+def test_a_second_slosh_that_weighs_nothing_leaves_nothing_beside_the_first(drawn):
+    """However strong the first, all of it is that of one; with a second as heavy, elsewhere and along another way, much is not."""
+    seed = blind.fresh_seed()
+    print("sliders' seed", seed)
+    rng = np.random.default_rng(seed)
+    omega = max(mode.omega_rad_s for mode in drawn.hungs[0].modes.values())
+    slider = lambda share, way, times: {
+        "mass_share": share, "place_m": [*rng.uniform(0.1, 0.2, 2), -0.1], "way": way, "damping_ratio": 0.05,
+        "frequency_hz": times * omega / (2 * np.pi),
+    }  # fmt: skip
+    for share, stands_out in ((1e-12, False), (0.02, True)):
+        sliders = [slider(0.02, [0.8, 0.6, 0.0], 1.1), slider(share, [-0.6, 0.8, 0.0], 0.7)]
+        found = detect.study(drawn, [sessions.Hidden("second_slosh", {"sliders": sliders})])["effects"][0]
+        assert found["signal_sigma"] > 100
+        assert (found["beyond_best_cause_sigma"] > 1e-3 * found["signal_sigma"]) == stands_out

@@ -203,6 +203,22 @@ def test_a_slider_and_the_hull_swing_as_two_masses():
     assert left(expected * [1.001, 1]) > 5 * left(expected)
 
 
+def test_hull_and_slider_let_go_in_one_of_their_modes_stay_in_it():
+    """Where the slider is put at the release by the eigenvector of (K - ω² M) x = 0, hull and slider swing at that ω alone."""
+    om, m = 4.0, 0.05 * MASS
+    mass, stiffness = np.array([[MASS, m], [m, m]]), np.diag([MASS * G / LINE, m * om**2])
+    squares, shapes = eigh(stiffness, mass)
+    for square, (hull, slider) in zip(squares, shapes.T):
+        s = scene(SWAY, 0.002, 100.0)
+        e = s.extras[0]
+        e["slider_mass"][0], e["slider_place"][0], e["slider_way"][0] = m, [0.0, 0.0, -DEPTH], [0, 1, 0]
+        e["slider_spring"][0], e["slider_start"][0] = m * om**2, [0.002 * slider / hull, 0.0]
+        y, both = swung(s)[:, 1], np.sqrt(squares)
+        parts = np.column_stack([f(w * s.shown_s) for w in both for f in (np.cos, np.sin)])
+        sizes = np.hypot(*np.linalg.lstsq(parts, y, rcond=None)[0].reshape(2, 2).T)
+        assert sizes[squares != square] < 0.01 * sizes[squares == square]
+
+
 def test_lines_further_apart_above_follow_the_small_motions():
     """Yaw with d below and d' above: κ = m g d d'/h, h being the height between (Hinrichsen 2014, unequal spacings)."""
     s = scene(YAW, 1e-3)
