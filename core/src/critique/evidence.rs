@@ -16,7 +16,7 @@ const FURTHER_SHARE: f64 = 3e-3;
 const FURTHER_TAKES: f64 = 0.7;
 
 /// The gain that is asked of a cause: of the first, and of a further one where nothing is left to see.
-fn asked(first_gain: Option<f64>) -> f64 {
+pub fn asked(first_gain: Option<f64>) -> f64 {
     first_gain.map_or(LEAST_GAIN, |first| FURTHER_GAIN.max(FURTHER_SHARE * first))
 }
 

@@ -15,6 +15,9 @@ use super::fitting::{Fitted, Places};
 use super::linear::Reader;
 use super::point::{Cause, Model, Point, Seen};
 
+/// Gains that differ by a smaller share are those of one law: rounding is below it.
+const SAME: f64 = 1e-6;
+
 /// A fitted model as first looks see it. They are made side by side.
 pub struct Standing<'a> {
     pub model: Model<'a>,
@@ -110,6 +113,12 @@ impl Look {
         let delta = laid_out(model, &solved.rest, &values);
         let glimpse = Glimpse { cause: cause.clone(), places: strengths, sums: equations.sums };
         Ok(Self { cause: cause.clone(), gain: solved.gain, delta, others: vec![], glimpse: Some(glimpse) })
+    }
+
+    /// Whether another form of the same cause promises just the same: a length is a share of the spacing where there is but one.
+    pub fn is_seen_as(&self, other: &Self) -> bool {
+        let mut looks = [self].into_iter().chain(&self.others);
+        looks.any(|known| (known.gain - other.gain).abs() < SAME * known.gain.abs())
     }
 
     /// The point that the look leads to, by a share of the way.

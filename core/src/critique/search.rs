@@ -10,7 +10,7 @@ use super::causes::{
     GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, moving,
     ringing, seconds,
 };
-use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, gain, is_missed, pays};
+use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
 use super::look::{Look, Standing};
 use super::moments::moments;
@@ -42,6 +42,8 @@ const ANEW: usize = 2;
 const PEAKS: usize = 4;
 /// Derivatives without a cause can put the logarithm of its evidence off by so much: 3 of it were seen, and 4.6 are what a verdict turns on.
 const CLOSE: f64 = 15.0;
+/// … this is what was seen.
+const SEEN_OFF: f64 = 3.0;
 /// First looks are right to this share, where laws are not linear.
 const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name come first where they leave less than this share of what the best cause does.
@@ -55,8 +57,9 @@ const SURE: f64 = 1e3;
 const OF_MOMENT: [&str; 5] = ["at_s", "over_s", "shift_x_m", "shift_y_m", "shift_z_m"];
 /// … and how far they may move, shares of a derivative's step, while what they are judged by is held out.
 const PINNED: f64 = 1e-3;
-/// A fit to a part of the recordings that gained more of χ² than this in its last step has not arrived.
-const UNSETTLED: f64 = 0.1;
+/// A fit to a part of the recordings that gained more of χ² than this for each row in its last step has not arrived: the fifth digit of what is
+/// left in noises.
+const UNSETTLED: f64 = 2e-5;
 
 /// One round: what was tried, the best first.
 #[derive(Clone)]
@@ -175,22 +178,23 @@ impl Found<'_> {
                 self.fit(winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?, f64::INFINITY, false)
             };
             let steady = steady.cloned().or_else(of_looks).filter(|wind| wind.gain > LEAST_GAIN);
-            return steady.or_else(|| self.in_gusts_alone(GUSTY * best.map_or(0.0, |best| best.gain)));
+            return steady.or_else(|| self.in_gusts_alone(best));
         }
         let best = best.filter(|best| best.gain > LEAST_GAIN)?;
         let leaves_some = best.cause.id == WIND || !best.left.is_next_to_nothing(&self.base_left);
         let steady = steady.filter(|wind| leaves_some && wind.gain > GUSTY * best.gain).cloned();
-        let in_gusts = || (is_new && is_slow(best)).then(|| self.in_gusts_alone(GUSTY * best.gain)).flatten();
-        steady.or_else(in_gusts)
+        let is_alike = !is_taken && slow_hz(best).is_some();
+        steady.or_else(|| is_alike.then(|| self.in_gusts_alone(Some(best))).flatten())
     }
 
-    /// A faint wind, as it is before any fit: the one whose gusts promise most, slow ones and those where most is left. None where they promise
-    /// no more than a gain.
-    fn in_gusts_alone(&self, least_gain: f64) -> Option<Tried> {
+    /// A faint wind, as it is before any fit: the one whose gusts promise most, slow ones, those where most is left, and one as slow as what the
+    /// best of those tried has inside. None where they promise little beside what that gains.
+    fn in_gusts_alone(&self, best: Option<&Tried>) -> Option<Tried> {
+        let least_gain = GUSTY * best.map_or(0.0, |best| best.gain);
         let scales = Scales::of(self.model.base, &self.fitted.point).ok()?;
         let peaks_hz = self.left.peaks_hz(PEAKS).into_iter().filter(|hz| *hz < FASTEST_GUST_HZ);
-        let slow_hz = (1..=SLOW_GUSTS).map(|k| f64::from(k) / self.longest_s());
-        let tones = self.tones(GUSTS[0], slow_hz.chain(peaks_hz));
+        let lowest_hz = (1..=SLOW_GUSTS).map(|k| f64::from(k) / self.longest_s());
+        let tones = self.tones(GUSTS[0], lowest_hz.chain(peaks_hz).chain(best.and_then(slow_hz)));
         let winds = catalogue(&scales).into_iter().filter(|cause| cause.id == WIND);
         let each = winds.filter_map(|wind| {
             let model = self.model.with(&wind);
@@ -212,11 +216,11 @@ impl Found<'_> {
         let best_gain = tried.first().map_or(0.0, |best| best.gain);
         let blows = wind.gain > GUSTY * best_gain;
         let pays = tried.first().is_some_and(|best| best.cause.id == WIND && self.pays(best));
-        let is_instead =
-            tried.first().is_some_and(|best| is_slow(best) && takes_much(&best.left, &self.left));
+        let takes_enough = |best: &Tried| self.left.is_white() || takes_much(&best.left, &self.left);
+        let is_instead = tried.first().is_some_and(|best| slow_hz(best).is_some() && takes_enough(best));
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(wind.clone());
-        let with_gusts = wind.gain + self.blow();
+        let with_gusts = wind.gain + self.blow(if is_instead { best_gain - wind.gain } else { 0.0 });
         // One that does not must account for what is left by its gusts: for all of it in the place of something inside that takes much.
         let takes = if is_instead { self.left.is_white() } else { takes_much(&self.left, &kept.2) };
         let accounts = blows || takes;
@@ -229,13 +233,14 @@ impl Found<'_> {
         false
     }
 
-    /// A wind that was taken may come in gusts: tones of it are added while something is left and they pay. Their gain.
-    fn blow(&mut self) -> f64 {
+    /// A wind that was taken may come in gusts: tones of it are added while something is left, or less is gained than wanted, and they pay.
+    /// Their gain.
+    fn blow(&mut self, wanted: f64) -> f64 {
         let resolved_hz = self.longest_s().recip();
         let count = (FASTEST_GUST_HZ / resolved_hz) as usize;
         let mut gained = 0.0;
         for tone in GUSTS {
-            if self.left.is_white() {
+            if self.left.is_white() && gained >= wanted {
                 break;
             }
             let Ok(standing) = Standing::of(&self.model, &self.fitted) else { break };
@@ -330,11 +335,11 @@ impl Found<'_> {
     /// Derivatives taken without a cause, or over long steps, lead near the best fit, and say too much or too little of how near: the last
     /// fit has all of them.
     fn polish(&mut self) {
-        self.model = Model { fine: true, ..self.model.whole() };
+        self.model.fine = true;
         if self.fitted.is_fine {
             return;
         }
-        let Ok(fitted) = self.model.fit(&self.fitted.point, &|_| false) else { return };
+        let Ok(fitted) = self.model.whole().fit(&self.fitted.point, &|_| false) else { return };
         let Ok(left) = Left::of(&self.model, &fitted.point) else { return };
         (self.fitted, self.left) = (fitted, left);
     }
@@ -419,9 +424,11 @@ impl Found<'_> {
             t.is_on_its_way() || model.is_coarse() || (is_race && is_near(t) && model.is_apart())
         };
         let to_beat = |k: usize| if k == 0 { unnamed_gain } else { unnamed_gain.max(best_gain) };
+        // Where nothing more is to be seen, what gains too little to be taken is good enough for what it leaves open.
+        let may_pay = !self.left.is_white() || best_gain + SEEN_OFF > asked(self.first_gain());
         let ends = in_parallel(tried.len(), |k| {
             let t = &tried[k];
-            let goes_on = may_be_better(k, t) && is_short_of_its_end(t);
+            let goes_on = may_be_better(k, t) && is_short_of_its_end(t) && may_pay;
             goes_on.then(|| self.led_on(t, to_beat(k), k > 0)).flatten()
         });
         for (t, end) in tried.iter_mut().zip(ends) {
@@ -493,8 +500,13 @@ impl Found<'_> {
         Ok(tried)
     }
 
+    /// What the first cause that was taken gained.
+    fn first_gain(&self) -> Option<f64> {
+        let first = self.rounds.first().filter(|round| round.taken);
+        first.and_then(|round| round.tried.first()).map(|first| first.gain)
+    }
+
     fn pays(&self, best: &Tried) -> bool {
-        let first = self.rounds.first().filter(|round| round.taken).and_then(|round| round.tried.first());
         // Beside what was found to move inside another has the same law, and what a fitted law leaves is nothing for it to pick up.
         if best.cause.form == Form::Second && self.left.is_white() {
             return best.gain > FURTHER_GAIN;
@@ -506,7 +518,7 @@ impl Found<'_> {
             let is_clean = best.cause.id != UNKNOWN && best.left.is_white();
             return is_clean && best.gain > FURTHER_GAIN.max(GUSTY * wind);
         }
-        pays(first.map(|first| first.gain), best.gain, &best.left, &self.left)
+        pays(self.first_gain(), best.gain, &best.left, &self.left)
     }
 }
 
@@ -515,10 +527,11 @@ fn takes_much(left: &Left, before: &Left) -> bool {
     left.excess() < TAKEN * before.excess()
 }
 
-/// Whether what was tried is something inside that moves as slowly as gusts come.
-fn is_slow(tried: &Tried) -> bool {
-    let frequency = parameters(tried).remove("frequency_hz");
-    tried.cause.id == INTERNAL_MOTION && frequency.is_some_and(|f| f.value < FASTEST_GUST_HZ)
+/// Frequency of what was tried, where that is something inside that moves as slowly as gusts come, Hz.
+fn slow_hz(tried: &Tried) -> Option<f64> {
+    let of_inside = Some(tried).filter(|tried| tried.cause.id == INTERNAL_MOTION);
+    let frequency_hz = parameters(of_inside?).remove("frequency_hz")?.value;
+    Some(frequency_hz).filter(|hz| *hz < FASTEST_GUST_HZ)
 }
 
 /// The first of each name, with those of its other forms that promise nearly as much.
@@ -529,7 +542,9 @@ fn foremost(looks: &[Look]) -> Vec<Look> {
             leading.iter_mut().find(|known| known.cause.id == look.cause.id && look.cause.id != UNKNOWN);
         match same {
             None => leading.push(look.clone()),
-            Some(best) if look.gain > RIVAL_SHARE * best.gain => best.others.push(look.clone()),
+            Some(best) if look.gain > RIVAL_SHARE * best.gain && !best.is_seen_as(look) => {
+                best.others.push(look.clone());
+            }
             Some(_) => {}
         }
     }
@@ -545,7 +560,7 @@ fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
 impl<'a> Found<'a> {
     /// A model fitted to the stretches that are not held out, and its χ² and number of rows in those that are.
     pub fn held_out(model: &Model<'a>, fitted: &Fitted) -> Result<(f64, usize)> {
-        let mut fitting = Model { part: Part::Fitted, ..model.clone() };
+        let mut fitting = Model { part: Part::Fitted, ..model.whole() };
         // What happened in a stretch held out cannot be found from the others: it stays where all of them put it.
         for (cause, values) in fitting.causes.iter_mut().zip(&fitted.point.causes) {
             for (parameter, value) in cause.parameters.iter_mut().zip(values) {
@@ -557,7 +572,7 @@ impl<'a> Found<'a> {
         // The fit to all was nearly there, and its derivatives are good enough for what is left of the way.
         let kept = Derivatives::Kept(fitting.of_part(&fitted.jacobians));
         let settled = fitting.fit_with(&fitted.point, kept, CONVERGED_SHARE, &|_| false)?;
-        let fitting = if settled.last_gained < UNSETTLED {
+        let fitting = if settled.last_gained < UNSETTLED * settled.rows as f64 {
             settled
         } else {
             fitting.fit(&settled.point, &|_| false).unwrap_or(settled)

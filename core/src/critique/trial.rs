@@ -11,6 +11,8 @@ use super::white::Left;
 
 /// Shares of the way to where the first look points, from which a full fit may begin.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
+/// Shares of a cause's strengths, and of what each swing has of it by itself, that a fit begins with where the whole led astray.
+const GENTLE: [f64; 3] = [0.3, 0.1, 0.03];
 /// So many forms of a cause are fitted near the data.
 const FORMS: usize = 3;
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
@@ -73,12 +75,36 @@ impl Found<'_> {
                 model.fit_with(&start, known, CONVERGED_SHARE, &|pace| self.is_hopeless(pace, to_beat));
             ends.extend(fitted.ok().and_then(|fitted| self.weighed_up(&form.cause, model, fitted)));
         }
+        // All that end worse than without the cause began too strong.
+        if ends.iter().all(|end| end.fitted.cost > self.fitted.cost) {
+            ends.extend(forms.first().and_then(|form| self.fit_gently(form, best, of_many)));
+        }
         ends.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         // Nothing begins at the others.
         let mut ends = ends.into_iter();
         let first = ends.next()?;
         let others = ends.map(|end| Tried { fitted: Fitted { jacobians: vec![], ..end.fitted }, ..end });
         Some(Tried { ends: others.collect(), ..first })
+    }
+
+    /// From the cause alone as a look has it, but weaker: from the best of several such starts.
+    fn fit_gently(&self, look: &Look, best: f64, of_many: bool) -> Option<Tried> {
+        let model = Model { of_many, ..self.model.with(&look.cause) };
+        let swings = model.base.swings.len();
+        let (begin, seen) = (look.cause.start(swings), look.start(&self.model, &self.fitted, 1.0));
+        let seen = seen.causes.last()?;
+        let grows = look.cause.expanded(swings).into_iter().map(|(p, own)| p.is_strength || own.is_some());
+        let grows: Vec<bool> = grows.collect();
+        let starts = GENTLE.map(|share| {
+            let weaker = |k: usize| begin[k] + if grows[k] { share } else { 1.0 } * (seen[k] - begin[k]);
+            let mut point = self.fitted.point.clone();
+            point.causes.push((0..seen.len()).map(weaker).collect());
+            point
+        });
+        let costs = starts.map(|start| (model.cost(&start).unwrap_or(f64::INFINITY), start));
+        let (_, start) = costs.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let fitted = model.fit(&start, &|pace| self.is_hopeless(pace, best)).ok()?;
+        self.weighed_up(&look.cause, model, fitted)
     }
 
     /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part.
