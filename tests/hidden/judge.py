@@ -9,7 +9,8 @@ an answer fails at once.
 An effect is *testable* where it stands out by more than 10 standard deviations and no other cause points its way (largest
 cosine below 0.95, `detect.py`: of 11 standard deviations that leaves as few as 3 beside the nearest cause, so that those are told
 of by themselves of which 10 are left); one outside the catalogue, where it stands out so far beside the cause that is nearest; one of
-two, where it does so beside the other, every number of which is open.
+two, where it does so beside the other, every number of which is open. A set of causes that are not told apart must hold all of the hidden that
+stands out by so much, or the strongest: one of 1 standard deviation beside it is nobody's to see.
 """
 
 from __future__ import annotations
@@ -87,6 +88,12 @@ class Outcome:
         """Those, and the ones not told from them."""
         return self.named | set(self.verdict.get("indistinguishable_from") or [])
 
+    @property
+    def to_hold(self) -> set[str]:
+        """Of what is hidden, what a set of causes that are not told apart must hold: what stands out, or the strongest."""
+        strengths = {e["name"]: e["signal_sigma"] for e in self.truth["detection"]["effects"]}
+        return {n for n, sigma in strengths.items() if sigma > DETECTABLE_SIGMA or sigma == max(strengths.values())}
+
     def testable(self) -> bool:
         """Whether every hidden effect stands out and looks like no other."""
         key = {"outside": "beyond_best_cause_sigma", "two": "beside_others_sigma"}.get(self.truth["sort"], "signal_sigma")
@@ -134,7 +141,7 @@ def mark_verdict(outcome: Outcome) -> None:
     if sort == "outside" and outcome.testable():
         marks["outside the catalogue called unexplained"] = status == "unexplained"
     if sort in ("one", "two") and status == "ambiguous":
-        marks["ambiguous sets hold the truth"] = outcome.hidden <= outcome.held
+        marks["ambiguous sets hold the truth"] = outcome.to_hold <= outcome.held
 
 
 def mark_quantity(outcome: Outcome, quantity: str) -> None:
@@ -201,7 +208,7 @@ def answer(outcome: Outcome) -> str:
     if outcome.result is None:
         return "no answer"
     if status == "ambiguous":
-        return "ambiguous, with it" if outcome.hidden and outcome.hidden <= outcome.held else "ambiguous, without it"
+        return "ambiguous, with it" if outcome.hidden and outcome.to_hold <= outcome.held else "ambiguous, without it"
     if status == "explained":
         return "right" if outcome.named == outcome.hidden else "+".join(sorted(outcome.named)) or "nothing named"
     return str(status)

@@ -112,6 +112,25 @@ def test_what_is_too_faint_or_looks_alike_does_not_count():
         assert not {"named right, where testable", "both of two named"} & set(marks)
 
 
+def test_a_set_of_causes_need_not_hold_what_nobody_can_see():
+    """Of two effects one of 1 σ may be left out; one of 11 may not, nor the strongest of two that are faint, nor one alone."""
+    rng = np.random.default_rng(6)
+
+    def holds(sigmas: list[float], held: int) -> bool:
+        truth = made_up_truth(rng, {1: "one", 2: "two"}[len(sigmas)])
+        effects = truth["detection"]["effects"]
+        for effect, sigma in zip(effects, sigmas):
+            effect["signal_sigma"] = sigma
+        verdict = {"status": "ambiguous", "causes": ["clock_scale"], "indistinguishable_from": [effects[held]["name"]]}
+        answer = made_up_answer(rng, truth, 1.0, 1.0) | {"verdict": verdict}
+        return judge.judge_session("x", truth, answer, "").marks["ambiguous sets hold the truth"]
+
+    assert holds([50.0, 1.0], 0) and not holds([50.0, 1.0], 1)
+    assert not holds([50.0, 11.0], 0)
+    assert holds([8.0, 5.0], 0) and not holds([8.0, 5.0], 1)
+    assert holds([2.0], 0)
+
+
 def test_no_answer_and_absent_figures_are_counted():
     """A crash is a reason by itself; a missing gyradius is outside its interval; a missing held-out error is too large."""
     truth = made_up_truth(np.random.default_rng(5), "one")
