@@ -101,8 +101,7 @@ impl Found<'_> {
             point.causes.push((0..seen.len()).map(weaker).collect());
             point
         });
-        let costs = starts.map(|start| (model.cost(&start).unwrap_or(f64::INFINITY), start));
-        let (_, start) = costs.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let (_, start) = nearest(&model, starts)?;
         let fitted = model.fit(&start, &|pace| self.is_hopeless(pace, best)).ok()?;
         self.weighed_up(&look.cause, model, fitted)
     }
@@ -129,13 +128,13 @@ impl Found<'_> {
     /// alike, and what it says of all the rest does not hold: the cause alone is then as it has it.
     fn near(&self, look: &Look, model: &Model) -> Option<Point> {
         let starts = SHARES.map(|share| look.start(&self.model, &self.fitted, share));
-        let costs = starts.iter().map(|start| (model.cost(start).unwrap_or(f64::INFINITY), start));
-        let (cost, start) = costs.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let whole = starts[0].causes.last()?.clone();
+        let (cost, start) = nearest(model, starts)?;
         if cost <= self.fitted.cost {
-            return Some(start.clone());
+            return Some(start);
         }
         let mut start = self.fitted.point.clone();
-        start.causes.push(starts[0].causes.last()?.clone());
+        start.causes.push(whole);
         Some(start)
     }
 
@@ -176,6 +175,12 @@ impl Found<'_> {
         let ends = tried.ends.clone();
         self.weighed_up(&tried.cause, model, fitted).map(|led| Tried { ends, ..led })
     }
+}
+
+/// The start that is nearest to the data, and its cost; one that cannot be simulated is the furthest.
+fn nearest(model: &Model, starts: impl IntoIterator<Item = Point>) -> Option<(f64, Point)> {
+    let costs = starts.into_iter().map(|start| (model.cost(&start).unwrap_or(f64::INFINITY), start));
+    costs.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// Whether a fit would end above a cost, were all steps that are left as good as the better of its last two.
