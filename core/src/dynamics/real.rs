@@ -287,15 +287,15 @@ pub(crate) fn solve<S: Real, const N: usize>(a: &mut [[S; N]; N], b: &mut [S; N]
 ///
 /// With A₀ = A's values and x₀ = A₀⁻¹ b, x₀ + A₀⁻¹ (b − A x₀) has the derivatives of the solution: the decomposition has none.
 #[derive(Debug, Clone)]
-pub(crate) struct Decomposed<S: Real, const N: usize> {
-    matrix: [[S; N]; N],
+pub(crate) struct Decomposed<'a, S: Real, const N: usize> {
+    matrix: &'a [[S; N]; N],
     /// L D Lᵀ: L below the diagonal, 1/D on it.
     parts: [[f64; N]; N],
 }
 
-impl<S: Real, const N: usize> Decomposed<S, N> {
+impl<'a, S: Real, const N: usize> Decomposed<'a, S, N> {
     /// A singular matrix gives solutions that are not finite.
-    pub fn new(matrix: [[S; N]; N]) -> Self {
+    pub fn new(matrix: &'a [[S; N]; N]) -> Self {
         let mut parts: [[f64; N]; N] = from_fn(|i| from_fn(|j| matrix[i][j].value()));
         for k in 0..N {
             let inverse = 1.0 / parts[k][k];
@@ -319,7 +319,7 @@ impl<S: Real, const N: usize> Decomposed<S, N> {
             return values.map(S::constant);
         }
         let mut left = *b;
-        for (left, row) in left.iter_mut().zip(&self.matrix) {
+        for (left, row) in left.iter_mut().zip(self.matrix) {
             row.iter().zip(values).for_each(|(cell, x)| left.add_scaled(-x, *cell));
         }
         self.divide(&mut left);

@@ -118,7 +118,7 @@ struct Grip<S: Real> {
 )]
 enum Mass<'a, S: Real> {
     Rigid { inverse_mass: S, inverse_inertia: &'a M3<S> },
-    Full { matrix: Decomposed<S, 6>, turn: M3<S> },
+    Full { matrix: Decomposed<'a, S, 6>, turn: &'a M3<S> },
 }
 
 impl<S: Real> Mass<'_, S> {
@@ -189,7 +189,15 @@ impl<S: Real> Equations<S> {
         for (effect, memory) in &self.effects {
             effect.load(&now, &y[memory.clone()], &self.system, &mut loads);
         }
-        let mass = self.mass(&now, y, &mut loads);
+        let added = self.has_added_mass.then(|| self.added_mass(&now, y));
+        let mass = match &added {
+            None => self.rigid(),
+            Some(added) => {
+                loads.force += times(&now.turn, &added.force);
+                loads.torque += added.torque;
+                Mass::Full { matrix: Decomposed::new(&added.matrix), turn: &now.turn }
+            }
+        };
         let support = self.support(&now, y);
         let grip = self.grip(&now, &mass, support.as_ref());
         let (acceleration, angular_acceleration) = mass.accelerated(&loads.force, &loads.torque);
@@ -223,17 +231,16 @@ impl<S: Real> Equations<S> {
         }
     }
 
-    fn mass(&self, now: &Now<S>, y: &[S], loads: &mut Loads<S>) -> Mass<'_, S> {
-        if !self.has_added_mass {
-            return Mass::Rigid { inverse_mass: self.inverse_mass, inverse_inertia: &self.inverse_inertia };
-        }
+    fn rigid(&self) -> Mass<'_, S> {
+        Mass::Rigid { inverse_mass: self.inverse_mass, inverse_inertia: &self.inverse_inertia }
+    }
+
+    fn added_mass(&self, now: &Now<S>, y: &[S]) -> AddedMass<S> {
         let mut added = AddedMass::rigid(self.system.mass_kg, &self.system.inertia_kg_m2);
         for (effect, memory) in &self.effects {
             effect.add_mass(now, &y[memory.clone()], &self.system, &mut added);
         }
-        loads.force += times(&now.turn, &added.force);
-        loads.torque += added.torque;
-        Mass::Full { matrix: Decomposed::new(added.matrix), turn: now.turn }
+        added
     }
 
     pub fn support(&self, now: &Now<S>, y: &[S]) -> Option<Support<S>> {
@@ -349,7 +356,7 @@ impl<S: Real> Equations<S> {
 
     fn projecting(&self, y: &[S]) -> (Now<S>, Grip<S>, Option<Support<S>>) {
         let now = Now::at(y);
-        let mass = Mass::Rigid { inverse_mass: self.inverse_mass, inverse_inertia: &self.inverse_inertia };
+        let mass = self.rigid();
         let support = self.support(&now, y);
         let still = support.as_ref().map(|s| Support { inverse_mass: V3::zeros(), ..*s });
         let grip = self.grip(&now, &mass, still.as_ref());

@@ -2,7 +2,7 @@
 
 use super::{AddedMass, Described, Effect, Now, Solved};
 use crate::dynamics::numbers::numbers;
-use crate::dynamics::real::{M3, Real, V3, times};
+use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
@@ -74,9 +74,10 @@ impl<S: Real> Effect<S> for InternalMotion<S> {
         let arm = place + u * memory[0];
         let coriolis = now.rate.cross(&u) * (self.mass_kg * memory[1]);
         let applied = weight - coriolis - coriolis;
-        let across = M3::identity() - u * u.transpose();
-        let force = times(&across, &applied) + u * self.grip(memory);
-        mass.add_at(&(across * self.mass_kg), &arm, &force, now);
+        mass.add_point(self.mass_kg, &arm, &applied, now);
+        let spin = now.rate.cross(&now.rate.cross(&arm)) * self.mass_kg;
+        let along = u.dot(&(applied - spin));
+        mass.free_along(self.mass_kg, &u, &arm.cross(&u), self.grip(memory) - along);
     }
 
     fn memory(&self) -> usize {

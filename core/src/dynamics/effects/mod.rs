@@ -13,7 +13,7 @@
 use std::fmt::Debug;
 
 use super::numbers::{Number, Numbers};
-use super::real::{M3, Real, V3, times};
+use super::real::{M3, Real, V3};
 use super::suspended::{ATTITUDE, Cord, PLACE, RATE, Suspended, TIME, VELOCITY};
 use crate::error::{Error, Result};
 
@@ -181,29 +181,39 @@ impl<S: Real> AddedMass<S> {
     }
 
     /// A mass at `arm` from the centre of mass that moves with the body, and a force on it.
-    pub fn add_point(&mut self, mass_kg: S, arm: &V3<S>, force: &V3<S>, now: &Now<S>) {
-        self.add_at(&M3::from_diagonal_element(mass_kg), arm, force, now);
-    }
-
-    /// The same for a mass that differs by direction.
     ///
     /// Its acceleration is a + ω̇ × r + ω × (ω × r).
-    pub fn add_at(&mut self, mass_kg: &M3<S>, arm: &V3<S>, force: &V3<S>, now: &Now<S>) {
-        let [x, y, z] = [0, 1, 2].map(|i| mass_kg.column(i).into_owned());
-        // m r×, column by column, and r× of that: a product of matrices would take twice the time.
-        let turned = [y * arm.z - z * arm.y, z * arm.x - x * arm.z, x * arm.y - y * arm.x];
-        let inertia = turned.map(|column| arm.cross(&column));
+    pub fn add_point(&mut self, mass_kg: S, arm: &V3<S>, force: &V3<S>, now: &Now<S>) {
+        let m = arm * mass_kg;
+        let zero = S::zero();
+        let turned = [[zero, -m.z, m.y], [m.z, zero, -m.x], [-m.y, m.x, zero]];
+        let square = m.dot(arm);
         for i in 0..3 {
+            self.matrix[i][i] += mass_kg;
+            self.matrix[3 + i][3 + i] += square;
             for j in 0..3 {
-                self.matrix[i][j] += mass_kg[(i, j)];
-                self.matrix[i][3 + j] -= turned[j][i];
-                self.matrix[3 + i][j] -= turned[i][j];
-                self.matrix[3 + i][3 + j] -= inertia[j][i];
+                self.matrix[i][3 + j] -= turned[i][j];
+                self.matrix[3 + i][j] += turned[i][j];
+                self.matrix[3 + i][3 + j] -= m[i] * arm[j];
             }
         }
-        let force = force - times(mass_kg, &now.rate.cross(&now.rate.cross(arm)));
+        let force = force - now.rate.cross(&now.rate.cross(&m));
         self.force += force;
         self.torque += arm.cross(&force);
+    }
+
+    /// Lets a mass that was added move freely along a unit vector through where it is; `about` is its arm × that vector. What holds it there
+    /// instead pulls at the body along that line.
+    pub fn free_along(&mut self, mass_kg: S, along: &V3<S>, about: &V3<S>, pull: S) {
+        let way = [along.x, along.y, along.z, about.x, about.y, about.z];
+        for i in 0..6 {
+            let m = way[i] * mass_kg;
+            for j in 0..6 {
+                self.matrix[i][j] -= m * way[j];
+            }
+        }
+        self.force += along * pull;
+        self.torque += about * pull;
     }
 }
 
