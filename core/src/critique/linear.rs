@@ -87,6 +87,11 @@ impl Model<'_> {
         self.experiment(point, s)?.motion(self.fineness(), self.until_s(s))
     }
 
+    /// The same for derivatives.
+    pub fn path_of_slopes(&self, point: &Point, s: usize) -> Result<Path<f64>> {
+        self.experiment(point, s)?.motion(self.fineness_of_slopes(), self.until_s(s))
+    }
+
     /// Mean residual of each block over its standard deviation, block after block.
     pub fn rows(&self, point: &Point, s: usize) -> Result<Vec<f64>> {
         let residuals = self.residuals(point, s)?;
@@ -200,10 +205,10 @@ impl Model<'_> {
             of_streams.iter().map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect()).collect();
         // Across kinks derivatives need no halved steps to lead the way; where a motion cannot be followed without, a fit ends, and is led
         // on with them if it is worth it.
-        let straight = Fineness { most_halvings: 0, ..self.fineness() };
+        let fineness = self.fineness_of_slopes();
+        let straight = Fineness { most_halvings: 0, ..fineness };
         let slopes = |fineness| once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, fineness, t_s));
-        let all =
-            slopes(straight).or_else(|error| if self.fine { slopes(self.fineness()) } else { Err(error) })?;
+        let all = slopes(straight).or_else(|error| if self.fine { slopes(fineness) } else { Err(error) })?;
         for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
             let sensor = &swung.samples.streams[stream];
             let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };
@@ -262,7 +267,7 @@ pub struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     pub fn new(model: &'a Model<'a>, point: &'a Point, s: usize, blocks: &'a [Block<'a>]) -> Result<Self> {
-        Ok(Self { model, point, s, blocks, path: Cow::Owned(model.path(point, s)?) })
+        Ok(Self { model, point, s, blocks, path: Cow::Owned(model.path_of_slopes(point, s)?) })
     }
 
     /// Where the motion at the point is known already.
@@ -282,7 +287,7 @@ impl<'a> Reader<'a> {
 
     /// Rows of another motion.
     pub fn moved(&self, point: &Point) -> Result<Vec<f64>> {
-        self.read(&self.model.experiment(point, self.s)?, &self.model.path(point, self.s)?)
+        self.read(&self.model.experiment(point, self.s)?, &self.model.path_of_slopes(point, self.s)?)
     }
 
     fn read(&self, experiment: &Experiment, path: &Path<f64>) -> Result<Vec<f64>> {

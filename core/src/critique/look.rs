@@ -32,7 +32,7 @@ impl<'a> Standing<'a> {
     pub fn of(model: &Model<'a>, fitted: &'a Fitted) -> Result<Self> {
         let (pliant, there) = model.pliant(&fitted.point, model.causes.len());
         let seen = in_parallel(model.base.swings.len(), |s| {
-            Ok((DVector::from_vec(model.rows(&fitted.point, s)?), pliant.path(&there, s)?))
+            Ok((DVector::from_vec(model.rows(&fitted.point, s)?), pliant.path_of_slopes(&there, s)?))
         });
         let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
         let fitted = if model.is_apart() {

@@ -191,9 +191,11 @@ impl Design<'_> {
         };
         let (mine, theirs) = (changed(self.at), changed(self.rival));
         let blocks = self.one.blocks(S);
-        let (a, b) =
-            (Reader::new(self.one, &mine, S, &blocks)?, Reader::new(self.other, &theirs, S, &blocks)?);
-        let difference = DVector::from_vec(b.reread(&theirs)?) - DVector::from_vec(a.reread(&mine)?);
+        let readings = |model: &Model, point: &Point| {
+            Reader::along(&model.path(point, S)?, model, (point, S), &blocks).reread(point)
+        };
+        let difference =
+            DVector::from_vec(readings(self.other, &theirs)?) - DVector::from_vec(readings(self.one, &mine)?);
         let jacobian = self.one.jacobian(&mine, S)?;
         let sigma = self.left(&jacobian, &difference, &mine);
         Ok(NextSwing {

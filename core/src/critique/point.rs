@@ -310,6 +310,12 @@ impl Model<'_> {
         if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }
     }
 
+    /// The same for derivatives: a step over a kink differs more from its neighbours than a motion does from that of shorter steps.
+    pub fn fineness_of_slopes(&self) -> Fineness {
+        let fineness = self.fineness();
+        if fineness == Fineness::OF_FITS { Fineness::OF_SLOPES_OF_FITS } else { fineness }
+    }
+
     /// The experiment of a swing.
     pub fn experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
         let mut experiment = self.plain_experiment(point, s)?;

@@ -125,6 +125,9 @@ impl Fineness {
     /// below the noise of any phone, and trial bodies on which no motion of that length can be computed are refused at once.
     pub const OF_FITS: Self =
         Self { steps_per_period: 8.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
+    /// For derivatives that lead a fit of smooth motions: right to 3 % of their largest value over two minutes, most to 1e-3
+    /// (`tests/simulation/derivatives`). A fit that ends where they vanish ends that share of a standard deviation from where it should.
+    pub const OF_SLOPES_OF_FITS: Self = Self { steps_per_period: 5.0, ..Self::OF_FITS };
     /// The same across kinks.
     pub const OF_KINKED_FITS: Self =
         Self { steps_per_period: 12.0, largest_error: 1e-6, most_halvings: 5, ..Self::OF_FITS };
