@@ -375,7 +375,7 @@ impl Found<'_> {
         let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
         // What promises more than all names may keep it, even where one of them leaves nothing: a line that slips turns a phone with the hull.
         let promised = named.iter().map(|look| look.gain).fold(0.0, f64::max);
-        let tried = self.fitted_in_full(named, half_way)?;
+        let tried = self.fitted_in_full(named, f64::INFINITY, half_way)?;
         let left = tried.first().map_or(&self.left, |best| &best.left);
         // What else moves inside follows the law of what was found to move there: little may then be left, and still be seen.
         let much = !left.is_next_to_nothing(&self.base_left);
@@ -455,7 +455,7 @@ impl Found<'_> {
             let slides = moving(&Scales::of(model.base, &point)?, &beside.left.peaks_hz(PEAKS));
             let mut looks = looks_at(&Standing::of(&beside.model, &beside.fitted)?, &slides);
             looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-            let found = beside.fitted_in_full(foremost(&looks), &|| Ok(()))?;
+            let found = beside.fitted_in_full(foremost(&looks), best.fitted.cost, &|| Ok(()))?;
             let found = beside.led_to_their_ends(found, 0.0).into_iter().next();
             let Some(mut found) = found.filter(|t| t.fitted.cost < best.fitted.cost - LEAST_GAIN) else {
                 break;
@@ -477,25 +477,32 @@ impl Found<'_> {
         look.gain > if self.left.is_white() { DOUBTFUL } else { 0.0 }
     }
 
-    fn fitted_in_full(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
+    /// Fits the leading causes in full, the best first; those that fall far behind a cost that was reached already are given up.
+    fn fitted_in_full(
+        &self,
+        looks: Vec<Look>,
+        limit: f64,
+        half_way: &dyn Fn() -> Result<()>,
+    ) -> Result<Vec<Tried>> {
         let most = if self.rounds.is_empty() { LEADING } else { FURTHER };
         let leading: Vec<Look> = looks.into_iter().filter(|look| self.promises(look)).take(most).collect();
-        // The first two set the measure.
+        let of = |tried: &[Tried]| tried.iter().map(|t| t.fitted.cost).fold(limit, f64::min);
+        // The first two set the measure, the first of them for the second.
         let (first, others) = leading.split_at(leading.len().min(2));
-        let fit = |looks: &[&Look], best: f64| {
-            in_parallel(looks.len(), |k| self.fit(looks[k], best, true))
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>()
-        };
-        let mut tried = fit(&first.iter().collect::<Vec<_>>(), f64::INFINITY);
+        let mut tried: Vec<Tried> = Vec::new();
+        for look in first {
+            let best = of(&tried);
+            tried.extend(self.fit(look, best, true));
+        }
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         half_way()?;
-        let best = tried.first().map_or(f64::INFINITY, |t| t.fitted.cost);
+        let best = of(&tried);
         // Beside a cause that leaves next to nothing, only those count that promise nearly as much.
         let nearly_all = |t: &&Tried| t.left.is_next_to_nothing(&self.left);
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
-        tried.extend(fit(&others.iter().filter(|look| look.gain > enough).collect::<Vec<_>>(), best));
+        let others: Vec<&Look> = others.iter().filter(|look| look.gain > enough).collect();
+        let fitted = in_parallel(others.len(), |k| self.fit(others[k], best, true));
+        tried.extend(fitted.into_iter().flatten());
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         Ok(tried)
     }
