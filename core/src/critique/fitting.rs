@@ -302,12 +302,6 @@ impl Model<'_> {
         }
     }
 
-    /// What was fitted, with derivatives taken apart from what makes them costly: those of first looks beside it are taken so as well, and
-    /// what the one absorbs of the other is a small difference of large ones.
-    pub fn with_derivatives_apart(&self, fitted: &Fitted) -> Result<Fitted> {
-        Ok(Fitted { last_gained: fitted.last_gained, ..self.unmoved(&fitted.point)? })
-    }
-
     /// A point as it is, with all derivatives there.
     pub fn unmoved(&self, point: &Point) -> Result<Fitted> {
         let (jacobians, misfit) = (self.jacobians(point)?, self.misfit(point)?);
@@ -318,7 +312,7 @@ impl Model<'_> {
         let (mut matrix, mut gradient) = self.normal(&point, misfit, &jacobians);
         let held = self.pin(&point, &mut matrix, &mut gradient);
         let (cost, chi2, rows) = (misfit.cost, misfit.chi2(), misfit.count());
-        let is_fine = !self.is_apart() && (self.fine || !self.is_coarse());
+        let is_fine = self.fine && !self.is_apart();
         Fitted { point, cost, chi2, rows, matrix, held, gradient, jacobians, last_gained, is_fine }
     }
 

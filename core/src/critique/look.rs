@@ -3,8 +3,6 @@
 //! The sensitivity to a cause's strengths is made orthogonal to everything that is fitted; its product with the residual
 //! is the score. One simulation for each strength and swing.
 
-use std::borrow::Cow;
-
 use nalgebra::{DMatrix, DVector};
 
 use crate::dynamics::Path;
@@ -21,7 +19,7 @@ const SAME: f64 = 1e-6;
 /// A fitted model as first looks see it. They are made side by side.
 pub struct Standing<'a> {
     pub model: Model<'a>,
-    pub fitted: Cow<'a, Fitted>,
+    pub fitted: Fitted,
     /// What it leaves of each swing, row by row.
     pub residuals: Vec<DVector<f64>>,
     /// Its motions, without what derivatives are taken apart from.
@@ -29,18 +27,17 @@ pub struct Standing<'a> {
 }
 
 impl<'a> Standing<'a> {
-    pub fn of(model: &Model<'a>, fitted: &'a Fitted) -> Result<Self> {
-        let (pliant, there) = model.pliant(&fitted.point, model.causes.len());
+    /// Derivatives are taken anew: what one cause leaves of another is a small difference of large things, and those that led a fit are too
+    /// rough for it.
+    pub fn of(model: &Model<'a>, point: &Point) -> Result<Self> {
+        let model = Model { of_many: true, ..model.precise() };
+        let (pliant, there) = model.pliant(point, model.causes.len());
         let seen = in_parallel(model.base.swings.len(), |s| {
-            Ok((DVector::from_vec(model.rows(&fitted.point, s)?), pliant.path_of_slopes(&there, s)?))
+            Ok((DVector::from_vec(model.rows(point, s)?), pliant.path_of_slopes(&there, s)?))
         });
         let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
-        let fitted = if model.is_apart() {
-            Cow::Owned(model.with_derivatives_apart(fitted)?)
-        } else {
-            Cow::Borrowed(fitted)
-        };
-        Ok(Self { model: Model { of_many: true, ..model.clone() }, fitted, residuals, paths })
+        let fitted = model.unmoved(point)?;
+        Ok(Self { model, fitted, residuals, paths })
     }
 }
 
@@ -91,7 +88,7 @@ impl Look {
     }
 
     fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
-        let (model, fitted) = (&standing.model, &*standing.fitted);
+        let (model, fitted) = (&standing.model, &standing.fitted);
         let swings = model.base.swings.len();
         let extended = model.with(cause);
         let mut at = fitted.point.clone();

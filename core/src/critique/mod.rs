@@ -79,7 +79,7 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     };
     tell(progress, 0.15, "fitting all swings together")?;
     let model = Model::of(&base);
-    let Ok(fitted) = model.fit_from_afar(&start) else {
+    let Ok(fitted) = model.precise().fit_from_afar(&start) else {
         let mut judged = by_periods_alone()?;
         judged.critique.warn(words::said("no_fit", []));
         return Ok(judged);

@@ -220,7 +220,7 @@ pub struct Model<'a> {
     pub part: Part,
     /// One of many that are fitted side by side.
     pub of_many: bool,
-    /// Near the best fit: derivatives by causes are taken over short steps.
+    /// Near the best fit: derivatives by causes are taken over short steps, and of motions as fine as those that are compared.
     pub fine: bool,
 }
 
@@ -269,6 +269,11 @@ impl<'a> Model<'a> {
 }
 
 impl Model<'_> {
+    /// The same model, as it is fitted near its best.
+    pub fn precise(&self) -> Self {
+        Self { fine: true, ..self.clone() }
+    }
+
     pub fn swing(&self, s: usize) -> &Swung<'_> {
         &self.base.swings[s]
     }
@@ -310,10 +315,12 @@ impl Model<'_> {
         if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }
     }
 
-    /// The same for derivatives: a step over a kink differs more from its neighbours than a motion does from that of shorter steps.
+    /// The same for derivatives that lead on the way: those of smooth motions over longer steps. (A step over a kink differs more from its
+    /// neighbours than a motion does from that of shorter steps.)
     pub fn fineness_of_slopes(&self) -> Fineness {
         let fineness = self.fineness();
-        if fineness == Fineness::OF_FITS { Fineness::OF_SLOPES_OF_FITS } else { fineness }
+        let is_smooth = fineness == Fineness::OF_FITS;
+        if is_smooth && !self.fine { Fineness::OF_SLOPES_OF_FITS } else { fineness }
     }
 
     /// The experiment of a swing.

@@ -70,6 +70,16 @@ pub struct Round {
     pub looked: Option<Looked>,
 }
 
+impl Round {
+    /// Nothing begins any more at what was tried, but where it has no name it may yet be taken up: of the others derivatives, most of what a
+    /// fit holds, are let go.
+    fn of(mut tried: Vec<Tried>, taken: bool, looked: Option<Looked>) -> Self {
+        let named = tried.iter_mut().filter(|t| t.cause.id != UNKNOWN);
+        named.for_each(|t| t.fitted.jacobians = vec![]);
+        Self { tried, taken, looked }
+    }
+}
+
 /// First looks, and what they were made beside (without its derivatives).
 #[derive(Clone)]
 pub struct Looked {
@@ -104,7 +114,7 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         if let Some(wind) = found.may_blow(&tried, &looked.looks) {
             tell(progress, done + 0.16, "looking for gusts")?;
             if found.blows_better(&mut tried, wind) {
-                found.rounds.push(Round { tried, taken: true, looked: None });
+                found.rounds.push(Round::of(tried, true, None));
                 if found.is_unexplained() || found.left.is_white() {
                     continue;
                 }
@@ -113,10 +123,10 @@ pub fn search<'a>(base: Model<'a>, begin: Point, fitted: Fitted, progress: &Prog
         }
         let taken = tried.first().filter(|best| found.pays(best)).cloned();
         let Some(best) = taken else {
-            found.rounds.push(Round { tried, taken: false, looked: Some(looked) });
+            found.rounds.push(Round::of(tried, false, Some(looked)));
             break;
         };
-        found.rounds.push(Round { tried, taken: true, looked: None });
+        found.rounds.push(Round::of(tried, true, None));
         found.take(best);
     }
     found.prune();
@@ -154,7 +164,7 @@ impl Found<'_> {
             names.dedup();
             return Err(Error::argument("cause", format!("one of {}", names.join(", ")), id));
         }
-        let looks = looks_at(&Standing::of(&self.model, &self.fitted)?, &forms);
+        let looks = looks_at(&Standing::of(&self.model, &self.fitted.point)?, &forms);
         let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
         let reason = || Error::no_result(id, "it cannot be fitted to this session");
         self.fit(&best.ok_or_else(reason)?, f64::INFINITY, false).ok_or_else(reason)
@@ -203,7 +213,7 @@ impl Found<'_> {
             values[0] = FAINT * wind.parameters[0].prior.1;
             point.causes.push(values);
             let fitted = model.unmoved(&point).ok()?;
-            let looks = looks_at(&Standing::of(&model, &fitted).ok()?, &tones);
+            let looks = looks_at(&Standing::of(&model, &point).ok()?, &tones);
             let gain = looks.iter().map(|look| look.gain).fold(f64::NEG_INFINITY, f64::max);
             (gain > least_gain.max(FURTHER_GAIN)).then_some((gain, wind, model, fitted))
         });
@@ -243,7 +253,7 @@ impl Found<'_> {
             if self.left.is_white() && gained >= wanted {
                 break;
             }
-            let Ok(standing) = Standing::of(&self.model, &self.fitted) else { break };
+            let Ok(standing) = Standing::of(&self.model, &self.fitted.point) else { break };
             let looks = looks_at(&standing, &self.tones(tone, (1..=count).map(|k| k as f64 * resolved_hz)));
             let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
             let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
@@ -348,7 +358,7 @@ impl Found<'_> {
     fn looks(&self) -> Result<Looked> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
         let is_new = |cause: &Cause| !self.model.causes.iter().any(|known| known.id == cause.id);
-        let standing = Standing::of(&self.model, &self.fitted)?;
+        let standing = Standing::of(&self.model, &self.fitted.point)?;
         let mut causes = catalogue(&scales);
         let peaks_hz = self.left.peaks_hz(PEAKS);
         let mut looks: Vec<Look> = Vec::new();
@@ -365,7 +375,7 @@ impl Found<'_> {
         causes.retain(is_new);
         looks.extend(looks_at(&standing, &causes));
         looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        let fitted = Fitted { jacobians: vec![], ..standing.fitted.into_owned() };
+        let fitted = Fitted { jacobians: vec![], ..standing.fitted };
         Ok(Looked { looks, fitted })
     }
 
@@ -453,7 +463,7 @@ impl Found<'_> {
             point.causes.remove(first);
             let beside = Found::begun(model.clone(), self.begin.clone(), model.unmoved(&point)?)?;
             let slides = moving(&Scales::of(model.base, &point)?, &beside.left.peaks_hz(PEAKS));
-            let mut looks = looks_at(&Standing::of(&beside.model, &beside.fitted)?, &slides);
+            let mut looks = looks_at(&Standing::of(&beside.model, &beside.fitted.point)?, &slides);
             looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
             let found = beside.fitted_in_full(foremost(&looks), best.fitted.cost, &|| Ok(()))?;
             let found = beside.led_to_their_ends(found, 0.0).into_iter().next();

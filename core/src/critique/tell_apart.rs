@@ -39,7 +39,7 @@ pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress
     };
     tell(progress, 0.3, "fitting all swings together")?;
     let model = Model::of(&base);
-    let fitted = model.fit_from_afar(&start)?;
+    let fitted = model.precise().fit_from_afar(&start)?;
     let found = Found::begun(model, start, fitted)?;
     tell(progress, 0.5, "fitting the two causes")?;
     let [one, other] = [found.by_name(causes[0])?, found.by_name(causes[1])?];

@@ -125,8 +125,8 @@ impl Fineness {
     /// below the noise of any phone, and trial bodies on which no motion of that length can be computed are refused at once.
     pub const OF_FITS: Self =
         Self { steps_per_period: 8.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
-    /// For derivatives that lead a fit of smooth motions: right to 3 % of their largest value over two minutes, most to 1e-3
-    /// (`tests/simulation/derivatives`). A fit that ends where they vanish ends that share of a standard deviation from where it should.
+    /// For derivatives that lead a fit of smooth motions on its way: right to 3 % of their largest value over two minutes, most to 1e-3
+    /// (`tests/simulation/derivatives`).
     pub const OF_SLOPES_OF_FITS: Self = Self { steps_per_period: 5.0, ..Self::OF_FITS };
     /// The same across kinks.
     pub const OF_KINKED_FITS: Self =
