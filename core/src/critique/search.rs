@@ -243,20 +243,21 @@ impl Found<'_> {
         false
     }
 
-    /// A wind that was taken may come in gusts: tones of it are added while something is left, or less is gained than wanted, and they pay.
-    /// Their gain.
+    /// A wind that was taken may come in gusts: tones of it are added while something is left, or less is gained than wanted, or a shape without a
+    /// name stands for what they may account for, and they pay. Their gain.
     fn blow(&mut self, wanted: f64) -> f64 {
         let resolved_hz = self.longest_s().recip();
         let count = (FASTEST_GUST_HZ / resolved_hz) as usize;
         let mut gained = 0.0;
+        let has_unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
         for tone in GUSTS {
-            if self.left.is_white() && gained >= wanted {
+            if self.left.is_white() && gained >= wanted && !has_unnamed {
                 break;
             }
             let Ok(standing) = Standing::of(&self.model, &self.fitted.point) else { break };
             let looks = looks_at(&standing, &self.tones(tone, (1..=count).map(|k| k as f64 * resolved_hz)));
             let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
-            let tried = best.and_then(|look| self.fit(&look, f64::INFINITY, false));
+            let tried = best.and_then(|look| self.fit_to_its_end(&look));
             let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
             gained += tried.gain;
             self.take(tried);

@@ -61,6 +61,13 @@ impl Found<'_> {
         from_afar.into_iter().chain(nearby).max_by(|a, b| a.gain.total_cmp(&b.gain))
     }
 
+    /// The same for a cause without rivals: a fit that used up its steps on the way goes on.
+    pub fn fit_to_its_end(&self, look: &Look) -> Option<Tried> {
+        let tried = self.fit(look, f64::INFINITY, false)?;
+        let end = tried.is_on_its_way().then(|| self.led_on(&tried, tried.gain, false));
+        end.flatten().or(Some(tried))
+    }
+
     /// Near the data: from the leading forms of a cause, which end in valleys of their own. The best, with the others' ends.
     fn fit_nearby(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let mut ends: Vec<Tried> = Vec::new();
