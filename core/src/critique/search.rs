@@ -246,8 +246,6 @@ impl Found<'_> {
     /// A wind that was taken may come in gusts: tones of it are added while something is left, or less is gained than wanted, or a shape without a
     /// name stands for what they may account for, and they pay. Their gain.
     fn blow(&mut self, wanted: f64) -> f64 {
-        let resolved_hz = self.longest_s().recip();
-        let count = (FASTEST_GUST_HZ / resolved_hz) as usize;
         let mut gained = 0.0;
         let has_unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
         for tone in GUSTS {
@@ -255,14 +253,54 @@ impl Found<'_> {
                 break;
             }
             let Ok(standing) = Standing::of(&self.model, &self.fitted.point) else { break };
-            let looks = looks_at(&standing, &self.tones(tone, (1..=count).map(|k| k as f64 * resolved_hz)));
+            let looks = looks_at(&standing, &self.all_tones(tone));
             let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
             let tried = best.and_then(|look| self.fit_to_its_end(&look));
             let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
             gained += tried.gain;
             self.take(tried);
         }
-        gained
+        gained + self.blow_anew()
+    }
+
+    /// The first gusts that were fitted had bent themselves to what all do: while something is left each is looked for anew beside the others.
+    /// What that gains.
+    fn blow_anew(&mut self) -> f64 {
+        let before = self.fitted.cost;
+        let gusts = self.model.causes.iter().filter(|cause| cause.form == Form::Gust).count();
+        for tone in GUSTS.into_iter().take(gusts) {
+            // Those that were looked for anew come last: the first is the one that was longest ago.
+            let first = self.model.causes.iter().position(|cause| cause.form == Form::Gust);
+            let Some(first) = first.filter(|_| gusts > 1 && !self.left.is_white()) else { break };
+            let Some(found) = self.anew(first, tone) else { break };
+            self.take(found);
+        }
+        0.5 * (before - self.fitted.cost)
+    }
+
+    /// A gust left out and looked for anew, or where it was if nothing better is found.
+    fn anew(&self, gust: usize, tone: [&'static str; 3]) -> Option<Tried> {
+        let (mut model, mut point) = (self.model.clone(), self.fitted.point.clone());
+        let cause = model.causes.remove(gust);
+        let values = point.causes.remove(gust);
+        let beside = Found::begun(model.clone(), self.begin.clone(), model.unmoved(&point).ok()?).ok()?;
+        let looks = looks_at(&Standing::of(&model, &point).ok()?, &self.all_tones(tone));
+        let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
+        let found = best.and_then(|look| beside.fit_to_its_end(&look));
+        if let Some(found) = found.filter(|found| found.fitted.cost < self.fitted.cost - LEAST_GAIN) {
+            return Some(found);
+        }
+        let model = model.with(&cause);
+        point.causes.push(values);
+        let fitted = model.unmoved(&point).ok()?;
+        beside.weighed_up(&cause, model, fitted)
+    }
+
+    /// Gusts of all frequencies that the longest swing resolves.
+    fn all_tones(&self, tone: [&'static str; 3]) -> Vec<Cause> {
+        let resolved_hz = self.longest_s().recip();
+        let count = (FASTEST_GUST_HZ / resolved_hz) as usize;
+        self.tones(tone, (1..=count).map(|k| k as f64 * resolved_hz))
     }
 
     /// Gusts of given frequencies.
