@@ -252,11 +252,8 @@ impl Found<'_> {
             if self.left.is_white() && gained >= wanted && !has_unnamed {
                 break;
             }
-            let Ok(standing) = Standing::of(&self.model, &self.fitted.point) else { break };
-            let looks = looks_at(&standing, &self.all_tones(tone));
-            let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
-            let tried = best.and_then(|look| self.fit_to_its_end(&look));
-            let Some(tried) = tried.filter(|tried| tried.gain > FURTHER_GAIN) else { break };
+            let tried = self.best_gust(tone).filter(|tried| tried.gain > FURTHER_GAIN);
+            let Some(tried) = tried else { break };
             gained += tried.gain;
             self.take(tried);
         }
@@ -284,16 +281,22 @@ impl Found<'_> {
         let cause = model.causes.remove(gust);
         let values = point.causes.remove(gust);
         let beside = Found::begun(model.clone(), self.begin.clone(), model.unmoved(&point).ok()?).ok()?;
-        let looks = looks_at(&Standing::of(&model, &point).ok()?, &self.all_tones(tone));
-        let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
-        let found = best.and_then(|look| beside.fit_to_its_end(&look));
-        if let Some(found) = found.filter(|found| found.fitted.cost < self.fitted.cost - LEAST_GAIN) {
+        if let Some(found) =
+            beside.best_gust(tone).filter(|found| found.fitted.cost < self.fitted.cost - LEAST_GAIN)
+        {
             return Some(found);
         }
         let model = model.with(&cause);
         point.causes.push(values);
         let fitted = model.unmoved(&point).ok()?;
         beside.weighed_up(&cause, model, fitted)
+    }
+
+    /// The gust that promises most, fitted.
+    fn best_gust(&self, tone: [&'static str; 3]) -> Option<Tried> {
+        let looks = looks_at(&Standing::of(&self.model, &self.fitted.point).ok()?, &self.all_tones(tone));
+        let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
+        self.fit_to_its_end(&best?)
     }
 
     /// Gusts of all frequencies that the longest swing resolves.

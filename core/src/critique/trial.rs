@@ -166,7 +166,7 @@ impl Found<'_> {
 
     /// The model of what was tried, with derivatives over short steps.
     pub fn fine(&self, tried: &Tried) -> Model<'_> {
-        Model { causes: tried.causes.clone(), fine: true, ..self.model.clone() }
+        Model { causes: tried.causes.clone(), ..self.model.precise() }
     }
 
     /// What was tried, with its fit led to its end with all derivatives. It is left where it stands once it cannot gain as much as the best
