@@ -177,28 +177,29 @@ impl Model<'_> {
         self.fit_with(start, Derivatives::Taken, CONVERGED_SHARE, stop)
     }
 
-    /// Where fits over longer and longer parts of the recordings lead, and χ² of the last: a phase known over one stays within a quarter
-    /// of a cycle over the next.
-    pub fn grown(&self, start: &Point) -> Result<(Point, f64)> {
-        let mut point = start.clone();
-        let mut cost = f64::INFINITY;
-        for horizon_s in HORIZONS_S {
-            let early = Model { part: Part::First(horizon_s), ..self.clone() };
-            // A part that cannot be simulated from here leads nowhere; the next may.
-            let Ok(fitted) = early.fit_with(&point, Derivatives::Taken, NEARLY, &|_| false) else { continue };
-            (point, cost) = (fitted.point, fitted.cost);
-            // A few swings say little of how they die away, and a rate that is wrong runs away over the next part.
-            for (own, begun) in point.owns.iter_mut().zip(&start.owns) {
-                own[DAMPING..BIAS].copy_from_slice(&begun[DAMPING..BIAS]);
-            }
+    /// Where fits over longer and longer parts of the recordings lead: a phase known over one stays within a quarter of a cycle over the next.
+    pub fn grown(&self, start: &Point) -> Point {
+        HORIZONS_S.iter().fold(start.clone(), |point, horizon_s| self.over_first(*horizon_s, &point, start).0)
+    }
+
+    /// Where a fit over the first part of the recordings leads, and its χ²; a part that cannot be simulated from here leads nowhere, the next
+    /// may. The motion began at a start.
+    pub fn over_first(&self, horizon_s: f64, from: &Point, start: &Point) -> (Point, f64) {
+        let early = Model { part: Part::First(horizon_s), ..self.clone() };
+        let Ok(fitted) = early.fit_with(from, Derivatives::Taken, NEARLY, &|_| false) else {
+            return (from.clone(), f64::INFINITY);
+        };
+        let mut point = fitted.point;
+        // A few swings say little of how they die away, and a rate that is wrong runs away over the next part.
+        for (own, begun) in point.owns.iter_mut().zip(&start.owns) {
+            own[DAMPING..BIAS].copy_from_slice(&begun[DAMPING..BIAS]);
         }
-        Ok((point, cost))
+        (point, fitted.cost)
     }
 
     /// Fits from where that leads; where it leads astray, from the start itself.
     pub fn fit_from_afar(&self, start: &Point) -> Result<Fitted> {
-        let grown = self.grown(start).and_then(|(point, _)| self.fit(&point, &|_| false));
-        grown.or_else(|_| self.fit(start, &|_| false))
+        self.fit(&self.grown(start), &|_| false).or_else(|_| self.fit(start, &|_| false))
     }
 
     /// The same with derivatives that are known already, until a step promises less than a share of χ².

@@ -7,8 +7,8 @@ use crate::parallel::in_parallel;
 use crate::progress::{Progress, tell};
 
 use super::causes::{
-    GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, moving,
-    ringing, seconds,
+    GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts, ringing,
+    seconds,
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
@@ -32,12 +32,12 @@ const GUSTY: f64 = 0.15;
 const TAKEN: f64 = 0.5;
 /// A wind that hardly blows but in gusts brakes by this share of what is expected of winds before its gusts are fitted.
 const FAINT: f64 = 0.1;
+/// Gusts that make up for less than this share of what a wind lacks are not looked for anew beside each other.
+const MADE_UP: f64 = 0.5;
 /// Gusts that come so often in a recording at most make no line in what is left.
 const SLOW_GUSTS: u32 = 8;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
-/// What moves inside is looked for anew so often beside a second.
-const ANEW: usize = 2;
 /// Something that rings inside is looked for at so many frequencies where most is left.
 const PEAKS: usize = 4;
 /// Derivatives without a cause can put the logarithm of its evidence off by so much: 3 of it were seen, and 4.6 are what a verdict turns on.
@@ -230,7 +230,7 @@ impl Found<'_> {
         let is_instead = tried.first().is_some_and(|best| slow_hz(best).is_some() && takes_enough(best));
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(wind.clone());
-        let with_gusts = wind.gain + self.blow(if is_instead { best_gain - wind.gain } else { 0.0 });
+        let with_gusts = wind.gain + self.blow(best_gain - wind.gain, is_instead);
         // One that does not must account for what is left by its gusts: for all of it in the place of something inside that takes much.
         let takes = if is_instead { self.left.is_white() } else { takes_much(&self.left, &kept.2) };
         let accounts = blows || takes;
@@ -243,21 +243,26 @@ impl Found<'_> {
         false
     }
 
-    /// A wind that was taken may come in gusts: tones of it are added while something is left, or less is gained than wanted, or a shape without a
-    /// name stands for what they may account for, and they pay. Their gain.
-    fn blow(&mut self, wanted: f64) -> f64 {
-        let mut gained = 0.0;
+    /// A wind that was taken may come in gusts: tones of it are added while something is left, or less is gained than it lacks in the place of
+    /// something else, or a shape without a name stands for what they may account for, and they pay. What cannot make up for what the wind lacks
+    /// beside the best of those tried is left at that. Their gain.
+    fn blow(&mut self, lacking: f64, is_instead: bool) -> f64 {
+        let wanted = if is_instead { lacking } else { 0.0 };
+        let (mut gained, mut most): (f64, f64) = (0.0, f64::INFINITY);
         let has_unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
-        for tone in GUSTS {
-            if self.left.is_white() && gained >= wanted && !has_unnamed {
+        for (n, tone) in GUSTS.into_iter().enumerate() {
+            let is_enough = self.left.is_white() && gained >= wanted && !has_unnamed;
+            let is_hopeless = gained + most * (GUSTS.len() - n) as f64 <= lacking;
+            if is_enough || is_hopeless {
                 break;
             }
             let tried = self.best_gust(tone).filter(|tried| tried.gain > FURTHER_GAIN);
             let Some(tried) = tried else { break };
             gained += tried.gain;
+            most = if n == 0 { tried.gain } else { most.max(tried.gain) };
             self.take(tried);
         }
-        gained + self.blow_anew()
+        if gained > MADE_UP * lacking { gained + self.blow_anew() } else { gained }
     }
 
     /// The first gusts that were fitted had bent themselves to what all do: while something is left each is looked for anew beside the others.
@@ -440,12 +445,15 @@ impl Found<'_> {
         let mut found: Vec<Tried> = found.into_iter().flatten().collect();
         // The best last, which puts it before the others.
         found.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        // What else moves inside has a law, and goes on to its end as those with names do.
+        let is_best_of_all = |t: &&mut Tried| t.cause.form == Form::Second && t.gain > named_gain;
+        if let Some(second) = found.last_mut().filter(is_best_of_all)
+            && let Some(end) = self.led_on(second, second.gain, false)
+        {
+            *second = end;
+        }
         let mut tried = self.led_to_their_ends(tried, found.last().map_or(0.0, |unknown| unknown.gain));
         let named_gain = tried.first().map_or(0.0, |best| best.gain);
-        let is_best_of_all = |t: &&mut Tried| t.cause.form == Form::Second && t.gain > named_gain;
-        if let Some(second) = found.last_mut().filter(is_best_of_all) {
-            *second = self.with_first_anew(second)?;
-        }
         let left = tried.first().map_or(&self.left, |best| &best.left).excess();
         for unknown in found {
             let beats = tried.first().is_none_or(|best| unknown.gain > best.gain);
@@ -491,37 +499,6 @@ impl Found<'_> {
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         simplest_first(&mut tried, parameters);
         tried
-    }
-
-    /// Of two things that move inside the first had bent itself to what both do: while something is left it is looked for anew beside the second.
-    fn with_first_anew(&self, second: &Tried) -> Result<Tried> {
-        let mut best = second.clone();
-        for _ in 0..ANEW {
-            let first = best.causes.iter().position(|cause| cause.id == INTERNAL_MOTION);
-            let Some(first) = first.filter(|_| !best.left.is_white()) else { break };
-            let (mut model, mut point) =
-                (Model { causes: best.causes.clone(), ..self.model.clone() }, best.fitted.point.clone());
-            model.causes.remove(first);
-            point.causes.remove(first);
-            let beside = Found::begun(model.clone(), self.begin.clone(), model.unmoved(&point)?)?;
-            let slides = moving(&Scales::of(model.base, &point)?, &beside.left.peaks_hz(PEAKS));
-            let mut looks = looks_at(&Standing::of(&beside.model, &beside.fitted.point)?, &slides);
-            looks.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-            let found = beside.fitted_in_full(foremost(&looks), best.fitted.cost, &|| Ok(()))?;
-            let found = beside.led_to_their_ends(found, 0.0).into_iter().next();
-            let Some(mut found) = found.filter(|t| t.fitted.cost < best.fitted.cost - LEAST_GAIN) else {
-                break;
-            };
-            // They have the same law, and the one found last is the one without a name.
-            let seconds = found.causes.iter_mut().filter(|cause| cause.form == Form::Second);
-            seconds.for_each(|cause| (cause.id, cause.form) = (INTERNAL_MOTION, Form::Law));
-            let last = found.causes.last_mut().into_iter();
-            last.for_each(|cause| (cause.id, cause.form) = (UNKNOWN, Form::Second));
-            let model = Model { causes: found.causes, ..model };
-            let Some(renewed) = self.weighed_up(&best.cause, model, found.fitted) else { break };
-            best = renewed;
-        }
-        Ok(best)
     }
 
     /// Whether a look promises enough for a full fit.

@@ -3,7 +3,7 @@
 use crate::error::Result;
 
 use super::evidence::gain;
-use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, Pace};
+use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, HORIZONS_S, Pace};
 use super::look::Look;
 use super::point::{Cause, Model, Point};
 use super::search::Found;
@@ -57,7 +57,9 @@ impl Found<'_> {
         let is_far = self.fitted.rms() > FAR;
         let from_afar = is_far.then(|| self.fit_from_afar(&forms, best, of_many)).flatten();
         let to_beat = from_afar.as_ref().map_or(best, |tried| tried.fitted.cost.min(best));
-        let nearby = self.fit_nearby(&forms, to_beat, of_many);
+        // Beside one that leaves next to nothing, starts that lead elsewhere are given up in any case.
+        let takes_all = from_afar.as_ref().is_some_and(|tried| tried.left.is_next_to_nothing(&self.left));
+        let nearby = if takes_all { None } else { self.fit_nearby(&forms, to_beat, of_many) };
         from_afar.into_iter().chain(nearby).max_by(|a, b| a.gain.total_cmp(&b.gain))
     }
 
@@ -113,14 +115,16 @@ impl Found<'_> {
         self.weighed_up(&look.cause, model, fitted)
     }
 
-    /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part.
+    /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part: the better half of
+    /// them goes on to the next part.
     fn fit_from_afar(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
-        let led = forms.iter().filter_map(|form| {
-            let model = Model { of_many, ..self.model.with(&form.cause) };
-            let (point, cost) = model.grown(&self.afar(form, &model)).ok()?;
-            Some((cost, &form.cause, model, point))
-        });
-        let (_, cause, model, point) = led.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mut led: Vec<Led> = forms.iter().map(|form| Led::begun(self, form, of_many)).collect();
+        for horizon_s in HORIZONS_S {
+            led.iter_mut().for_each(|form| form.go_on(horizon_s));
+            led.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            led.truncate(led.len().div_ceil(2));
+        }
+        let Led { cause, model, point, .. } = led.into_iter().next()?;
         let fitted = model.fit(&point, &|pace| self.is_hopeless(pace, best)).ok()?;
         self.weighed_up(cause, model, fitted)
     }
@@ -181,6 +185,27 @@ impl Found<'_> {
         let model = Model { causes: tried.causes.clone(), ..model };
         let ends = tried.ends.clone();
         self.weighed_up(&tried.cause, model, fitted).map(|led| Tried { ends, ..led })
+    }
+}
+
+/// A form of a cause on its way over longer and longer parts of the recordings.
+struct Led<'a> {
+    cause: &'a Cause,
+    model: Model<'a>,
+    start: Point,
+    point: Point,
+    cost: f64,
+}
+
+impl<'a> Led<'a> {
+    fn begun(found: &'a Found, form: &'a Look, of_many: bool) -> Self {
+        let model = Model { of_many, ..found.model.with(&form.cause) };
+        let start = found.afar(form, &model);
+        Self { cause: &form.cause, model, point: start.clone(), start, cost: f64::INFINITY }
+    }
+
+    fn go_on(&mut self, horizon_s: f64) {
+        (self.point, self.cost) = self.model.over_first(horizon_s, &self.point, &self.start);
     }
 }
 

@@ -150,7 +150,7 @@ pub struct Scene {
 }
 
 /// Derivatives are computed in groups of so many parameters.
-pub const LANES: usize = 8;
+pub const LANES: usize = 12;
 
 impl Scene {
     /// Names and units of all its numbers; those of effects read `effect.number`, a second of the same kind

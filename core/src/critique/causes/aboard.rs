@@ -29,7 +29,7 @@ pub fn ringing(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
 }
 
 /// Both.
-pub fn moving(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
+fn moving(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
     [causes(scales), ringing(scales, frequencies_hz)].concat()
 }
 

@@ -20,7 +20,7 @@ use crate::recording::{ModeName, Orientation};
 use super::base::Base;
 use super::point::{Cause, CauseParameter, Form, NO_LIMITS, Point, Put};
 
-pub use aboard::{INTERNAL_MOTION, moving, ringing, seconds};
+pub use aboard::{INTERNAL_MOTION, ringing, seconds};
 pub use friction::{GUSTS, WIND, gust};
 pub use outside::{GIVES_S, TERMS, UNKNOWN, knock_at, learned_force, line_slip_at, reach};
 pub use phone::{SLIP_S, mounts, slip_at};
