@@ -426,25 +426,42 @@ impl Found<'_> {
         Ok(Looked { looks, fitted })
     }
 
-    /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well;
-    /// such a one comes first where it takes nearly all that the named ones leave.
+    /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well.
     fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
         let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
         // What promises more than all names may keep it, even where one of them leaves nothing: a line that slips turns a phone with the hull.
         let promised = named.iter().map(|look| look.gain).fold(0.0, f64::max);
+        // What else moves inside follows the law of what was found to move there: it may promise most, and then sets the measure for the names.
+        if unnamed.first().is_some_and(|look| look.cause.form == Form::Second && look.gain > promised) {
+            let found = self.unnamed_in_full(unnamed, |look| self.promises(look), self.fitted.cost);
+            let tried = self.fitted_in_full(named, least_cost(&found, self.fitted.cost), half_way)?;
+            return Ok(self.with_unnamed(tried, found));
+        }
         let tried = self.fitted_in_full(named, f64::INFINITY, half_way)?;
         let left = tried.first().map_or(&self.left, |best| &best.left);
-        // What else moves inside follows the law of what was found to move there: little may then be left, and still be seen.
+        // Little may be left by the names, and a second thing inside still be seen.
         let much = !left.is_next_to_nothing(&self.base_left);
         let named_gain = tried.first().map_or(0.0, |best| best.gain);
         let may_be = |look: &Look| look.cause.form == Form::Second || look.gain > named_gain.min(promised);
         let worth_it = |look: &Look| self.promises(look) && (much || may_be(look));
-        let unnamed: Vec<Look> = unnamed.into_iter().filter(worth_it).take(2).collect();
         let limit = tried.first().map_or(self.fitted.cost, |best| best.fitted.cost);
-        let found = in_parallel(unnamed.len(), |k| self.fit(&unnamed[k], limit, true));
+        let found = self.unnamed_in_full(unnamed, worth_it, limit);
+        Ok(self.with_unnamed(tried, found))
+    }
+
+    /// Fits the leading two of the shapes without a name that are worth it, the best last.
+    fn unnamed_in_full(&self, looks: Vec<Look>, worth_it: impl Fn(&Look) -> bool, limit: f64) -> Vec<Tried> {
+        let leading: Vec<Look> = looks.into_iter().filter(worth_it).take(2).collect();
+        let found = in_parallel(leading.len(), |k| self.fit(&leading[k], limit, true));
         let mut found: Vec<Tried> = found.into_iter().flatten().collect();
-        // The best last, which puts it before the others.
         found.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        found
+    }
+
+    /// Causes led to their ends, and shapes without a name (the best last, which puts it before the others) among them: such a one comes first
+    /// where it takes nearly all that the named ones leave.
+    fn with_unnamed(&self, tried: Vec<Tried>, mut found: Vec<Tried>) -> Vec<Tried> {
+        let named_gain = tried.first().map_or(0.0, |best| best.gain);
         // What else moves inside has a law, and goes on to its end as those with names do.
         let is_best_of_all = |t: &&mut Tried| t.cause.form == Form::Second && t.gain > named_gain;
         if let Some(second) = found.last_mut().filter(is_best_of_all)
@@ -466,7 +483,7 @@ impl Found<'_> {
             let place = if is_clear || (beats && (takes_all || is_law)) { 0 } else { tried.len() };
             tried.insert(place, unknown);
         }
-        Ok(tried)
+        tried
     }
 
     /// The best of those with names is led to its end, and so is what is close behind, and what was still on its way and may yet be better:
@@ -515,17 +532,16 @@ impl Found<'_> {
     ) -> Result<Vec<Tried>> {
         let most = if self.rounds.is_empty() { LEADING } else { FURTHER };
         let leading: Vec<Look> = looks.into_iter().filter(|look| self.promises(look)).take(most).collect();
-        let of = |tried: &[Tried]| tried.iter().map(|t| t.fitted.cost).fold(limit, f64::min);
         // The first two set the measure, the first of them for the second.
         let (first, others) = leading.split_at(leading.len().min(2));
         let mut tried: Vec<Tried> = Vec::new();
         for look in first {
-            let best = of(&tried);
+            let best = least_cost(&tried, limit);
             tried.extend(self.fit(look, best, true));
         }
         tried.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         half_way()?;
-        let best = of(&tried);
+        let best = least_cost(&tried, limit);
         // Beside a cause that leaves next to nothing, only those count that promise nearly as much.
         let nearly_all = |t: &&Tried| t.left.is_next_to_nothing(&self.left);
         let enough = tried.first().filter(nearly_all).map_or(0.0, |t| RIVAL_SHARE * t.gain);
@@ -556,6 +572,11 @@ impl Found<'_> {
         }
         pays(self.first_gain(), best.gain, &best.left, &self.left)
     }
+}
+
+/// The least χ² of those tried, if it is below a limit.
+fn least_cost(tried: &[Tried], limit: f64) -> f64 {
+    tried.iter().map(|t| t.fitted.cost).fold(limit, f64::min)
 }
 
 /// Whether so little is left of what was left before that there is no room for gusts.
