@@ -231,8 +231,9 @@ impl Found<'_> {
         let kept = (self.model.clone(), self.fitted.clone(), self.left.clone(), self.looked_from.clone());
         self.take(wind.clone());
         let with_gusts = wind.gain + self.blow(best_gain - wind.gain, is_instead);
-        // One that does not must account for what is left by its gusts: for all of it in the place of something inside that takes much.
-        let takes = if is_instead { self.left.is_white() } else { takes_much(&self.left, &kept.2) };
+        // One that does not must account for what is left by its gusts: in the place of something inside for much of what that leaves too.
+        let before = if is_instead { tried.first().map_or(&kept.2, |best| &best.left) } else { &kept.2 };
+        let takes = self.left.is_white() || takes_much(&self.left, before);
         let accounts = blows || takes;
         if pays || (accounts && with_gusts > best_gain.max(LEAST_GAIN)) {
             tried.retain(|t| t.cause.id != WIND);

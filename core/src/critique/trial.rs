@@ -15,6 +15,8 @@ const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 const GENTLE: [f64; 3] = [0.3, 0.1, 0.03];
 /// So many forms of a cause are fitted near the data.
 const FORMS: usize = 3;
+/// Over a part of the recordings no longer than this forms are still on their ways: the one that was worst after it was best after the next.
+const TOO_SHORT_S: f64 = HORIZONS_S[0];
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
 /// … after so many.
@@ -116,13 +118,15 @@ impl Found<'_> {
     }
 
     /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part: the better half of
-    /// them goes on to the next part.
+    /// them goes on to the last.
     fn fit_from_afar(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let mut led: Vec<Led> = forms.iter().map(|form| Led::begun(self, form, of_many)).collect();
         for horizon_s in HORIZONS_S {
             led.iter_mut().for_each(|form| form.go_on(horizon_s));
             led.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-            led.truncate(led.len().div_ceil(2));
+            if horizon_s > TOO_SHORT_S {
+                led.truncate(led.len().div_ceil(2));
+            }
         }
         let Led { cause, model, point, .. } = led.into_iter().next()?;
         let fitted = model.fit(&point, &|pace| self.is_hopeless(pace, best)).ok()?;
