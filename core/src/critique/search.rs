@@ -15,7 +15,7 @@ use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::point::{Cause, Form, Model, Part, Point};
-use super::trial::Tried;
+use super::trial::{Tried, least_cost};
 use super::verdict::{parameters, simplest_first};
 use super::white::Left;
 
@@ -573,11 +573,6 @@ impl Found<'_> {
         }
         pays(self.first_gain(), best.gain, &best.left, &self.left)
     }
-}
-
-/// The least χ² of those tried, if it is below a limit.
-fn least_cost(tried: &[Tried], limit: f64) -> f64 {
-    tried.iter().map(|t| t.fitted.cost).fold(limit, f64::min)
 }
 
 /// Whether so little is left of what was left before that there is no room for gusts.

@@ -76,7 +76,7 @@ impl Found<'_> {
     fn fit_nearby(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let mut ends: Vec<Tried> = Vec::new();
         for form in forms.iter().take(FORMS) {
-            let to_beat = ends.iter().map(|end| end.fitted.cost).fold(best, f64::min);
+            let to_beat = least_cost(&ends, best);
             let model = Model { of_many, ..self.model.with(&form.cause) };
             let Some(start) = self.near(form, &model) else { continue };
             let known = model.each(|s| model.widened(&self.fitted.jacobians[s], &start, s));
@@ -211,6 +211,11 @@ impl<'a> Led<'a> {
     fn go_on(&mut self, horizon_s: f64) {
         (self.point, self.cost) = self.model.over_first(horizon_s, &self.point, &self.start);
     }
+}
+
+/// The least χ² of those tried, if it is below a limit.
+pub fn least_cost(tried: &[Tried], limit: f64) -> f64 {
+    tried.iter().map(|t| t.fitted.cost).fold(limit, f64::min)
 }
 
 /// The start that is nearest to the data, and its cost; one that cannot be simulated is the furthest.
