@@ -299,7 +299,8 @@ def span(columns: np.ndarray) -> np.ndarray:
 
 def one_slider(study: Study, reduced: Reduced, hidden, k: int) -> np.ndarray:
     """How a single slosh may change: the one of two sliders that it explains, in mass, frequency, damping, way and place, and in each swing
-    where it is and how fast at the release, which nobody states. To both sides, like what it stands beside: what bends cancels."""
+    where it is and how fast at the release, which nobody states. To both sides, like what it stands beside: what bends cancels. Each is one
+    long: by its step alone the mass of a slider that hardly moves would be faint beside its start."""
     slider = hidden.parameters["sliders"][k]
     way = slider["way"]
     across = np.array([-way[1], way[0], 0.0])
@@ -308,7 +309,8 @@ def one_slider(study: Study, reduced: Reduced, hidden, k: int) -> np.ndarray:
     pairs = [[with_slider(hidden, k, key, np.array(slider[key]) + sign * step, sign) for sign in (1, -1)] for key, step in steps]
     starts = np.diag([START_M, 2 * np.pi * slider["frequency_hz"] * START_M])
     pairs += [[started(n, k, sign * s, sign) for sign in (1, -1)] for n in range(len(study.session.scenes)) for s in starts]
-    return np.array([reduced.orthogonal(study.central(*pair)) for pair in pairs]).T
+    columns = np.array([reduced.orthogonal(study.central(*pair)) for pair in pairs]).T
+    return columns / np.linalg.norm(columns, axis=0)
 
 
 def with_slider(hidden, k: int, key: str, value: np.ndarray, unit: float) -> Change:
