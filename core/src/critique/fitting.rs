@@ -10,6 +10,8 @@ use crate::parallel::in_parallel;
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
 const MOST_STEPS: usize = 20;
+/// So many steps with derivatives that are known count as one with new ones.
+const OF_KNOWN: usize = 3;
 /// The most by which a step is held back, shares of the information of each that is fitted …
 const MOST_DAMPING: f64 = 1e8;
 /// … and the least that it comes down to.
@@ -22,6 +24,8 @@ const SHARES: [f64; 3] = [1.0, 0.4, 0.15];
 const CORRECTIONS: usize = 3;
 /// A step that gains less than this share of what the derivatives promised, or more than its reciprocal, asks for new ones.
 const KEPT: f64 = 0.8;
+/// … near the data (`FAR`) than this share: there they hold a long way, and learn from each step.
+const KEPT_NEAR: f64 = 0.4;
 /// A fit ends where an undamped step promises less of χ² than this, a tenth of a standard deviation, or than this share of it; or where a step
 /// with new derivatives gains no more than twice that.
 const CONVERGED: f64 = 1e-2;
@@ -30,7 +34,7 @@ pub const CONVERGED_SHARE: f64 = 1e-7;
 const NEARLY: f64 = 3e-3;
 /// Parts of the recordings that a fit from far away is led over, s.
 pub const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
-/// Steps over each of them.
+/// Steps over each of them but the first, which are few and quick there, and where the forms of a cause part.
 const EARLY_STEPS: usize = 6;
 /// A step that gains less than this share of what was promised is of no use.
 const OF_NO_USE: f64 = 0.1;
@@ -226,7 +230,9 @@ impl Model<'_> {
         let mut was_slow = false;
         let exact = !self.is_apart();
         let mut last_gained = 0.0;
-        for n in 0..self.most_steps() {
+        let mut left = self.most_steps() * OF_KNOWN;
+        for n in 0.. {
+            left = left.saturating_sub(if fresh { OF_KNOWN } else { 1 });
             let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
             self.pin(&point, &mut matrix, &mut gradient);
             let equations = (&matrix, &gradient, &jacobians[..]);
@@ -242,7 +248,7 @@ impl Model<'_> {
                 cost: step.misfit.cost,
                 gained: gained.max(last_gained),
                 steps: n,
-                steps_left: self.most_steps() - 1 - n,
+                steps_left: left / OF_KNOWN,
             };
             last_gained = gained;
             gained_since += gained;
@@ -250,7 +256,9 @@ impl Model<'_> {
             point = step.point;
             let is_slow = gained < slow_share * (misfit.cost - misfit.count() as f64);
             // While the damping comes down, steps grow by themselves.
-            let crawls = is_slow && was_slow && (step.strained || damping <= LEAST_DAMPING);
+            let is_slow_twice = is_slow && was_slow && (step.strained || damping <= LEAST_DAMPING);
+            // Derivatives of elsewhere may be what holds a fit back.
+            let crawls = is_slow_twice && (fresh || is_kept || !exact);
             was_slow = is_slow;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
             let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
@@ -258,18 +266,20 @@ impl Model<'_> {
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
             let arrived = enough || unkept || (!step.strained && gained < 2.0 * CONVERGED);
             let is_known_there = gained_since < NEAR || is_kept || !exact;
-            if (is_known_there && arrived) || creeps || crawls || stop(pace) {
+            if (is_known_there && arrived) || creeps || crawls || left == 0 || stop(pace) {
                 break;
             }
-            let as_promised = (KEPT..KEPT.recip()).contains(&(gained / step.promised));
+            let is_near = misfit.rms() <= FAR;
+            let kept = if is_near { KEPT_NEAR } else { KEPT };
+            let as_promised = (kept..kept.recip()).contains(&(gained / step.promised));
             // Derivatives that leave a cause out are no better when they are taken anew: those made true of steps are.
-            fresh = if exact { enough || !as_promised } else { step.strained && !fresh };
+            fresh = if exact { enough || is_slow_twice || !as_promised } else { step.strained && !fresh };
             fresh = fresh && !is_kept;
             if fresh {
                 // At the edge of what can be simulated there are none: the fit ends there.
                 let Ok(renewed) = self.jacobians(&point) else { break };
                 (jacobians, gained_since) = (renewed, 0.0);
-            } else if !exact || is_kept {
+            } else if !exact || is_kept || (is_near && gained_since >= NEAR) {
                 self.learn_from_step(&mut jacobians, (&before, &misfit), &step.delta, &matrix);
             }
         }
@@ -318,8 +328,10 @@ impl Model<'_> {
     }
 
     fn most_steps(&self) -> usize {
-        let is_early = matches!(self.part, Part::First(_)) && !self.causes.is_empty();
-        if is_early { EARLY_STEPS } else { MOST_STEPS }
+        match self.part {
+            Part::First(horizon_s) if horizon_s > HORIZONS_S[0] && !self.causes.is_empty() => EARLY_STEPS,
+            _ => MOST_STEPS,
+        }
     }
 
     fn jacobians(&self, point: &Point) -> Result<Vec<DMatrix<f64>>> {

@@ -30,6 +30,10 @@ const FURTHER: usize = 3;
 const GUSTY: f64 = 0.15;
 /// A cause that takes less than this share of what is left leaves room for gusts of a wind that blows no other way.
 const TAKEN: f64 = 0.5;
+/// A law that bends to what follows another leaves a hundredth of it or more; one that leaves a third of that has its own …
+const BENT: f64 = 3e-3;
+/// … where so much (χ²) was there to bend to: of that a hundredth is seen in any bands, which show from about thirty.
+const PLAIN: f64 = 1e5;
 /// A wind that hardly blows but in gusts brakes by this share of what is expected of winds before its gusts are fitted.
 const FAINT: f64 = 0.1;
 /// Gusts that make up for less than this share of what a wind lacks are not looked for anew beside each other.
@@ -193,7 +197,7 @@ impl Found<'_> {
         let best = best.filter(|best| best.gain > LEAST_GAIN)?;
         let leaves_some = best.cause.id == WIND || !best.left.is_next_to_nothing(&self.base_left);
         let steady = steady.filter(|wind| leaves_some && wind.gain > GUSTY * best.gain).cloned();
-        let is_alike = !is_taken && slow_hz(best).is_some();
+        let is_alike = !is_taken && slow_hz(best).is_some() && !has_its_law(&best.left, &self.left);
         steady.or_else(|| is_alike.then(|| self.in_gusts_alone(Some(best))).flatten())
     }
 
@@ -578,6 +582,11 @@ impl Found<'_> {
 /// Whether so little is left of what was left before that there is no room for gusts.
 fn takes_much(left: &Left, before: &Left) -> bool {
     left.excess() < TAKEN * before.excess()
+}
+
+/// Whether so much is taken so wholly that another law would have left more to see.
+fn has_its_law(left: &Left, before: &Left) -> bool {
+    left.excess() <= BENT * before.excess() && before.excess() > PLAIN
 }
 
 /// Frequency of what was tried, where that is something inside that moves as slowly as gusts come, Hz.

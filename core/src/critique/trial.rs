@@ -15,7 +15,9 @@ const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 const GENTLE: [f64; 3] = [0.3, 0.1, 0.03];
 /// So many forms of a cause are fitted near the data.
 const FORMS: usize = 3;
-/// Over a part of the recordings no longer than this forms are still on their ways: the one that was worst after it was best after the next.
+/// A form that leaves more than so many times what the best does (χ²) over a part of the recordings has lost.
+const LOST: f64 = 4.0;
+/// Over a part of the recordings no longer than this others are still on their ways: the one that was worst after it was best after the next.
 const TOO_SHORT_S: f64 = HORIZONS_S[0];
 /// A fit that after some steps is still so far (share of what the best gains) behind the best is given up.
 const HOPELESS: f64 = 0.5;
@@ -117,13 +119,15 @@ impl Found<'_> {
         self.weighed_up(&look.cause, model, fitted)
     }
 
-    /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part: the better half of
-    /// them goes on to the last.
+    /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part: what has not lost
+    /// after the first, and of that the better half after the others, goes on.
     fn fit_from_afar(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let mut led: Vec<Led> = forms.iter().map(|form| Led::begun(self, form, of_many)).collect();
         for horizon_s in HORIZONS_S {
             led.iter_mut().for_each(|form| form.go_on(horizon_s));
             led.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            let least = led.first().map_or(f64::INFINITY, |best| best.cost);
+            led.retain(|form| form.cost <= LOST * least);
             if horizon_s > TOO_SHORT_S {
                 led.truncate(led.len().div_ceil(2));
             }
