@@ -195,9 +195,11 @@ impl Found<'_> {
             return steady.or_else(|| self.in_gusts_alone(best));
         }
         let best = best.filter(|best| best.gain > LEAST_GAIN)?;
-        let leaves_some = best.cause.id == WIND || !best.left.is_next_to_nothing(&self.base_left);
+        let has_its_law = has_its_law(&best.left, &self.left);
+        let leaves_some =
+            best.cause.id == WIND || !(has_its_law || best.left.is_next_to_nothing(&self.base_left));
         let steady = steady.filter(|wind| leaves_some && wind.gain > GUSTY * best.gain).cloned();
-        let is_alike = !is_taken && slow_hz(best).is_some() && !has_its_law(&best.left, &self.left);
+        let is_alike = !is_taken && slow_hz(best).is_some() && !has_its_law;
         steady.or_else(|| is_alike.then(|| self.in_gusts_alone(Some(best))).flatten())
     }
 
