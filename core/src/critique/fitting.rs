@@ -230,6 +230,7 @@ impl Model<'_> {
         let mut was_slow = false;
         let exact = !self.is_apart();
         let mut last_gained = 0.0;
+        // Of its steps, in those with known derivatives.
         let mut left = self.most_steps() * OF_KNOWN;
         for n in 0.. {
             left = left.saturating_sub(if fresh { OF_KNOWN } else { 1 });
@@ -261,7 +262,8 @@ impl Model<'_> {
             let crawls = is_slow_twice && (fresh || is_kept || !exact);
             was_slow = is_slow;
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
-            let creeps = of_no_use >= PATIENCE && misfit.rms() > FAR;
+            let is_near = misfit.rms() <= FAR;
+            let creeps = of_no_use >= PATIENCE && !is_near;
             let unkept = gained < OF_NO_USE * step.hoped && step.hoped < UNKEPT;
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
             let arrived = enough || unkept || (!step.strained && gained < 2.0 * CONVERGED);
@@ -269,9 +271,8 @@ impl Model<'_> {
             if (is_known_there && arrived) || creeps || crawls || left == 0 || stop(pace) {
                 break;
             }
-            let is_near = misfit.rms() <= FAR;
-            let kept = if is_near { KEPT_NEAR } else { KEPT };
-            let as_promised = (kept..kept.recip()).contains(&(gained / step.promised));
+            let share = if is_near { KEPT_NEAR } else { KEPT };
+            let as_promised = (share..share.recip()).contains(&(gained / step.promised));
             // Derivatives that leave a cause out are no better when they are taken anew: those made true of steps are.
             fresh = if exact { enough || is_slow_twice || !as_promised } else { step.strained && !fresh };
             fresh = fresh && !is_kept;

@@ -120,7 +120,7 @@ impl Found<'_> {
     }
 
     /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part: what has not lost
-    /// after the first, and of that the better half after the others, goes on.
+    /// goes on, and of that after all but the first the better half.
     fn fit_from_afar(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let mut led: Vec<Led> = forms.iter().map(|form| Led::begun(self, form, of_many)).collect();
         for horizon_s in HORIZONS_S {
