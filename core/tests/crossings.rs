@@ -12,7 +12,7 @@ use gyradius_core::recording::{GateEvents, PeriodList};
 use gyradius_core::signal::{
     ChannelGroup, PeriodLaw, Pole, SpanNoteKind, WindowPoint, WindowedMode, against_amplitude, beat_count,
     crossing_periods, fit_period_trend, free_swing_span, gate_periods, period_from_crossings,
-    period_from_list, small_amplitude_limit, zero_crossings,
+    period_from_list, small_amplitude_limit, undisturbed_span, zero_crossings,
 };
 use num_complex::Complex64;
 use rand::RngExt;
@@ -198,6 +198,26 @@ fn of_two_swings_in_one_file_the_longer_is_used_and_the_other_noted() {
         let span = free_swing_span(&groups);
         let edge = if touch_s > 60.0 { span.end_s } else { span.start_s };
         assert!((edge - touch_s).abs() < 1.5 * period_s, "{touch_s} {period_s}: {span:?}");
+        assert!(span.notes.iter().any(|n| n.kind == SpanNoteKind::SecondSwing), "{touch_s}: {span:?}");
+    }
+}
+
+/// Of a touch that leaves the motion nearly as it was the record tells nothing: who saw it does.
+#[test]
+fn a_swing_does_not_go_across_a_disturbance_that_is_known() {
+    let mut rng = rng();
+    for _ in 0..20 {
+        let side_s = if rng.random() { 10.0 } else { -40.0 };
+        let touch_s = 60.0 + side_s + 30.0 * rng.random::<f64>();
+        let period_s = 1.2 + 1.5 * rng.random::<f64>();
+        let swing = Swing { tau_s: 600.0, ..random_swing(&mut rng, period_s, 0.15) };
+        let groups = phone(&mut rng, 120.0, &|c, t| swing.at(c, t));
+        span_is_whole(&groups, "nothing told");
+        let span = undisturbed_span(&groups, &[touch_s]);
+        let (edge, other) =
+            if touch_s > 60.0 { (span.end_s, span.start_s) } else { (span.start_s, span.end_s - 120.0) };
+        assert!((edge - touch_s).abs() < 0.5 * period_s && other.abs() < 0.1, "{touch_s}: {span:?}");
+        assert!(edge < touch_s || touch_s < 60.0, "{touch_s}: {span:?}");
         assert!(span.notes.iter().any(|n| n.kind == SpanNoteKind::SecondSwing), "{touch_s}: {span:?}");
     }
 }

@@ -1,8 +1,10 @@
 //! The live estimator on swings in closed form and on a simulated hull: honest at every moment, and quick to tell.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
 mod swings;
 
+use common::{fresh, seed};
 use gyradius_core::Error;
 use gyradius_core::language::Language;
 use gyradius_core::live::{
@@ -12,20 +14,13 @@ use gyradius_core::practice::{practise, read_rig};
 use gyradius_core::procedure::Text;
 use gyradius_core::recording::{Sensor, read_recording};
 use gyradius_core::signal::{ChannelGroup, DecomposeOptions, Decomposition, decompose, free_swing_span};
-use rand::{Rng, RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::{Rng, RngExt};
 use swings::{GRAVITY_M_S2, Oscillation, Scene};
 
 /// A batch as a phone gives it, s.
 const BATCH_S: f64 = 0.2;
 /// Stamps count from some time after the phone was switched on, ns.
 const BOOT_NS: i64 = 7_000_000_000_000;
-
-fn fresh(what: &str) -> ChaCha8Rng {
-    let seed: u64 = rand::random();
-    println!("{what}: seed {seed}");
-    ChaCha8Rng::seed_from_u64(seed)
-}
 
 fn live(wanted: f64) -> Live {
     Live::new(LiveOptions { wanted, ..LiveOptions::default() }).unwrap()
@@ -215,9 +210,7 @@ fn the_live_period_agrees_with_the_final_one_and_the_forecast_is_right() {
 fn a_simulated_hull_is_followed() {
     let rig = include_str!("../../python/gyradius/rigs/keelboat.toml");
     let rig = read_rig(&rig.replace("[truth]\n", "[truth]\nduration_s = 120.0\n"), "rig.toml").unwrap();
-    let seed: u64 = rand::random();
-    println!("keelboat: seed {seed}");
-    let practised = practise(&rig, seed).unwrap();
+    let practised = practise(&rig, seed("keelboat")).unwrap();
     for (name, bytes) in &practised.recordings {
         let recording = read_recording(bytes, name).unwrap();
         let sensors =

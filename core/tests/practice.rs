@@ -1,6 +1,9 @@
 //! Rig files: what they become, that they are reproducible, blind, and never a panic.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
+use common::seed;
 use gyradius_core::dynamics::Draws;
 use gyradius_core::frames::Vec3;
 use gyradius_core::practice::{RigFile, practise, read_rig, save_practised};
@@ -60,9 +63,7 @@ fn the_seed_decides_all_chance_and_nothing_else() {
 
 #[test]
 fn the_draws_are_standard_normal() {
-    let seed: u64 = rand::random();
-    println!("seed {seed}");
-    let draws = rig(SHIPPED).swings[0].draws(Some(seed), 20_000).unwrap();
+    let draws = rig(SHIPPED).swings[0].draws(Some(seed("noise")), 20_000).unwrap();
     let noise = &draws[2];
     let n = noise.len() as f64;
     assert_eq!(noise.len(), 120_000);

@@ -1,11 +1,14 @@
 //! The procedure, played from end to end by an operator on hulls that never were, and killed wherever it can be.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
 
+use common::{fresh, seed};
 use gyradius_core::Error;
 use gyradius_core::critique::{CauseVerdict, Criticism, Critique, SwingTrace};
 use gyradius_core::language::Language;
@@ -16,7 +19,7 @@ use gyradius_core::procedure::{
     Recommend, Rehearsal, State, Task, keep_criticism, kept_criticism, practice_task,
 };
 use gyradius_core::recorder::{Piece, Reader};
-use gyradius_core::recording::{End, Excitation, Quantity, Sensor, load_session};
+use gyradius_core::recording::{DISTURBED, End, Excitation, Quantity, RecordedEvent, Sensor, load_session};
 use proptest::prelude::*;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -25,9 +28,9 @@ use rand_distr::{Distribution, StandardNormal};
 const SHIPPED: &str = include_str!("../../python/gyradius/rigs/keelboat.toml");
 const UTC: &str = "2026-05-04T09:30:00Z";
 
-fn fresh(what: &str) -> (u64, ChaCha8Rng) {
-    let seed: u64 = rand::random();
-    println!("{what}: seed {seed}");
+/// A fresh seed, and a generator from it.
+fn drawn_from(what: &str) -> (u64, ChaCha8Rng) {
+    let seed = seed(what);
     (seed, ChaCha8Rng::seed_from_u64(seed))
 }
 
@@ -118,7 +121,7 @@ fn assert_repeat(judged: &Judged, step: &str, take: usize, why: &str) {
 #[test]
 fn an_operator_is_led_to_the_right_inertia_whatever_goes_wrong() {
     for round in 0..2 {
-        let (seed, mut rng) = fresh(&format!("operator {round}"));
+        let (seed, mut rng) = drawn_from(&format!("operator {round}"));
         let rig = drawn(&mut rng);
         let folder = tempfile::tempdir().unwrap();
         let task = whole_task(&rig);
@@ -172,6 +175,10 @@ fn an_operator_is_led_to_the_right_inertia_whatever_goes_wrong() {
         assert_eq!(loaded.session.swings.len(), 3);
         assert_eq!(loaded.session.recorded.len(), 3);
         assert_eq!(loaded.session.inclines.len(), 1);
+        // Whatever is judged by one side of the touch is measured by it.
+        let marks = &loaded.session.recorded[1].events;
+        let is_marked = |mark: &RecordedEvent| mark.key == DISTURBED && (mark.t_s - 80.0).abs() < 5.0;
+        assert!(touched.recommend == Recommend::Repeat || marks.iter().any(is_marked), "{marks:?}");
         assert_eq!(loaded.session.measured_on, UTC[..10]);
         let result = state.result.unwrap();
         for name in ["k_yaw_m", "k_pitch_m", "cm_depth_m"] {
@@ -328,7 +335,7 @@ fn cut(from: &Path, to: &Path, now: &Snapshot, next: &Snapshot, mut bytes: u64) 
 /// than its last second.
 #[test]
 fn a_killed_app_goes_on_and_loses_at_most_a_second() {
-    let (seed, mut rng) = fresh("killed");
+    let (seed, mut rng) = drawn_from("killed");
     let rig = drawn(&mut rng);
     let folder = tempfile::tempdir().unwrap();
     let snapshots = logged(folder.path(), seed, &rig);
@@ -389,7 +396,7 @@ fn a_killed_app_goes_on_and_loses_at_most_a_second() {
 /// The journal alone cut short, as a damaged disk would: every recording is still found and offered.
 #[test]
 fn recordings_whose_lines_are_lost_are_found_again() {
-    let (seed, mut rng) = fresh("lost lines");
+    let (seed, mut rng) = drawn_from("lost lines");
     let rig = drawn(&mut rng);
     let folder = tempfile::tempdir().unwrap();
     logged(folder.path(), seed, &rig);
@@ -469,7 +476,7 @@ fn listen(procedure: &mut Procedure, (from_s, to_s): (f64, f64), amplitude_rad: 
 
 #[test]
 fn a_rest_is_refused_while_the_hull_moves_and_tells_the_sensors_when_it_does_not() {
-    let (_, mut rng) = fresh("rest");
+    let mut rng = fresh("rest");
     let folder = tempfile::tempdir().unwrap();
     let mut procedure = begun(folder.path());
     listen(&mut procedure, (0.0, 3.0), 0.0, &mut rng);
@@ -505,7 +512,7 @@ fn a_rest_is_refused_while_the_hull_moves_and_tells_the_sensors_when_it_does_not
 
 #[test]
 fn a_full_disk_and_a_stopped_sensor_are_told_and_what_was_recorded_can_be_kept() {
-    let (_, mut rng) = fresh("full disk");
+    let mut rng = fresh("full disk");
     let folder = tempfile::tempdir().unwrap();
     let mut procedure = begun(folder.path());
     listen(&mut procedure, (0.0, 3.0), 0.0, &mut rng);

@@ -3,10 +3,13 @@
 //! Expected values are what was pushed; the file itself is only cut, flipped and joined, never read by the tests.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use common::fresh;
 use gyradius_core::Error;
 use gyradius_core::recorder::{
     Damage, DamageKind, Event, Header, Piece, Reader, SensorInfo, Stream, Writer, convert,
@@ -16,8 +19,7 @@ use gyradius_core::recording::{
     SwingData, Triad, load_session, save_session,
 };
 use proptest::prelude::*;
-use rand::{Rng, RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::{Rng, RngExt};
 
 const SECOND_NS: i64 = 1_000_000_000;
 /// Samples of one block wait half a second; a cut inside a block loses no more of a stream.
@@ -36,13 +38,6 @@ fn header() -> Header {
 
 /// Stamps and the bits of the values.
 type Bits = Vec<(i64, [u64; 3])>;
-
-/// A generator from fresh entropy, its seed printed.
-fn fresh(what: &str) -> ChaCha8Rng {
-    let seed: u64 = rand::random();
-    println!("{what}: seed {seed}");
-    ChaCha8Rng::seed_from_u64(seed)
-}
 
 /// Everything that a reader finds.
 #[derive(Default)]

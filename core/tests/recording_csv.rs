@@ -292,7 +292,7 @@ proptest! {
         linear_accelerometer in triad(prop::collection::vec(0..100_000u32, 20..60)),
     ) {
         let name = "r.csv".to_owned();
-        let recording = Recording { name, gyroscope, accelerometer, linear_accelerometer, repairs: Vec::new() };
+        let recording = Recording { name, gyroscope, accelerometer, linear_accelerometer, repairs: Vec::new(), ..Recording::default() };
         let any = recording.gyroscope.is_some()
             || recording.accelerometer.is_some()
             || recording.linear_accelerometer.is_some();

@@ -6,7 +6,7 @@ use crate::language::{Argument, Text};
 use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
 use crate::recording::{Excitation, ModeName, Recording, Repair, RepairKind, Sensor, Swing, Track, Triad};
 use crate::signal::{
-    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose, free_swing_span,
+    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose, undisturbed_span,
 };
 
 use super::sentences::{motion, said};
@@ -83,8 +83,9 @@ fn found_in(
     map: ChannelMap,
     amplitude_unit: &'static str,
     repairs: &[Repair],
+    disturbed_s: &[f64],
 ) -> Result<Evidence> {
-    let span = free_swing_span(all);
+    let span = undisturbed_span(all, disturbed_s);
     let groups = clipped(all, &span);
     let found = decompose(&groups, &DecomposeOptions::default())?;
     let mut warnings = found.warnings_said.clone();
@@ -103,7 +104,7 @@ pub fn observe_recording(
     swing: Option<&Swing>,
 ) -> Result<Evidence> {
     let (all, map) = channels(recording);
-    let mut evidence = found_in(id, &all, map, "rad", &recording.repairs)?;
+    let mut evidence = found_in(id, &all, map, "rad", &recording.repairs, &recording.disturbed_s)?;
     let found = &evidence.found;
     let up = up_direction(found, map).map(|(up, _)| up);
     let motions: Vec<PhoneMotion> =
@@ -217,7 +218,7 @@ pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<
 /// is the sway, the other the yaw (or what the operator meant).
 pub fn observe_track(id: &str, track: &Track, hanging: &Hanging, swing: &Swing) -> Result<Evidence> {
     let all = vec![ChannelGroup { t_s: track.t_s.clone(), channels: vec![track.y_m.clone()] }];
-    let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs)?;
+    let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs, &[])?;
     evidence.warnings.push(said("track_alone", []));
     evidence.named = name_track_modes(&evidence.found, hanging, swing);
     Ok(evidence)

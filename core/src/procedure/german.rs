@@ -137,7 +137,7 @@ pub const GERMAN: [(&str, &str); 85] = [
     ),
     (
         "note_touched",
-        "die Schwingung wurde bei {at_s} s gestört; der Teil davor ist lang genug und wird verwendet",
+        "die Schwingung wurde bei {at_s} s gestört; was davor oder danach frei schwang, ist lang genug und wird verwendet",
     ),
     (
         "note_period",

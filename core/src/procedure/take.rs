@@ -8,10 +8,10 @@ use super::release::{Follows, Release};
 use super::rest::{Rest, RestReader};
 use crate::error::Result;
 use crate::frames::Vec3;
-use crate::live::{Live, LiveOptions};
+use crate::live::{Advice, Live, LiveOptions};
 use crate::plan::{PlannedSwing, Step};
 use crate::recorder::{END, Event as Mark, Piece, Reader, Stream, Writer};
-use crate::recording::Sensor;
+use crate::recording::{DISTURBED, Sensor};
 
 /// Folder of the recordings inside the procedure's.
 pub(super) const TAKES: &str = "takes";
@@ -154,6 +154,16 @@ impl Follow {
         estimated.or(self.release.moving_ns())
     }
 
+    /// When something last disturbed the swing, ns.
+    fn disturbed_ns(&self) -> Option<i64> {
+        let first = self.span.0?.0;
+        let disturbed = |advice: &Advice| match advice {
+            Advice::Touched { at_s } => Some(first.saturating_add((at_s * 1e9) as i64)),
+            _ => None,
+        };
+        self.live.estimate().advice.iter().find_map(disturbed)
+    }
+
     /// Since when it swings, s.
     pub fn swinging_s(&self) -> Option<f64> {
         let moving = self.release.moving_ns()?;
@@ -199,6 +209,8 @@ pub(super) struct Running {
     writer: Writer,
     pub follow: Follow,
     released: bool,
+    /// The last disturbance that is marked, ns.
+    disturbed_ns: Option<i64>,
 }
 
 impl Running {
@@ -209,6 +221,7 @@ impl Running {
             writer: Writer::create(file, &header)?,
             follow: Follow::new(planned, before)?,
             released: false,
+            disturbed_ns: None,
         })
     }
 
@@ -217,7 +230,7 @@ impl Running {
         let mut follow = Follow::replayed(file, planned, before)?;
         follow.resumed = true;
         let released = follow.release.moving_ns().is_some();
-        Ok(Self { writer: Writer::resume(file)?, follow, released })
+        Ok(Self { writer: Writer::resume(file)?, follow, released, disturbed_ns: None })
     }
 
     pub fn push(&mut self, batch: &Batch) -> Result<()> {
@@ -226,6 +239,11 @@ impl Running {
         if let (false, Some(stamp_ns)) = (self.released, self.follow.release.moving_ns()) {
             self.released = true;
             self.writer.mark(&Mark { stamp_ns, key: RELEASE.to_owned() })?;
+        }
+        let disturbed_ns = self.follow.disturbed_ns();
+        if let Some(stamp_ns) = disturbed_ns.filter(|_| disturbed_ns != self.disturbed_ns) {
+            self.disturbed_ns = disturbed_ns;
+            self.mark(stamp_ns, DISTURBED.to_owned())?;
         }
         Ok(())
     }

@@ -132,7 +132,10 @@ const ENGLISH: [(&str, &str); 85] = [
         "reason_far",
         "the hull tilted by {angle_deg}°, and {expected_deg}° were expected: check weight and arm",
     ),
-    ("note_touched", "the swing was disturbed at {at_s} s; the part before it is long enough, and is used"),
+    (
+        "note_touched",
+        "the swing was disturbed at {at_s} s; what swung freely before it or after it is long enough, and is used",
+    ),
     ("note_period", "noise leaves the period uncertain by {u_ppm} ppm; {wanted_ppm} ppm were allowed"),
     ("note_amplitude", "released at {released_deg}°, {left_deg}° at the end"),
     ("note_tilt", "the weight tilts the hull by {angle_deg}°"),

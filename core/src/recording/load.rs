@@ -95,11 +95,12 @@ fn refuse_missing(store: &Store, session_file: &str, named: &NamedFile) -> Resul
     })
 }
 
-/// A phone's recording, with what the recorder had lost of it told first.
+/// A phone's recording, with what the recorder had lost of it told first, and when it was disturbed.
 fn phone_recording(store: &Store, session: &Session, file: &str) -> Result<Recording> {
     let mut recording = csv::read_recording(&store.read(file)?, &store.describe(file))?;
-    let told = session.recorded.iter().filter(|recorded| recorded.file == file);
-    recording.repairs.splice(0..0, told.flat_map(Recorded::as_repairs));
+    let told = || session.recorded.iter().filter(|recorded| recorded.file == file);
+    recording.repairs.splice(0..0, told().flat_map(Recorded::as_repairs));
+    recording.disturbed_s = told().flat_map(Recorded::disturbed_s).collect();
     Ok(recording)
 }
 

@@ -38,6 +38,9 @@ pub struct RecordedSensor {
     pub full_scale: Option<f64>,
 }
 
+/// Key of the mark at which the swing was disturbed.
+pub const DISTURBED: &str = "disturbed";
+
 /// A mark.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RecordedEvent {
@@ -59,6 +62,11 @@ pub struct RecordedRepair {
 }
 
 impl Recorded {
+    /// When the swing was disturbed, s of the recording.
+    pub(super) fn disturbed_s(&self) -> impl Iterator<Item = f64> {
+        self.events.iter().filter(|event| event.key == DISTURBED).map(|event| event.t_s)
+    }
+
     /// What was lost, as repairs of the recording; what was lost may be of either sensor.
     pub(super) fn as_repairs(&self) -> Vec<Repair> {
         let repair = |repair: &RecordedRepair| {

@@ -53,6 +53,9 @@ pub struct Recording {
     pub linear_accelerometer: Option<Triad>,
     /// What was found wrong and how it was treated.
     pub repairs: Vec<Repair>,
+    /// When the swing was disturbed, s, by the marks of who recorded it: no free swing goes across.
+    #[serde(default)]
+    pub disturbed_s: Vec<f64>,
 }
 
 /// A rangefinder's track.

@@ -41,7 +41,7 @@ pub use modulation::{Modulation, PeriodTrend, fit_period_trend};
 pub use period_list::{FlaggedPeriod, ListedPeriod, period_from_list};
 pub use small_amplitude::{PeriodLaw, SmallAmplitude, small_amplitude_limit};
 pub use spectrum::spectrum;
-pub use trim::{FreeSpan, SpanNote, SpanNoteKind, free_swing_span};
+pub use trim::{FreeSpan, SpanNote, SpanNoteKind, free_swing_span, undisturbed_span};
 pub use types::{
     AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode, Spectrum,
 };

@@ -21,6 +21,9 @@ const AT_REST: f64 = 0.15;
 /// Share of the threshold that a surprise must reach where motion meets rest: such a place is suspect already.
 const SUSPECT: f64 = 0.3;
 
+/// Who tells of a disturbance knows its time to about so many blocks: it was seen in blocks, and lasts.
+const KNOWN_BLOCKS: f64 = 2.0;
+
 /// All channels averaged over blocks of one common grid; `None` where a block has no sample.
 pub(super) struct BlockSeries {
     start_s: f64,
@@ -76,6 +79,11 @@ impl BlockSeries {
     /// Start of block `n`, s.
     pub(super) fn time_s(&self, n: usize) -> f64 {
         self.start_s + n as f64 * self.step_s
+    }
+
+    /// Whether block `n` lies within [`KNOWN_BLOCKS`] of a time.
+    fn is_about(&self, n: usize, at_s: f64) -> bool {
+        (self.time_s(n) - at_s).abs() <= KNOWN_BLOCKS * self.step_s
     }
 
     /// Period of the strongest oscillation, s.
@@ -229,8 +237,9 @@ impl Surprise {
         Some(Self { forward: ratio(0), backward: ratio(1), coefficients, threshold })
     }
 
-    /// Blocks at which the motion before and the motion after do not belong together.
-    pub(super) fn breaks(&self, series: &BlockSeries) -> Vec<bool> {
+    /// Blocks at which the motion before and the motion after do not belong together, and those about a time at which the
+    /// swing is known to have been disturbed.
+    pub(super) fn breaks(&self, series: &BlockSeries, known_s: &[f64]) -> Vec<bool> {
         let n = series.len();
         let at = |v: &[f64], i: usize| v.get(i).copied().unwrap_or(0.0);
         let broken = |i: usize| {
@@ -242,16 +251,19 @@ impl Surprise {
             ahead.min(behind) > 1.0 || early || late || (ahead.max(behind) > SUSPECT && meets_rest(series, i))
         };
         let mut disturbed: Vec<bool> = (0..n).map(broken).collect();
-        self.forgive_glitches(series, &mut disturbed);
-        disturbed
+        let known: Vec<bool> = (0..n).map(|i| known_s.iter().any(|at_s| series.is_about(i, *at_s))).collect();
+        self.forgive_glitches(series, &mut disturbed, &known);
+        disturbed.iter().zip(known).map(|(disturbed, known)| *disturbed || known).collect()
     }
 
-    /// A glitch leaves the motion as it was: with its blocks unknown, both sides follow one rule.
-    fn forgive_glitches(&self, series: &BlockSeries, disturbed: &mut [bool]) {
+    /// A glitch leaves the motion as it was: with its blocks unknown, both sides follow one rule. What is known to be none
+    /// is not forgiven.
+    fn forgive_glitches(&self, series: &BlockSeries, disturbed: &mut [bool], known: &[bool]) {
         for (first, end) in runs(disturbed) {
             let (a, b) = (first.saturating_sub(1), (end + 1).min(series.len()));
             let short = b - a <= LAGS / 2 && a >= LAGS && b + LAGS <= series.len();
-            if short && goes_on(series, a, b) && self.bridges(series, a, b) {
+            let unknown = !known[a..b.min(known.len())].contains(&true);
+            if unknown && short && goes_on(series, a, b) && self.bridges(series, a, b) {
                 disturbed[first..end].fill(false);
             }
         }

@@ -72,11 +72,16 @@ const WAITING_SHARE: f64 = 0.15;
 
 /// Finds the freely decaying part of a record; the whole record where nothing disturbs it.
 pub fn free_swing_span(groups: &[ChannelGroup]) -> FreeSpan {
+    undisturbed_span(groups, &[])
+}
+
+/// The same of a record whose swing is known to have been disturbed at these times, s.
+pub fn undisturbed_span(groups: &[ChannelGroup], disturbed_s: &[f64]) -> FreeSpan {
     let (first_s, last_s) = extent(groups);
     let whole = FreeSpan { start_s: first_s, end_s: last_s, notes: Vec::new() };
     let Some(series) = BlockSeries::new(groups) else { return whole };
     let Some(surprise) = Surprise::new(&series) else { return whole };
-    let stretches = stretches(&series, &surprise.breaks(&series));
+    let stretches = stretches(&series, &surprise.breaks(&series, disturbed_s));
     let fewest = (FEWEST_CYCLES * series.period_s() / series.step_s()).ceil() as usize;
     let swings = |s: &Stretch| s.end - s.first >= fewest && s.rms > MOVES;
     let better = |a: &Stretch, b: &Stretch| swings(a).cmp(&swings(b)).then(a.worth().total_cmp(&b.worth()));
