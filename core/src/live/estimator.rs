@@ -126,6 +126,11 @@ impl Live {
         estimate
     }
 
+    /// When something last disturbed the swing, s, if that was not the phone's own moving: what the advice tells, without an estimate.
+    pub(crate) fn touched_s(&self) -> Option<f64> {
+        self.limits.touched_s(self.best_swing().map_or(0.0, |swing| swing.period_s))
+    }
+
     fn now_s(&self) -> f64 {
         let latest = [&self.gyroscope, &self.accelerometer].into_iter().filter_map(|one| one.watch.last_s());
         latest.fold(0.0, f64::max)
@@ -179,8 +184,7 @@ impl Live {
 
     fn disturbances(&self) -> Vec<Advice> {
         let moved = self.limits.moved.map(|(at_s, tilt_deg)| Advice::PhoneMoved { at_s, tilt_deg });
-        let period_s = self.best_swing().map_or(0.0, |swing| swing.period_s);
-        let touched = self.limits.touched_s(period_s).map(|at_s| Advice::Touched { at_s });
+        let touched = self.touched_s().map(|at_s| Advice::Touched { at_s });
         moved.into_iter().chain(touched).collect()
     }
 }

@@ -8,7 +8,7 @@ use super::release::{Follows, Release};
 use super::rest::{Rest, RestReader};
 use crate::error::Result;
 use crate::frames::Vec3;
-use crate::live::{Advice, Live, LiveOptions};
+use crate::live::{Live, LiveOptions};
 use crate::plan::{PlannedSwing, Step};
 use crate::recorder::{END, Event as Mark, Piece, Reader, Stream, Writer};
 use crate::recording::{DISTURBED, Sensor};
@@ -45,6 +45,11 @@ impl Span {
             let (first, newest) = self.0.unwrap_or((stamp, stamp));
             self.0 = Some((first, newest.max(stamp)));
         }
+    }
+
+    /// The stamp so long after the first.
+    fn at_ns(self, after_s: f64) -> Option<i64> {
+        self.0.map(|(first, _)| first.saturating_add((after_s * 1e9) as i64))
     }
 
     fn length_s(self) -> f64 {
@@ -148,20 +153,13 @@ impl Follow {
 
     /// Start of the free swing, ns: as the live estimator has it, or where motion began.
     pub fn free_from_ns(&self) -> Option<i64> {
-        let first = self.span.0?.0;
-        let estimated =
-            self.live.estimate().swing.map(|swing| first.saturating_add((swing.from_s * 1e9) as i64));
-        estimated.or(self.release.moving_ns())
+        let first_s = self.live.estimate().swing.map(|swing| swing.from_s);
+        first_s.map_or(self.release.moving_ns(), |from_s| self.span.at_ns(from_s))
     }
 
     /// When something last disturbed the swing, ns.
     fn disturbed_ns(&self) -> Option<i64> {
-        let first = self.span.0?.0;
-        let disturbed = |advice: &Advice| match advice {
-            Advice::Touched { at_s } => Some(first.saturating_add((at_s * 1e9) as i64)),
-            _ => None,
-        };
-        self.live.estimate().advice.iter().find_map(disturbed)
+        self.span.at_ns(self.live.touched_s()?)
     }
 
     /// Since when it swings, s.
