@@ -3,6 +3,8 @@
 //! The sensitivity to a cause's strengths is made orthogonal to everything that is fitted; its product with the residual
 //! is the score. One simulation for each strength and swing.
 
+use std::cell::OnceCell;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::dynamics::Path;
@@ -287,6 +289,7 @@ pub fn columns(
     let reader = Reader::along(&standing.paths[s], extended, (at, s), &blocks);
     let read = |at: &Point| if cause.on_phone { reader.reread(at) } else { reader.moved(at) };
     let residual = &standing.residuals[s];
+    let here = OnceCell::new();
     let mut sensitivity = DMatrix::zeros(residual.len(), strengths.len());
     for (column, k) in strengths.iter().enumerate() {
         let (parameter, own) = &expanded[*k];
@@ -300,11 +303,12 @@ pub fn columns(
         };
         let up = moved(parameter.step)?;
         // The base absorbs nearly all of what shifts a period: the little that is left must not be an error of the step.
-        let (down, by) = match (!cause.stiff).then(|| moved(-parameter.step)) {
-            Some(Ok(down)) => (down, 2.0 * parameter.step),
-            _ => (read(at)?, parameter.step),
+        let down = if cause.stiff { None } else { moved(-parameter.step).ok() };
+        let (down, by) = match &down {
+            Some(down) => (down, 2.0 * parameter.step),
+            None => (here.get_or_init(|| read(at)).as_ref().map_err(Clone::clone)?, parameter.step),
         };
-        let change = up.iter().zip(&down).map(|(u, d)| (u - d) / by);
+        let change = up.iter().zip(down).map(|(u, d)| (u - d) / by);
         sensitivity.column_mut(column).iter_mut().zip(change).for_each(|(cell, c)| *cell = c);
     }
     Ok(Part::of(&standing.fitted.jacobians[s], &sensitivity, residual))

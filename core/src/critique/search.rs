@@ -435,11 +435,13 @@ impl Found<'_> {
 
     /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well.
     fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
-        let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
+        let (mut unnamed, named): (Vec<Look>, Vec<Look>) =
+            looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
         // What promises more than all names may keep it, even where one of them leaves nothing: a line that slips turns a phone with the hull.
         let promised = named.iter().map(|look| look.gain).fold(0.0, f64::max);
         // What else moves inside follows the law of what was found to move there: it may promise most, and then sets the measure for the names.
         if unnamed.first().is_some_and(|look| look.cause.form == Form::Second && look.gain > promised) {
+            unnamed.truncate(1);
             let found = self.unnamed_in_full(unnamed, |look| self.promises(look), self.fitted.cost);
             let tried = self.fitted_in_full(named, least_cost(&found, self.fitted.cost), half_way)?;
             return Ok(self.with_unnamed(tried, found));
@@ -598,13 +600,15 @@ fn slow_hz(tried: &Tried) -> Option<f64> {
     Some(frequency_hz).filter(|hz| *hz < FASTEST_GUST_HZ)
 }
 
-/// The first of each name, with those of its other forms that promise nearly as much.
+/// The first of each name, and of what else moves inside, with those of its other forms that promise nearly as much.
 fn foremost(looks: &[Look]) -> Vec<Look> {
     let mut leading: Vec<Look> = Vec::new();
     for look in looks {
-        let same =
-            leading.iter_mut().find(|known| known.cause.id == look.cause.id && look.cause.id != UNKNOWN);
-        match same {
+        let is_form_of = |known: &Cause| {
+            let has_law = known.id != UNKNOWN || known.form == Form::Second;
+            has_law && (known.id, known.form) == (look.cause.id, look.cause.form)
+        };
+        match leading.iter_mut().find(|known| is_form_of(&known.cause)) {
             None => leading.push(look.clone()),
             Some(best) if look.gain > RIVAL_SHARE * best.gain && !best.is_seen_as(look) => {
                 best.others.push(look.clone());

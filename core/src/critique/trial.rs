@@ -90,7 +90,7 @@ impl Found<'_> {
         }
         // All that end worse than without the cause began too strong.
         if ends.iter().all(|end| end.fitted.cost > self.fitted.cost) {
-            ends.extend(forms.first().and_then(|form| self.fit_gently(form, best, of_many)));
+            ends.extend(self.fit_gently(&forms[..forms.len().min(FORMS)], best, of_many));
         }
         ends.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         // Nothing begins at the others.
@@ -100,23 +100,31 @@ impl Found<'_> {
         Some(Tried { ends: others.collect(), ..first })
     }
 
-    /// From the cause alone as a look has it, but weaker: from the best of several such starts.
-    fn fit_gently(&self, look: &Look, best: f64, of_many: bool) -> Option<Tried> {
-        let model = Model { of_many, ..self.model.with(&look.cause) };
-        let swings = model.base.swings.len();
+    /// From a cause alone as looks at its forms have it, but weaker: from the best of several such starts.
+    fn fit_gently(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
+        let starts = forms.iter().filter_map(|form| {
+            let model = Model { of_many, ..self.model.with(&form.cause) };
+            let (cost, start) = nearest(&model, self.gentle_starts(form)?)?;
+            Some((cost, start, model, &form.cause))
+        });
+        let (_, start, model, cause) = starts.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let fitted = model.fit(&start, &|pace| self.is_hopeless(pace, best)).ok()?;
+        self.weighed_up(cause, model, fitted)
+    }
+
+    /// A cause alone with shares of what a look sees of it.
+    fn gentle_starts(&self, look: &Look) -> Option<[Point; 3]> {
+        let swings = self.model.base.swings.len();
         let (begin, seen) = (look.cause.start(swings), look.start(&self.model, &self.fitted, 1.0));
         let seen = seen.causes.last()?;
         let grows = look.cause.expanded(swings).into_iter().map(|(p, own)| p.is_strength || own.is_some());
         let grows: Vec<bool> = grows.collect();
-        let starts = GENTLE.map(|share| {
+        Some(GENTLE.map(|share| {
             let weaker = |k: usize| begin[k] + if grows[k] { share } else { 1.0 } * (seen[k] - begin[k]);
             let mut point = self.fitted.point.clone();
             point.causes.push((0..seen.len()).map(weaker).collect());
             point
-        });
-        let (_, start) = nearest(&model, starts)?;
-        let fitted = model.fit(&start, &|pace| self.is_hopeless(pace, best)).ok()?;
-        self.weighed_up(&look.cause, model, fitted)
+        }))
     }
 
     /// So far from linear that the way there leads over short parts of the recordings, where the forms of a cause part: what has not lost
