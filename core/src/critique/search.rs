@@ -605,8 +605,8 @@ fn foremost(looks: &[Look]) -> Vec<Look> {
     let mut leading: Vec<Look> = Vec::new();
     for look in looks {
         let is_form_of = |known: &Cause| {
-            let has_law = known.id != UNKNOWN || known.form == Form::Second;
-            has_law && (known.id, known.form) == (look.cause.id, look.cause.form)
+            let has_law = known.id != UNKNOWN || [known.form, look.cause.form] == [Form::Second; 2];
+            known.id == look.cause.id && has_law
         };
         match leading.iter_mut().find(|known| is_form_of(&known.cause)) {
             None => leading.push(look.clone()),
