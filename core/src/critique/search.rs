@@ -435,14 +435,14 @@ impl Found<'_> {
 
     /// Fits the leading causes in full, the best first. Where they leave something, shapes without a name are tried as well.
     fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
-        let (mut unnamed, named): (Vec<Look>, Vec<Look>) =
-            looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
+        let (unnamed, named): (Vec<Look>, Vec<Look>) = looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
         // What promises more than all names may keep it, even where one of them leaves nothing: a line that slips turns a phone with the hull.
         let promised = named.iter().map(|look| look.gain).fold(0.0, f64::max);
         // What else moves inside follows the law of what was found to move there: it may promise most, and then sets the measure for the names.
         if unnamed.first().is_some_and(|look| look.cause.form == Form::Second && look.gain > promised) {
-            unnamed.truncate(1);
-            let found = self.unnamed_in_full(unnamed, |look| self.promises(look), self.fitted.cost);
+            // Its other frequencies are forms of it.
+            let second = unnamed.into_iter().take(1).collect();
+            let found = self.unnamed_in_full(second, |look| self.promises(look), self.fitted.cost);
             let tried = self.fitted_in_full(named, least_cost(&found, self.fitted.cost), half_way)?;
             return Ok(self.with_unnamed(tried, found));
         }

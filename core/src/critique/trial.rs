@@ -76,8 +76,9 @@ impl Found<'_> {
 
     /// Near the data: from the leading forms of a cause, which end in valleys of their own. The best, with the others' ends.
     fn fit_nearby(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
+        let forms = &forms[..forms.len().min(FORMS)];
         let mut ends: Vec<Tried> = Vec::new();
-        for form in forms.iter().take(FORMS) {
+        for form in forms {
             let to_beat = least_cost(&ends, best);
             let model = Model { of_many, ..self.model.with(&form.cause) };
             let Some(start) = self.near(form, &model) else { continue };
@@ -90,7 +91,7 @@ impl Found<'_> {
         }
         // All that end worse than without the cause began too strong.
         if ends.iter().all(|end| end.fitted.cost > self.fitted.cost) {
-            ends.extend(self.fit_gently(&forms[..forms.len().min(FORMS)], best, of_many));
+            ends.extend(self.fit_gently(forms, best, of_many));
         }
         ends.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         // Nothing begins at the others.

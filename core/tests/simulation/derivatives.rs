@@ -161,7 +161,7 @@ fn best_differences(scene: &Scene, i: usize, fineness: Fineness) -> (Vec<f64>, f
 const ASIDE: [&str; 4] = ["axis_height_m", "spread_m", "wind.seed", "learned_force.coordinate"];
 /// Derivatives are right to this part of their largest value.
 const RIGHT_TO: f64 = 1e-6;
-/// Or so that the whole of a number is right to this, m/s² or rad/s: a step is not halved for an error of 1e-14 m/s
+/// Across kinks, or so that the whole of a number is right to this, m/s² or rad/s: a step is not halved for an error of 1e-14 m/s
 /// (`ROUNDING` of dynamics/path.rs), which over a step of some ms is that much of an acceleration.
 const ROUNDED_TO: f64 = 1e-11;
 /// Differences that are known worse than to this cannot judge.
@@ -176,14 +176,13 @@ struct Found {
 }
 
 impl Found {
-    /// Of slopes by a number, which does this to readings.
-    fn judge(&mut self, name: &str, influence: f64, slopes: &[f64], (expected, unsure): (Vec<f64>, f64)) {
+    fn judge(&mut self, name: &str, slopes: &[f64], (expected, unsure): (Vec<f64>, f64), right_to: f64) {
         let error = farthest(slopes, &expected) / largest(&expected);
         println!("    {name:40} {error:.1e}, differences known to {unsure:.1e}");
         self.judged += 1;
         if unsure > KNOWN_TO {
             self.unjudged.push(name.to_owned());
-        } else if error > RIGHT_TO && error * influence > ROUNDED_TO {
+        } else if error > right_to {
             self.wrong.push(format!("{name} by {error:.1e}"));
         }
     }
@@ -192,6 +191,7 @@ impl Found {
 fn compare(scene: &Scene, of_derivatives: Fineness, of_differences: Fineness, found: &mut Found) {
     let names = scene.names();
     let first = if scene.effects.is_empty() { 0 } else { 24 };
+    let kinked = scene.effects.iter().any(|effect| effect.kind.kinked);
     let wanted: Vec<usize> =
         (first..names.len()).filter(|&i| !ASIDE.contains(&names[i].0.as_str())).collect();
     let paths_by =
@@ -204,7 +204,8 @@ fn compare(scene: &Scene, of_derivatives: Fineness, of_differences: Fineness, fo
         };
         let slopes = middle(paths.each_ref().map(slopes_of));
         let best = best_differences(scene, i, of_differences);
-        found.judge(&names[i].0, influence(scene, i, &best.0), &slopes, best);
+        let rounded_to = if kinked { ROUNDED_TO / influence(scene, i, &best.0) } else { 0.0 };
+        found.judge(&names[i].0, &slopes, best, rounded_to.max(RIGHT_TO));
     }
 }
 
@@ -287,11 +288,9 @@ fn compare_influences(scene: &Scene) -> Found {
         let slopes_at = |t: &f64| read(&paths[n / LANES].at(*t)).map(|x| x.slope[n % LANES]);
         let slopes: Vec<f64> = TIMES.iter().flat_map(slopes_at).collect();
         let (expected, unsure) = best_differences(scene, i, of_differences);
-        let influence_of = |slopes: &[f64]| influence(scene, i, slopes);
-        let influence = influence_of(&expected);
-        if influence > 1e-6 {
-            found.judge(name, influence, &slopes, (expected, unsure));
-        } else if influence_of(&[slopes, slopes_at(&119.7).into()].concat()) > 1e-10 {
+        if influence(scene, i, &expected) > 1e-6 {
+            found.judge(name, &slopes, (expected, unsure), RIGHT_TO);
+        } else if influence(scene, i, &[slopes, slopes_at(&119.7).into()].concat()) > 1e-10 {
             found.wrong.push(format!("{name} is said to have an influence"));
         }
     }
