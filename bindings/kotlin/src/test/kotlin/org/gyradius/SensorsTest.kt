@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.File
+import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 import kotlin.math.PI
@@ -105,6 +106,26 @@ class SensorsTest {
             assertBits(pushed.flatMap { it.values.asList() }.toDoubleArray(), track.values)
         }
         assertEquals(Channel.entries, file.samples().map { it.channel })
+    }
+
+    @Test
+    fun `a block that nobody else holds stays until the call that reads it returns`() {
+        val (random, over) = Random(seed) to AtomicBoolean()
+        // Whole seconds: their nanoseconds are exact.
+        val seconds = List(16) { DoubleArray(512) { random.nextInt(1_000_000).toDouble() } }
+        val expected = seconds.map { block -> LongArray(block.size) { 1_000_000_000L * block[it].toLong() } }
+        val caller = {
+            try {
+                repeat(10_000) {
+                    val i = it % seconds.size
+                    assertArrayEquals(expected[i], stampsFromCoreMotion(blockOf(seconds[i])).asStamps(), "call $it")
+                }
+            } finally {
+                over.set(true)
+            }
+        }
+        val collector = { while (!over.get()) System.gc() }
+        inThreads(caller, caller, collector)
     }
 
     @Test
