@@ -50,6 +50,9 @@ const PATIENCE: usize = 3;
 const SLOW: f64 = 1e-4;
 /// … and less than this share where many models are tried side by side: the best is led on.
 const SLOW_OF_MANY: f64 = 1e-3;
+/// Near the data one of many ends where three steps together gain no more of χ² than this: half of it is what the evidence lacks, and those
+/// close behind the best are led on with it.
+const SETTLED: f64 = 1.0;
 /// Damping rates, 1/s: what hangs makes no motion of itself. What nobody set going had a rate of any sign, and where it was below zero a fit
 /// stopped: a step that is short by all derivatives made it grow by e to the power of 12 over a recording.
 const PASSIVE: (f64, f64) = (0.0, f64::INFINITY);
@@ -229,7 +232,8 @@ impl Model<'_> {
         let slow_share = if self.of_many { SLOW_OF_MANY } else { SLOW };
         let mut was_slow = false;
         let exact = !self.is_apart();
-        let mut last_gained = 0.0;
+        // Of the last step, and of the last three.
+        let (mut last_gained, mut lately) = (0.0, [f64::INFINITY; 3]);
         // Of its steps, in those with known derivatives.
         let mut left = self.most_steps() * OF_KNOWN;
         for n in 0.. {
@@ -252,6 +256,7 @@ impl Model<'_> {
                 steps_left: left / OF_KNOWN,
             };
             last_gained = gained;
+            lately[n % 3] = gained;
             gained_since += gained;
             let before = std::mem::replace(&mut misfit, step.misfit);
             point = step.point;
@@ -264,11 +269,12 @@ impl Model<'_> {
             of_no_use = if gained < OF_NO_USE * step.promised { of_no_use + 1 } else { 0 };
             let is_near = misfit.rms() <= FAR;
             let creeps = of_no_use >= PATIENCE && !is_near;
+            let is_settled = self.of_many && is_near && lately.iter().sum::<f64>() <= SETTLED;
             let unkept = gained < OF_NO_USE * step.hoped && step.hoped < UNKEPT;
             let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
             let arrived = enough || unkept || (!step.strained && gained < 2.0 * CONVERGED);
             let is_known_there = gained_since < NEAR || is_kept || !exact;
-            if (is_known_there && arrived) || creeps || crawls || left == 0 || stop(pace) {
+            if (is_known_there && arrived) || creeps || crawls || is_settled || left == 0 || stop(pace) {
                 break;
             }
             let share = if is_near { KEPT_NEAR } else { KEPT };
