@@ -74,13 +74,18 @@ impl Found<'_> {
         end.flatten().or(Some(tried))
     }
 
+    /// The model with what was looked at beside those taken before.
+    fn with(&self, look: &Look, of_many: bool) -> Model<'_> {
+        Model { of_many, ..self.model.with(&look.cause) }
+    }
+
     /// Near the data: from the leading forms of a cause, which end in valleys of their own. The best, with the others' ends.
     fn fit_nearby(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let forms = &forms[..forms.len().min(FORMS)];
         let mut ends: Vec<Tried> = Vec::new();
         for form in forms {
             let to_beat = least_cost(&ends, best);
-            let model = Model { of_many, ..self.model.with(&form.cause) };
+            let model = self.with(form, of_many);
             let Some(start) = self.near(form, &model) else { continue };
             let known = model.each(|s| model.widened(&self.fitted.jacobians[s], &start, s));
             let known = known.into_iter().collect::<Result<Vec<_>>>();
@@ -104,7 +109,7 @@ impl Found<'_> {
     /// From a cause alone as looks at its forms have it, but weaker: from the best of several such starts.
     fn fit_gently(&self, forms: &[&Look], best: f64, of_many: bool) -> Option<Tried> {
         let starts = forms.iter().filter_map(|form| {
-            let model = Model { of_many, ..self.model.with(&form.cause) };
+            let model = self.with(form, of_many);
             let (cost, start) = nearest(&model, self.gentle_starts(form)?)?;
             Some((cost, start, model, &form.cause))
         });
@@ -216,7 +221,7 @@ struct Led<'a> {
 
 impl<'a> Led<'a> {
     fn begun(found: &'a Found, form: &'a Look, of_many: bool) -> Self {
-        let model = Model { of_many, ..found.model.with(&form.cause) };
+        let model = found.with(form, of_many);
         let start = found.afar(form, &model);
         Self { cause: &form.cause, model, point: start.clone(), start, cost: f64::INFINITY }
     }
