@@ -256,7 +256,7 @@ impl Model<'_> {
                 steps_left: left / OF_KNOWN,
             };
             last_gained = gained;
-            lately[n % 3] = gained;
+            lately = [gained, lately[0], lately[1]];
             gained_since += gained;
             let before = std::mem::replace(&mut misfit, step.misfit);
             point = step.point;
