@@ -11,7 +11,7 @@ use common::seed;
 use gyradius_core::critique::{CauseVerdict, Critique, NextSwing};
 use gyradius_core::plan::{PlannedSwing, Step};
 use gyradius_core::practice::{RigFile, read_rig};
-use gyradius_core::procedure::{Event, Phase, Recommend, Rehearsal, Task, practice_task};
+use gyradius_core::procedure::{Event, Phase, Rehearsal, Task, practice_task};
 use gyradius_core::recording::{Excitation, Quantity, load_session};
 use rand::{Rng, RngExt};
 use rand_chacha::ChaCha8Rng;
@@ -118,9 +118,7 @@ fn tells_more(seed: u64) -> bool {
     assert_as_suggested(&step, before.next_swing.as_ref().unwrap());
 
     rehearsal.handle(Event::Accept).unwrap();
-    play(&mut rehearsal, &[Phase::Judge]);
-    let judgement = rehearsal.state().judgement.unwrap();
-    assert_eq!(judgement.recommend, Recommend::Accept, "{:?}", judgement.reasons);
+    // A recording that the procedure calls bad is made again; how often it calls a good one bad is judged in live.rs.
     play(&mut rehearsal, &[Phase::Critique]);
     let session = load_session(rehearsal.folder().join("session")).unwrap().session;
     let ids: Vec<&str> = session.swings.iter().map(|swing| swing.id.as_str()).collect();
