@@ -129,31 +129,32 @@ fn criticised(loaded: &LoadedSession) -> Critique {
     critique
 }
 
-/// How often of six drawn sessions exactly these causes are named.
+/// How often of eight drawn sessions exactly these causes are named.
 fn named(quadratic: f64, dry: f64, causes: &[&str]) -> usize {
     let mut rng = rng();
     let right = |critique: &Critique| {
         let status = if causes.is_empty() { "adequate" } else { "explained" };
         critique.verdict.causes == causes && critique.verdict.status == status
     };
-    (0..6).filter(|_| right(&criticised(&drawn(&mut rng, quadratic, dry)))).count()
+    (0..8).filter(|_| right(&criticised(&drawn(&mut rng, quadratic, dry)))).count()
 }
 
 // A false alarm is rarer than one in fifty; so is a cause that is missed at strengths that change the decay by a tenth and more.
+// What errs so often errs in three of eight less than once in 2000 runs (binomial).
 
 #[test]
 fn a_pendulum_that_swings_as_it_should_is_left_alone() {
-    assert!(named(0.0, 0.0, &[]) >= 5);
+    assert!(named(0.0, 0.0, &[]) >= 6);
 }
 
 #[test]
 fn quadratic_drag_is_named() {
-    assert!(named(0.001, 0.0, &["quadratic_drag"]) >= 5);
+    assert!(named(0.001, 0.0, &["quadratic_drag"]) >= 6);
 }
 
 #[test]
 fn dry_friction_is_named() {
-    assert!(named(0.0, 0.0003, &["bearing_friction"]) >= 5);
+    assert!(named(0.0, 0.0003, &["bearing_friction"]) >= 6);
 }
 
 /// Strength over the true one of what was drawn: θ'' = … − (2 ω q/V) |θ'| θ'.
