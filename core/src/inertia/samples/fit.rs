@@ -22,6 +22,7 @@ const LEAST_INFORMATION: f64 = 0.1;
 const TELLING_PITCH_DEG: f64 = 3.0;
 
 /// One swing and its samples.
+#[derive(Clone)]
 pub struct SwingModel<'a> {
     pub setup: SwingSetup<'a>,
     pub samples: Samples,
@@ -66,31 +67,46 @@ impl Statement {
     }
 }
 
-/// Fits a swing, from rest and from the best of several sets of the session's parameters, beside what is `known` of them;
-/// over the short horizons only what `early` says moves.
-pub fn fit(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement], early: Moves) -> Result<Fit> {
+/// A swing over its first horizon, from one set of the session's parameters.
+#[derive(Debug, Clone)]
+pub struct Begun {
+    point: Point,
+    slowest_s: f64,
+}
+
+/// Begins with a swing, from rest and from several sets of the session's parameters, which are held; the best first. None where
+/// no set is a body that can be simulated.
+pub fn begun(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement]) -> Vec<Begun> {
     let fitting = Fitting { models: vec![model], known };
     let whole_s = model.samples.duration_s;
-    let begun = starts.iter().map(|x| -> Result<(Point, f64)> {
+    let one = |x: &Vec<f64>| -> Result<Begun> {
         let slowest_s = model.slowest_s(x)?;
-        Ok((model.first(&fitting, x, (HORIZONS[0] * slowest_s).min(whole_s))?, slowest_s))
-    });
+        let point = model.first(&fitting, x, (HORIZONS[0] * slowest_s).min(whole_s))?;
+        Ok(Begun { point, slowest_s })
+    };
+    let mut begun: Vec<Begun> = starts.iter().flat_map(one).collect();
     // Horizons differ: what counts is the cost of each second.
-    let per_s = |(point, slowest_s): &(Point, f64)| point.cost / slowest_s;
-    let mut begun: Vec<(Point, f64)> = begun.flatten().collect();
+    let per_s = |begun: &Begun| begun.point.cost / begun.slowest_s;
     begun.sort_by(|a, b| per_s(a).total_cmp(&per_s(b)));
-    let grown = |(point, slowest_s): (Point, f64)| {
-        let grown = |point: Point| model.grown(&fitting, point, slowest_s, early);
+    begun
+}
+
+/// Fits a swing to its end from what was begun, beside what is `known` of the session's parameters; over the short horizons only
+/// what `early` says moves.
+pub fn fit(model: &SwingModel, begun: &[Begun], known: &[Statement], early: Moves) -> Result<Fit> {
+    let fitting = Fitting { models: vec![model], known };
+    let grown = |Begun { point, slowest_s }: &Begun| {
+        let grown = |point: Point| model.grown(&fitting, point, *slowest_s, early);
         if !model.tells_bow_from_stern() {
-            return grown(point);
+            return grown(point.clone());
         }
         // Over a short horizon a tilted hull looks much the same from its other end.
         let turned = Point::new(&point.x, point.owns.iter().map(Own::turned_round).collect());
-        let ends = [point, turned].map(grown).into_iter().flatten();
+        let ends = [point.clone(), turned].map(grown).into_iter().flatten();
         ends.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
     };
     // One that leads to a body that cannot be simulated leads nowhere; the next may.
-    begun.into_iter().find_map(|start| grown(start).ok()).ok_or_else(no_start)
+    begun.iter().find_map(|start| grown(start).ok()).ok_or_else(no_start)
 }
 
 /// Fits several swings together from parameters of the session and what each swing had for its own. Bow and stern look alike

@@ -1,6 +1,6 @@
 //! The fits of a session's swings.
 
-use super::fit::{Fit, Statement, SwingModel, fit, fit_together};
+use super::fit::{Begun, Fit, Statement, SwingModel, begun, fit, fit_together};
 use super::marquardt::Moves;
 use super::modes::fitted_modes;
 use super::record::Samples;
@@ -26,6 +26,37 @@ pub struct FittedSwing<'a> {
     lines_rms_over_noise: f64,
 }
 
+/// A swing that was begun with, which is the same whatever moves afterwards.
+struct Beginning<'a, 'k> {
+    model: SwingModel<'a>,
+    begun: Vec<Begun>,
+    known: &'k [Statement],
+    lines_rms_over_noise: f64,
+}
+
+impl<'a, 'k> Beginning<'a, 'k> {
+    fn of(
+        (session, layout, i): (&'a Session, &'a Layout, usize),
+        starts: &[Vec<f64>],
+        known: &'k [Statement],
+        evidence: &Evidence,
+    ) -> Option<Self> {
+        let setup = SwingSetup { layout, swing: &session.swings[i], index: &layout.swings[i] };
+        let fastest_s = evidence.found.modes.iter().map(|m| m.period_s()).fold(f64::INFINITY, f64::min);
+        let model = SwingModel { setup, samples: Samples::of(evidence, fastest_s)? };
+        let begun = begun(&model, starts, known);
+        Some(Self { model, begun, known, lines_rms_over_noise: evidence.found.rms_over_noise })
+    }
+
+    /// Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold: `early` says what
+    /// moves over the short horizons.
+    fn fitted(&self, early: Moves) -> Option<FittedSwing<'a>> {
+        let fit = fit(&self.model, &self.begun, self.known, early).ok()?;
+        let (model, lines_rms_over_noise) = (self.model.clone(), self.lines_rms_over_noise);
+        Some(FittedSwing { model, fit, lines_rms_over_noise })
+    }
+}
+
 impl<'a> FittedSwing<'a> {
     /// Fits swing `i` from the best of several sets of the session's parameters, beside what is `known` of them; `None`
     /// where it is no bifilar swing with a phone on it, and where the simulation does not explain the record: then the
@@ -36,9 +67,8 @@ impl<'a> FittedSwing<'a> {
         known: &[Statement],
         evidence: &Evidence,
     ) -> Option<Self> {
-        let held_or_free = [Moves::Body, Moves::All].into_iter();
-        let mut fitted = held_or_free.filter_map(|early| Self::fitted(swing, starts, known, evidence, early));
-        fitted.find(Self::explains)
+        let begun = Beginning::of(swing, starts, known, evidence)?;
+        [Moves::Body, Moves::All].into_iter().filter_map(|early| begun.fitted(early)).find(Self::explains)
     }
 
     /// The fit nearest to the samples, whether it explains them or not; `None` where there is none.
@@ -47,28 +77,12 @@ impl<'a> FittedSwing<'a> {
         starts: &[Vec<f64>],
         evidence: &Evidence,
     ) -> Option<Self> {
-        let fitted = |early: Moves| Self::fitted(swing, starts, &[], evidence, early);
-        let held = fitted(Moves::Body);
+        let begun = Beginning::of(swing, starts, &[], evidence)?;
+        let held = begun.fitted(Moves::Body);
         if held.as_ref().is_some_and(Self::explains) {
             return held;
         }
-        [held, fitted(Moves::All)].into_iter().flatten().min_by(|a, b| a.cost().total_cmp(&b.cost()))
-    }
-
-    /// Held dimensions keep a short record from wandering; a dimension that is stated wrong must not hold: `early` says what
-    /// moves over the short horizons.
-    fn fitted(
-        (session, layout, i): (&'a Session, &'a Layout, usize),
-        starts: &[Vec<f64>],
-        known: &[Statement],
-        evidence: &Evidence,
-        early: Moves,
-    ) -> Option<Self> {
-        let setup = SwingSetup { layout, swing: &session.swings[i], index: &layout.swings[i] };
-        let fastest_s = evidence.found.modes.iter().map(|m| m.period_s()).fold(f64::INFINITY, f64::min);
-        let model = SwingModel { setup, samples: Samples::of(evidence, fastest_s)? };
-        let fit = fit(&model, starts, known, early).ok()?;
-        Some(Self { model, fit, lines_rms_over_noise: evidence.found.rms_over_noise })
+        [held, begun.fitted(Moves::All)].into_iter().flatten().min_by(|a, b| a.cost().total_cmp(&b.cost()))
     }
 
     /// What is fitted, and the fit.
