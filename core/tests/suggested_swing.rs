@@ -11,7 +11,7 @@ use common::seed;
 use gyradius_core::critique::{CauseVerdict, Critique, NextSwing};
 use gyradius_core::plan::{PlannedSwing, Step};
 use gyradius_core::practice::{RigFile, read_rig};
-use gyradius_core::procedure::{Event, Phase, Rehearsal, Task, practice_task};
+use gyradius_core::procedure::{Event, Phase, Recommend, Rehearsal, Task, practice_task};
 use gyradius_core::recording::{Excitation, Quantity, load_session};
 use rand::{Rng, RngExt};
 use rand_chacha::ChaCha8Rng;
@@ -102,7 +102,8 @@ fn assert_as_suggested(step: &PlannedSwing, next: &NextSwing) {
     assert_eq!(moved, is_tilted.then_some(next.hull_pitch_deg.signum()));
 }
 
-/// Plays a hull: what the criticism suggests is made as it says. Whether the criticism was right before and after.
+/// Plays a hull: what the criticism suggests is made as it says. Whether the criticism was right before and after, and the procedure called the
+/// recording good.
 fn tells_more(seed: u64) -> bool {
     let rig = drawn(&mut ChaCha8Rng::seed_from_u64(seed));
     let folder = tempfile::tempdir().unwrap();
@@ -118,7 +119,13 @@ fn tells_more(seed: u64) -> bool {
     assert_as_suggested(&step, before.next_swing.as_ref().unwrap());
 
     rehearsal.handle(Event::Accept).unwrap();
-    // A recording that the procedure calls bad is made again; how often it calls a good one bad is judged in live.rs.
+    play(&mut rehearsal, &[Phase::Judge]);
+    let judgement = rehearsal.state().judgement.unwrap();
+    // The procedure may take a free swing for a touched one, if seldom.
+    if judgement.recommend != Recommend::Accept {
+        println!("{:?}", judgement.reasons);
+        return false;
+    }
     play(&mut rehearsal, &[Phase::Critique]);
     let session = load_session(rehearsal.folder().join("session")).unwrap().session;
     let ids: Vec<&str> = session.swings.iter().map(|swing| swing.id.as_str()).collect();
@@ -133,8 +140,8 @@ fn tells_more(seed: u64) -> bool {
     found.contains(TRUTH) && after.status != "unexplained" && found.len() <= candidates(&before).len()
 }
 
-/// A criticism that is right of nine hulls in ten is wrong of three in a row less than once in a thousand runs; how often it is right
-/// is judged by `make hidden`.
+/// What is right of nine hulls in ten is wrong of three in a row less than once in a thousand runs; how often the criticism is right
+/// is judged by `make hidden`, how often a swing that nobody touched is called touched in `live.rs`.
 #[test]
 fn the_swing_that_the_criticism_suggests_is_made_and_tells_more() {
     assert!((0..3).any(|hull| tells_more(seed(&format!("hull {hull}")))));

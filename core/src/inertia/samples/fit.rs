@@ -68,14 +68,13 @@ impl Statement {
 }
 
 /// A swing over its first horizon, from one set of the session's parameters.
-#[derive(Debug, Clone)]
 pub struct Begun {
     point: Point,
     slowest_s: f64,
 }
 
-/// Begins with a swing, from rest and from several sets of the session's parameters, which are held; the best first. None where
-/// no set is a body that can be simulated.
+/// Begins with a swing, from rest and from several sets of the session's parameters, which are held; the best first. A set
+/// that is no body that can be simulated is left out.
 pub fn begun(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement]) -> Vec<Begun> {
     let fitting = Fitting { models: vec![model], known };
     let whole_s = model.samples.duration_s;

@@ -26,7 +26,7 @@ pub struct FittedSwing<'a> {
     lines_rms_over_noise: f64,
 }
 
-/// A swing that was begun with, which is the same whatever moves afterwards.
+/// What a swing's fit begins with: the same whatever moves afterwards.
 struct Beginning<'a, 'k> {
     model: SwingModel<'a>,
     begun: Vec<Begun>,
