@@ -1,5 +1,5 @@
-//! Cost of the live estimator per sample of both sensors at 200 Hz, looks at the whole swing included, and the
-//! recorder's throughput with every block synced to the disk.
+//! Cost of the live estimator per sample of both sensors at 200 Hz, looks at the whole swing
+//! included, and the recorder's throughput with every block synced to the disk.
 #![allow(missing_docs)]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -25,21 +25,39 @@ fn batch(number: i64) -> (Vec<i64>, Vec<[f64; 3]>, Vec<[f64; 3]>) {
     let t = |i: i64| 0.005 * i as f64;
     (
         rows.clone().map(|i| 5_000_000 * i).collect(),
-        rows.clone().map(|i| [2e-3 * noise(i), 2e-3 * noise(i + 7), turn(t(i)) + 2e-3 * noise(i + 9)]).collect(),
-        rows.map(|i| [0.03 * noise(i + 1), sway(t(i)) + 0.03 * noise(i + 3), 9.81 + 0.03 * noise(i + 5)]).collect(),
+        rows.clone()
+            .map(|i| {
+                [
+                    2e-3 * noise(i),
+                    2e-3 * noise(i + 7),
+                    turn(t(i)) + 2e-3 * noise(i + 9),
+                ]
+            })
+            .collect(),
+        rows.map(|i| {
+            [
+                0.03 * noise(i + 1),
+                sway(t(i)) + 0.03 * noise(i + 3),
+                9.81 + 0.03 * noise(i + 5),
+            ]
+        })
+        .collect(),
     )
 }
 
 fn live(criterion: &mut Criterion) {
     let batches: Vec<_> = (0..BATCHES).map(batch).collect();
     let mut group = criterion.benchmark_group("live, 120 s of both sensors at 200 Hz");
-    group.throughput(Throughput::Elements((BATCH * BATCHES) as u64)).sample_size(10);
+    group
+        .throughput(Throughput::Elements((BATCH * BATCHES) as u64))
+        .sample_size(10);
     group.bench_function("samples of both sensors", |b| {
         b.iter(|| {
             let mut live = Live::new(LiveOptions::default()).unwrap();
             for (stamps, gyroscope, accelerometer) in &batches {
                 live.push(Sensor::Gyroscope, stamps, gyroscope).unwrap();
-                live.push(Sensor::Accelerometer, stamps, accelerometer).unwrap();
+                live.push(Sensor::Accelerometer, stamps, accelerometer)
+                    .unwrap();
             }
             live.estimate()
         });
@@ -55,7 +73,9 @@ fn recorder(criterion: &mut Criterion) {
         let mut writer = Writer::create(&path, &Header::default()).unwrap();
         for (stamps, gyroscope, accelerometer) in &batches {
             writer.push(Stream::Gyroscope, stamps, gyroscope).unwrap();
-            writer.push(Stream::Accelerometer, stamps, accelerometer).unwrap();
+            writer
+                .push(Stream::Accelerometer, stamps, accelerometer)
+                .unwrap();
         }
         writer.end(0).unwrap().length
     };

@@ -1,7 +1,7 @@
 //! The one error of the core: what is wrong, and where.
 //!
-//! Variants are rich because a facade must be able to decide how a phone shows each of them. Conversion to
-//! a smaller public error happens once, in the facade, without a catch-all arm.
+//! Variants are rich because a facade must be able to decide how a phone shows each of them.
+//! Conversion to a smaller public error happens once, in the facade, without a catch-all arm.
 
 use std::fmt::Display;
 use std::io;
@@ -38,7 +38,8 @@ pub enum Error {
         /// The file as the user knows it.
         file: String,
     },
-    /// A file can be read but is not what its place requires (syntax, header, value, missing key …).
+    /// A file can be read but is not what its place requires (syntax, header, value, missing key
+    /// …).
     #[error("{file}{}: expected {expected}, found {found}", at_line(*.line))]
     Malformed {
         /// The file as the user knows it.
@@ -144,28 +145,42 @@ impl Error {
         }
     }
 
-    /// What the system says of a file that cannot be written: [`Error::DiskFull`] or [`Error::Unwritable`]. `doing` stands before
-    /// the system's reason, where it is not empty.
+    /// What the system says of a file that cannot be written: [`Error::DiskFull`] or
+    /// [`Error::Unwritable`]. `doing` stands before the system's reason, where it is not empty.
     pub fn unwritable(file: impl Display, doing: &str, error: &io::Error) -> Self {
         let file = file.to_string();
         match error.kind() {
-            // A file that may grow no further leaves the writer in the same place, and asks for the same of the user.
-            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
-                Error::DiskFull { file }
-            }
-            _ if doing.is_empty() => Error::Unwritable { file, reason: error.to_string() },
-            _ => Error::Unwritable { file, reason: format!("{doing}: {error}") },
+            // A file that may grow no further leaves the writer in the same place, and asks for the
+            // same of the user.
+            io::ErrorKind::StorageFull
+            | io::ErrorKind::QuotaExceeded
+            | io::ErrorKind::FileTooLarge => Error::DiskFull { file },
+            _ if doing.is_empty() => Error::Unwritable {
+                file,
+                reason: error.to_string(),
+            },
+            _ => Error::Unwritable {
+                file,
+                reason: format!("{doing}: {error}"),
+            },
         }
     }
 
     /// Shorthand for [`Error::NoResult`].
     pub fn no_result(what: impl Into<String>, reason: impl Into<String>) -> Self {
-        Error::NoResult { what: what.into(), reason: reason.into() }
+        Error::NoResult {
+            what: what.into(),
+            reason: reason.into(),
+        }
     }
 
     /// Shorthand for [`Error::Argument`].
     pub fn argument(name: &str, expected: impl Into<String>, found: impl ToString) -> Self {
-        Error::Argument { name: name.into(), expected: expected.into(), found: found.to_string() }
+        Error::Argument {
+            name: name.into(),
+            expected: expected.into(),
+            found: found.to_string(),
+        }
     }
 }
 
@@ -174,5 +189,8 @@ fn at_line(line: Option<usize>) -> String {
 }
 
 fn did_you_mean(nearest: &Option<String>) -> String {
-    nearest.as_ref().map(|key| format!("; the nearest known key is `{key}`")).unwrap_or_default()
+    nearest
+        .as_ref()
+        .map(|key| format!("; the nearest known key is `{key}`"))
+        .unwrap_or_default()
 }

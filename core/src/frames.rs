@@ -1,10 +1,10 @@
 //! Vectors, rotations and the frames they live in.
 //!
 //! # Conventions
-//! Hull axes: x forward, y to port, z up. A rotation is named by what it maps: `world_from_hull` takes a
-//! vector given in hull axes to world axes, and chains read
-//! `world_from_phone = world_from_hull * hull_from_phone`.
-//! Pitch (bow-up) angle φ > 0 is a *negative* right-handed turn about +y (port): the bow rises.
+//! Hull axes: x forward, y to port, z up. A rotation is named by what it maps: `world_from_hull`
+//! takes a vector given in hull axes to world axes, and chains read `world_from_phone =
+//! world_from_hull * hull_from_phone`. Pitch (bow-up) angle φ > 0 is a *negative* right-handed turn
+//! about +y (port): the bow rises.
 
 /// A vector of three components, m, rad/s or m/s² as its name says.
 pub type Vec3 = nalgebra::Vector3<f64>;

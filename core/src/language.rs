@@ -49,7 +49,10 @@ pub struct Text {
 
 /// A minus sign as long as a plus, not a hyphen; none before a zero.
 pub(crate) fn minus(number: &str) -> String {
-    match number.strip_prefix('-').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
+    match number
+        .strip_prefix('-')
+        .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    {
         Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.into(),
         Some(rest) => format!("−{rest}"),
         None => number.into(),
@@ -66,7 +69,8 @@ pub enum Argument {
     Figure(String),
     /// A word with a key of its own, e.g. `gyroscope` or `yaw`.
     Word(String),
-    /// The id of a step or a swing, such as `yaw-sway`: its words with keys of their own, hyphens between them.
+    /// The id of a step or a swing, such as `yaw-sway`: its words with keys of their own, hyphens
+    /// between them.
     Id(String),
     /// Text as it stands: a file, a reason.
     Plain(String),
@@ -79,7 +83,10 @@ pub(crate) type Lookup = fn(&str, Language) -> Option<String>;
 
 /// The sentence or word of a key in a table.
 pub(crate) fn entry(table: &[(&str, &str)], key: &str) -> Option<String> {
-    table.iter().find(|(known, _)| *known == key).map(|(_, text)| (*text).to_owned())
+    table
+        .iter()
+        .find(|(known, _)| *known == key)
+        .map(|(_, text)| (*text).to_owned())
 }
 
 /// The English of sentences.
@@ -100,15 +107,26 @@ pub(crate) fn or_english(said: &mut Vec<Text>, english: &[String]) {
 }
 
 impl Text {
-    /// The sentence of a key with what it names. `{name}` stands for an argument, `{^name}` for one that begins a sentence.
+    /// The sentence of a key with what it names. `{name}` stands for an argument, `{^name}` for one
+    /// that begins a sentence.
     pub(crate) fn of(key: String, arguments: BTreeMap<String, Argument>, lookup: Lookup) -> Self {
-        let text = Self { key, arguments, english: String::new() };
-        Self { english: text.told(Language::English, lookup), ..text }
+        let text = Self {
+            key,
+            arguments,
+            english: String::new(),
+        };
+        Self {
+            english: text.told(Language::English, lookup),
+            ..text
+        }
     }
 
     /// A sentence of which there is no more than English.
     pub(crate) fn in_english(english: impl Into<String>) -> Self {
-        Self { english: english.into(), ..Self::default() }
+        Self {
+            english: english.into(),
+            ..Self::default()
+        }
     }
 
     /// Whether there is no more of it than English.
@@ -147,17 +165,24 @@ impl Argument {
             }
             Argument::Figure(written) => language.number(written),
             // Several words stand with spaces between their keys.
-            Argument::Word(keys) => keys.split(' ').map(word).collect::<Vec<_>>().join(language.and()),
+            Argument::Word(keys) => keys
+                .split(' ')
+                .map(word)
+                .collect::<Vec<_>>()
+                .join(language.and()),
             Argument::Id(id) => id_in(id, language, lookup),
             Argument::Plain(text) => text.clone(),
-            Argument::Texts(texts) => {
-                texts.iter().map(|text| text.told(language, lookup)).collect::<Vec<_>>().join(", ")
-            }
+            Argument::Texts(texts) => texts
+                .iter()
+                .map(|text| text.told(language, lookup))
+                .collect::<Vec<_>>()
+                .join(", "),
         }
     }
 }
 
-/// An id in a language: what of it is a word with a key is that word, anything else stays. In English it stays whole.
+/// An id in a language: what of it is a word with a key is that word, anything else stays. In
+/// English it stays whole.
 pub(crate) fn id_in(id: &str, language: Language, lookup: Lookup) -> String {
     if language == Language::English {
         return id.to_owned();
@@ -169,5 +194,7 @@ pub(crate) fn id_in(id: &str, language: Language, lookup: Lookup) -> String {
 /// With a capital letter at its beginning.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }

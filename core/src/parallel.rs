@@ -4,7 +4,8 @@ use std::sync::LazyLock;
 use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering};
 use std::thread;
 
-/// Cores on which nothing of ours runs. Calls within one another share them; the thread of a first call is not counted.
+/// Cores on which nothing of ours runs. Calls within one another share them; the thread of a first
+/// call is not counted.
 static IDLE: LazyLock<AtomicIsize> = LazyLock::new(|| {
     let cores = thread::available_parallelism().map_or(1, |n| n.get());
     AtomicIsize::new(cores as isize - 1)
@@ -17,7 +18,9 @@ impl InUse {
     /// One that was idle.
     fn any() -> Option<Self> {
         let less = |idle: isize| (idle > 0).then_some(idle - 1);
-        IDLE.fetch_update(Ordering::Relaxed, Ordering::Relaxed, less).ok().map(|_| Self)
+        IDLE.fetch_update(Ordering::Relaxed, Ordering::Relaxed, less)
+            .ok()
+            .map(|_| Self)
     }
 }
 
@@ -48,7 +51,9 @@ pub(crate) fn in_parallel<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) 
     let (next, f) = (AtomicUsize::new(0), &f);
     let work = || {
         let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|i| *i < count);
-        std::iter::from_fn(take).map(|i| (i, f(i))).collect::<Vec<_>>()
+        std::iter::from_fn(take)
+            .map(|i| (i, f(i)))
+            .collect::<Vec<_>>()
     };
     let mut found = thread::scope(|scope| {
         let help = |core: InUse| {
@@ -61,7 +66,11 @@ pub(crate) fn in_parallel<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) 
         let mut found = work();
         let _own = Lent::own();
         for helper in helpers {
-            found.extend(helper.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+            found.extend(
+                helper
+                    .join()
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            );
         }
         found
     });
@@ -75,7 +84,9 @@ mod tests {
 
     #[test]
     fn calls_within_calls_do_all_in_order() {
-        let squares = in_parallel(20, |i| in_parallel(10, |j| i * j).into_iter().sum::<usize>());
+        let squares = in_parallel(20, |i| {
+            in_parallel(10, |j| i * j).into_iter().sum::<usize>()
+        });
         let expected: Vec<usize> = (0..20).map(|i| 45 * i).collect();
         assert_eq!(squares, expected);
         assert!(in_parallel(0, |i| i).is_empty());

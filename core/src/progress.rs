@@ -10,5 +10,9 @@ pub const UNWATCHED: &Progress<'static> = &|_, _| true;
 
 /// Tells; fails with [`Error::Cancelled`] where the answer is to stop.
 pub fn tell(progress: &Progress, share: f64, text: &str) -> Result<()> {
-    if progress(share, text) { Ok(()) } else { Err(Error::Cancelled) }
+    if progress(share, text) {
+        Ok(())
+    } else {
+        Err(Error::Cancelled)
+    }
 }

@@ -16,8 +16,8 @@ use gyradius_core::critique::{Critique, criticise_periods};
 use gyradius_core::inertia::{MeasureOptions, analyse};
 use gyradius_core::recording::import::{ImportOptions, ImportedData, import_files};
 use gyradius_core::recording::{
-    Body, LoadedData, LoadedSession, LoadedSwing, ModeName, Orientation, Quantity, Session, Site, Suspension,
-    SuspensionKind, Swing, SwingData, load_session,
+    Body, LoadedData, LoadedSession, LoadedSwing, ModeName, Orientation, Quantity, Session, Site,
+    Suspension, SuspensionKind, Swing, SwingData, load_session,
 };
 use gyradius_core::signal::gate_periods;
 use rand::RngExt;
@@ -33,11 +33,22 @@ fn criticised(loaded: &LoadedSession) -> Critique {
 }
 
 fn show(critique: &Critique) {
-    println!("{}: {:?} — {}", critique.title, critique.verdict.status, critique.verdict.text);
-    let rms = |m: &gyradius_core::critique::ModelResult| (m.rms_over_noise, m.heldout_rms_over_noise);
-    println!("  rms, held out: {:?} -> {:?}", rms(&critique.baseline), rms(&critique.extended));
+    println!(
+        "{}: {:?} — {}",
+        critique.title, critique.verdict.status, critique.verdict.text
+    );
+    let rms =
+        |m: &gyradius_core::critique::ModelResult| (m.rms_over_noise, m.heldout_rms_over_noise);
+    println!(
+        "  rms, held out: {:?} -> {:?}",
+        rms(&critique.baseline),
+        rms(&critique.extended)
+    );
     for model in [&critique.baseline, &critique.extended] {
-        println!("  {:?}", model.quantities.get("k_yaw_m").map(|k| (&k.value, &k.u)));
+        println!(
+            "  {:?}",
+            model.quantities.get("k_yaw_m").map(|k| (&k.value, &k.u))
+        );
     }
     for cause in &critique.causes {
         println!(
@@ -93,8 +104,14 @@ fn periods(hull: &Hull, hidden: &Hidden, l: f64, d: f64) -> Vec<(ModeName, f64)>
         g * g * hull.depth_m,
     );
     let root = |sign: f64| TAU / ((b + sign * (b * b - 4.0 * a * c).sqrt()) / (2.0 * a)).sqrt();
-    let pitch = [(ModeName::PitchInPhase, root(-1.0)), (ModeName::PitchOutOfPhase, root(1.0))];
-    [(ModeName::Yaw, yaw), (ModeName::Sway, sway)].into_iter().chain(pitch).collect()
+    let pitch = [
+        (ModeName::PitchInPhase, root(-1.0)),
+        (ModeName::PitchOutOfPhase, root(1.0)),
+    ];
+    [(ModeName::Yaw, yaw), (ModeName::Sway, sway)]
+        .into_iter()
+        .chain(pitch)
+        .collect()
 }
 
 fn between(rng: &mut ChaCha8Rng, least: f64, most: f64) -> f64 {
@@ -121,7 +138,8 @@ fn taped(rng: &mut ChaCha8Rng, truth_m: f64, u_m: f64) -> (Quantity, f64) {
     (Quantity::new(truth_m + u_m * normal(rng), u_m), truth_m)
 }
 
-/// A session of the hull on lines of these lengths, at each of these spacings (all in yaw gyradii), with those modes.
+/// A session of the hull on lines of these lengths, at each of these spacings (all in yaw gyradii),
+/// with those modes.
 fn drawn(
     rng: &mut ChaCha8Rng,
     hull: &Hull,
@@ -130,33 +148,71 @@ fn drawn(
     wanted: &[ModeName],
 ) -> LoadedSession {
     let u_m = 5e-4 * hull.k_yaw_m;
-    let lengths: Vec<_> = lengths.iter().map(|l| taped(rng, l * hull.k_yaw_m, u_m)).collect();
-    let spacings: Vec<_> = spacings.iter().map(|s| taped(rng, s * hull.k_yaw_m, u_m)).collect();
+    let lengths: Vec<_> = lengths
+        .iter()
+        .map(|l| taped(rng, l * hull.k_yaw_m, u_m))
+        .collect();
+    let spacings: Vec<_> = spacings
+        .iter()
+        .map(|s| taped(rng, s * hull.k_yaw_m, u_m))
+        .collect();
     let mut swings = Vec::new();
     for (length, true_length) in &lengths {
         for (spacing, true_spacing) in &spacings {
             let id = format!("swing-{}", swings.len() + 1);
-            let all = periods(hull, hidden, true_length + hidden.excess_m, 0.5 * true_spacing);
-            let typed = all.into_iter().filter(|(mode, _)| wanted.contains(mode)).map(|(mode, period_s)| {
-                let u = 3e-5 * period_s;
-                (mode, Quantity::new(period_s + u * normal(rng), u))
-            });
-            swings.push(swing(&id, SwingData::PeriodsS(typed.collect()), *length, *spacing));
+            let all = periods(
+                hull,
+                hidden,
+                true_length + hidden.excess_m,
+                0.5 * true_spacing,
+            );
+            let typed = all
+                .into_iter()
+                .filter(|(mode, _)| wanted.contains(mode))
+                .map(|(mode, period_s)| {
+                    let u = 3e-5 * period_s;
+                    (mode, Quantity::new(period_s + u * normal(rng), u))
+                });
+            swings.push(swing(
+                &id,
+                SwingData::PeriodsS(typed.collect()),
+                *length,
+                *spacing,
+            ));
         }
     }
-    typed(session("drawn", Some(Quantity::exact(hull.mass_kg)), 9.81, swings))
+    typed(session(
+        "drawn",
+        Some(Quantity::exact(hull.mass_kg)),
+        9.81,
+        swings,
+    ))
 }
 
 fn typed(session: Session) -> LoadedSession {
-    let data = session.swings.iter().map(|s| LoadedSwing { id: s.id.clone(), data: LoadedData::Typed });
-    LoadedSession { data: data.collect(), session, source: "drawn".into(), inclines: vec![] }
+    let data = session.swings.iter().map(|s| LoadedSwing {
+        id: s.id.clone(),
+        data: LoadedData::Typed,
+    });
+    LoadedSession {
+        data: data.collect(),
+        session,
+        source: "drawn".into(),
+        inclines: vec![],
+    }
 }
 
 fn session(title: &str, mass_kg: Option<Quantity>, gravity: f64, swings: Vec<Swing>) -> Session {
     Session {
         title: title.into(),
-        body: Body { mass_kg, ..Body::default() },
-        site: Site { gravity_m_s2: Some(Quantity::new(gravity, 0.0005)), ..Site::default() },
+        body: Body {
+            mass_kg,
+            ..Body::default()
+        },
+        site: Site {
+            gravity_m_s2: Some(Quantity::new(gravity, 0.0005)),
+            ..Site::default()
+        },
         swings,
         ..Session::default()
     }
@@ -183,9 +239,15 @@ fn swing(id: &str, data: SwingData, length: Quantity, spacing: Quantity) -> Swin
 }
 
 const YAW_AND_SWAY: &[ModeName] = &[ModeName::Yaw, ModeName::Sway];
-const ALL: &[ModeName] = &[ModeName::Yaw, ModeName::Sway, ModeName::PitchInPhase, ModeName::PitchOutOfPhase];
+const ALL: &[ModeName] = &[
+    ModeName::Yaw,
+    ModeName::Sway,
+    ModeName::PitchInPhase,
+    ModeName::PitchOutOfPhase,
+];
 
-/// How often `truth` was named, of those runs in which it was named or left open; it must always be one of the two.
+/// How often `truth` was named, of those runs in which it was named or left open; it must always be
+/// one of the two.
 fn named(
     count: usize,
     truth: &str,
@@ -196,7 +258,11 @@ fn named(
     let mut hits = 0;
     for critique in &all {
         let is_named = critique.verdict.causes.iter().any(|c| c == truth);
-        let is_open = critique.verdict.indistinguishable_from.iter().any(|c| c == truth);
+        let is_open = critique
+            .verdict
+            .indistinguishable_from
+            .iter()
+            .any(|c| c == truth);
         if !is_named {
             show(critique);
         }
@@ -213,7 +279,12 @@ fn named(
 }
 
 fn parameter(critique: &Critique, cause: &str, name: &str) -> Option<(f64, f64)> {
-    let found = critique.causes.iter().find(|c| c.id == cause)?.parameters.get(name)?;
+    let found = critique
+        .causes
+        .iter()
+        .find(|c| c.id == cause)?
+        .parameters
+        .get(name)?;
     Some((found.value, found.u))
 }
 
@@ -235,8 +306,8 @@ fn complete_sessions_are_adequate() {
             show(&critique);
         }
     }
-    // Evidence of 7 nats by chance comes less than once in e⁷ sessions and cause, and many causes are the same to a
-    // session: at 1 % for each session, more than 3 of 30 come once in 4000 runs.
+    // Evidence of 7 nats by chance comes less than once in e⁷ sessions and cause, and many causes
+    // are the same to a session: at 1 % for each session, more than 3 of 30 come once in 4000 runs.
     assert!(wrong <= 3, "{wrong} of {count}");
 }
 
@@ -246,12 +317,19 @@ fn a_wrong_tape_on_the_lines_is_named() {
         let hull = hull(rng);
         let size = between(rng, 0.02, 0.04) * hull.k_yaw_m;
         let excess_m = if rng.random::<bool>() { size } else { -size };
-        let hidden = Hidden { excess_m, ..Hidden::default() };
+        let hidden = Hidden {
+            excess_m,
+            ..Hidden::default()
+        };
         drawn(rng, &hull, &hidden, (&[1.2, 3.0], &[1.8]), YAW_AND_SWAY)
     });
-    // 40 tapes' uncertainties at the least, and a stretch would have to be 2.5 times as much on the longer lines.
+    // 40 tapes' uncertainties at the least, and a stretch would have to be 2.5 times as much on the
+    // longer lines.
     assert!(hits >= 13, "{hits}");
-    let far = all.iter().filter_map(|c| c.gain.heldout_rms_ratio).fold(f64::INFINITY, f64::min);
+    let far = all
+        .iter()
+        .filter_map(|c| c.gain.heldout_rms_ratio)
+        .fold(f64::INFINITY, f64::min);
     assert!(far > 3.0, "{far}");
 }
 
@@ -260,11 +338,18 @@ fn at_one_length_a_wrong_tape_is_ambiguous_and_a_swing_is_proposed() {
     let (_, all) = named(8, "stated_length", |rng| {
         let hull = hull(rng);
         let excess_m = 0.04 * hull.k_yaw_m;
-        let hidden = Hidden { excess_m, ..Hidden::default() };
+        let hidden = Hidden {
+            excess_m,
+            ..Hidden::default()
+        };
         drawn(rng, &hull, &hidden, (&[2.0], &[1.8]), YAW_AND_SWAY)
     });
     for critique in &all {
-        assert_eq!(critique.verdict.status, "ambiguous", "{:?}", critique.verdict);
+        assert_eq!(
+            critique.verdict.status, "ambiguous",
+            "{:?}",
+            critique.verdict
+        );
         let next = critique.verdict.next_swing.as_ref().unwrap();
         assert!(next.sigma > 3.0 && next.line_length_m > 0.0, "{next:?}");
     }
@@ -274,13 +359,20 @@ fn at_one_length_a_wrong_tape_is_ambiguous_and_a_swing_is_proposed() {
 fn a_gantry_that_gives_is_told_from_long_lines_by_the_yaw() {
     let (hits, all) = named(10, "support_compliance", |rng| {
         let hull = hull(rng);
-        let gives_m_n = between(rng, 0.02, 0.04) * hull.k_yaw_m / (hull.mass_kg * hull.gravity_m_s2);
-        let hidden = Hidden { gives_m_n, ..Hidden::default() };
+        let gives_m_n =
+            between(rng, 0.02, 0.04) * hull.k_yaw_m / (hull.mass_kg * hull.gravity_m_s2);
+        let hidden = Hidden {
+            gives_m_n,
+            ..Hidden::default()
+        };
         drawn(rng, &hull, &hidden, (&[1.2, 3.0], &[1.8]), YAW_AND_SWAY)
     });
     assert!(hits >= 8, "{hits}");
     for critique in &all {
-        println!("{:?}", parameter(critique, "support_compliance", "stiffness_along_n_m"));
+        println!(
+            "{:?}",
+            parameter(critique, "support_compliance", "stiffness_along_n_m")
+        );
     }
 }
 
@@ -288,7 +380,10 @@ fn a_gantry_that_gives_is_told_from_long_lines_by_the_yaw() {
 fn air_that_moves_along_is_told_from_a_gantry_by_the_length() {
     let (hits, _) = named(10, "added_mass", |rng| {
         let hull = hull(rng);
-        let hidden = Hidden { sway_kg: between(rng, 0.02, 0.04) * hull.mass_kg, ..Hidden::default() };
+        let hidden = Hidden {
+            sway_kg: between(rng, 0.02, 0.04) * hull.mass_kg,
+            ..Hidden::default()
+        };
         drawn(rng, &hull, &hidden, (&[1.2, 3.0], &[1.8]), YAW_AND_SWAY)
     });
     assert!(hits >= 8, "{hits}");
@@ -301,7 +396,10 @@ fn torsion_shows_at_two_spacings_and_is_named_at_three() {
             let hull = hull(rng);
             // In those of the yaw's own stiffness at a spacing of one gyradius.
             let own = hull.mass_kg * hull.gravity_m_s2 * (0.5 * hull.k_yaw_m).powi(2);
-            let hidden = Hidden { rigidity_n_m2: between(rng, 0.05, 0.1) * own, ..Hidden::default() };
+            let hidden = Hidden {
+                rigidity_n_m2: between(rng, 0.05, 0.1) * own,
+                ..Hidden::default()
+            };
             drawn(rng, &hull, &hidden, (&[1.2, 3.0], spacings), YAW_AND_SWAY)
         }
     };
@@ -332,19 +430,33 @@ fn air_that_grows_with_the_amplitude_shows_in_swings_of_several_amplitudes() {
                 swing
             })
             .collect();
-        typed(session("drawn", Some(Quantity::exact(hull.mass_kg)), 9.81, swings))
+        typed(session(
+            "drawn",
+            Some(Quantity::exact(hull.mass_kg)),
+            9.81,
+            swings,
+        ))
     });
     assert_eq!(hits, 6);
-    let sizes: Vec<_> =
-        all.iter().filter_map(|c| parameter(c, "amplitude_added_mass", "sway_kg_m")).collect();
+    let sizes: Vec<_> = all
+        .iter()
+        .filter_map(|c| parameter(c, "amplitude_added_mass", "sway_kg_m"))
+        .collect();
     println!("{sizes:?}");
-    assert!(sizes.len() == 6 && sizes.iter().all(|(value, u)| value / u > 10.0), "{sizes:?}");
+    assert!(
+        sizes.len() == 6 && sizes.iter().all(|(value, u)| value / u > 10.0),
+        "{sizes:?}"
+    );
 }
 
 // ---- measured sessions ----
 
 fn shipped(name: &str) -> LoadedSession {
-    load_session(format!("{}/../python/gyradius/sessions/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    load_session(format!(
+        "{}/../python/gyradius/sessions/{name}",
+        env!("CARGO_MANIFEST_DIR")
+    ))
+    .unwrap()
 }
 
 #[test]
@@ -353,20 +465,45 @@ fn the_papers_keelboat_is_flagged_with_a_ranking() {
     show(&critique);
     // Errata: the sway periods imply 3.591 and 3.625 m, the tape said 3.477 ± 0.006 m.
     assert!(["ambiguous", "unexplained"].contains(&critique.verdict.status.as_str()));
-    let tape =
-        critique.discrepancies.iter().find(|d| d.what == "dimension" && d.text.contains("line length"));
-    assert!(tape.unwrap().sigma > 10.0 && (tape.unwrap().size + 0.131).abs() < 0.02, "{tape:?}");
-    // Long lines, a gantry that gives and air that moves along lengthen the sway alike; nothing else does.
-    let open: Vec<&String> =
-        critique.verdict.causes.iter().chain(&critique.verdict.indistinguishable_from).collect();
-    for cause in ["stated_length", "line_stretch", "support_compliance", "added_mass"] {
+    let tape = critique
+        .discrepancies
+        .iter()
+        .find(|d| d.what == "dimension" && d.text.contains("line length"));
+    assert!(
+        tape.unwrap().sigma > 10.0 && (tape.unwrap().size + 0.131).abs() < 0.02,
+        "{tape:?}"
+    );
+    // Long lines, a gantry that gives and air that moves along lengthen the sway alike; nothing
+    // else does.
+    let open: Vec<&String> = critique
+        .verdict
+        .causes
+        .iter()
+        .chain(&critique.verdict.indistinguishable_from)
+        .collect();
+    for cause in [
+        "stated_length",
+        "line_stretch",
+        "support_compliance",
+        "added_mass",
+    ] {
         assert!(open.iter().any(|c| *c == cause), "{open:?}");
     }
-    for cause in ["stated_spacing", "line_torsion", "clock_scale", "stated_gravity", "off_centre_cm"] {
+    for cause in [
+        "stated_spacing",
+        "line_torsion",
+        "clock_scale",
+        "stated_gravity",
+        "off_centre_cm",
+    ] {
         assert!(!open.iter().any(|c| *c == cause), "{open:?}");
     }
     // Table 2: 1040 and 1038 mm by the ratio, 1057 and 1060 mm by the yaw period.
-    assert!(critique.verdict.text.contains("gyradius hangs on it"), "{}", critique.verdict.text);
+    assert!(
+        critique.verdict.text.contains("gyradius hangs on it"),
+        "{}",
+        critique.verdict.text
+    );
     assert!(critique.verdict.next_swing.unwrap().sigma > 3.0);
 }
 
@@ -379,7 +516,8 @@ fn the_papers_model_hull_contradicts_itself_at_one_spacing() {
     assert_eq!(critique.discrepancies[0].swing, "level-1084mm");
 }
 
-/// Nine geometries of one bar, gate events as they were logged; `None` (said aloud) where the folder is absent.
+/// Nine geometries of one bar, gate events as they were logged; `None` (said aloud) where the
+/// folder is absent.
 fn bar() -> Option<LoadedSession> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data/light-gate-bar");
     let Ok(files) = std::fs::read_dir(&folder) else {
@@ -393,18 +531,36 @@ fn bar() -> Option<LoadedSession> {
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
         let file = (format!("{name}.csv"), std::fs::read(&path).unwrap());
         let imported = import_files(&[file], &ImportOptions::default()).unwrap();
-        let ImportedData::GateEvents(events) = &imported.recordings[0].data else { unreachable!() };
+        let ImportedData::GateEvents(events) = &imported.recordings[0].data else {
+            unreachable!()
+        };
         let list = gate_periods(events, 0.006).unwrap().list(&name);
         let size = |key: &str| -> f64 {
             let from = name.split(&format!("{key}-")).nth(1).unwrap();
             from.split('m').next().unwrap().parse().unwrap()
         };
-        let sizes = (Quantity::new(size("length"), 5e-4), Quantity::new(size("spacing"), 5e-4));
-        swings.push(swing(&name, SwingData::Periods(name.clone()), sizes.0, sizes.1));
-        data.push(LoadedSwing { id: name, data: LoadedData::Periods(list) });
+        let sizes = (
+            Quantity::new(size("length"), 5e-4),
+            Quantity::new(size("spacing"), 5e-4),
+        );
+        swings.push(swing(
+            &name,
+            SwingData::Periods(name.clone()),
+            sizes.0,
+            sizes.1,
+        ));
+        data.push(LoadedSwing {
+            id: name,
+            data: LoadedData::Periods(list),
+        });
     }
     let session = session("bar", None, 9.81256, swings);
-    Some(LoadedSession { session, source: "bar".into(), data, inclines: vec![] })
+    Some(LoadedSession {
+        session,
+        source: "bar".into(),
+        data,
+        inclines: vec![],
+    })
 }
 
 #[test]

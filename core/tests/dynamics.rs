@@ -5,14 +5,16 @@ use std::f64::consts::TAU;
 
 use gyradius_core::constants::STANDARD_GRAVITY_M_S2 as G;
 use gyradius_core::dynamics::{
-    Damping, ModalPart, ModeKind, Rig, RigidBody, Sampling, SmallEffects, SmallModes, State, SuspensionAxis,
-    Trajectory, ideal_phone, initial_state, mode_kind, simulate, small_modes,
+    Damping, ModalPart, ModeKind, Rig, RigidBody, Sampling, SmallEffects, SmallModes, State,
+    SuspensionAxis, Trajectory, ideal_phone, initial_state, mode_kind, simulate, small_modes,
 };
 use gyradius_core::frames::{Rotation, Vec3};
 
 fn by_kind(rig: &Rig, body: &RigidBody, modes: &SmallModes, kind: ModeKind) -> usize {
     let mut found = (0..4).filter(|&i| mode_kind(body, &modes.shapes[i], rig.axis()) == kind);
-    let first = found.next().unwrap_or_else(|| panic!("no {kind:?} in {modes:?}"));
+    let first = found
+        .next()
+        .unwrap_or_else(|| panic!("no {kind:?} in {modes:?}"));
     assert!(found.next().is_none(), "two modes named {kind:?}");
     first
 }
@@ -23,7 +25,10 @@ fn period(rig: &Rig, body: &RigidBody, kind: ModeKind) -> f64 {
 }
 
 fn assert_close(found: f64, expected: f64, relative: f64) {
-    assert!((found / expected - 1.0).abs() <= relative, "{found} against {expected}");
+    assert!(
+        (found / expected - 1.0).abs() <= relative,
+        "{found} against {expected}"
+    );
 }
 
 /// Paper, Fig. 15: k_p = 352, k_y = 303, l2 = 253 mm.
@@ -37,21 +42,43 @@ fn double_pendulum_s(l1: f64, l2: f64, k: f64) -> (f64, f64) {
     let root = (sum * sum - 4.0 * l1 * l2 * k * k).sqrt();
     let period = |s: f64| TAU / (G / (2.0 * l1 * k * k) * s).sqrt();
     // The small root by Vieta: sum − root loses digits.
-    (period(4.0 * l1 * l2 * k * k / (sum + root)), period(sum + root))
+    (
+        period(4.0 * l1 * l2 * k * k / (sum + root)),
+        period(sum + root),
+    )
 }
 
 #[test]
 fn small_oscillations_agree_with_the_closed_forms() {
-    for (axis, k_swing) in [(SuspensionAxis::Athwartships, 0.352), (SuspensionAxis::ForeAndAft, 0.204)] {
+    for (axis, k_swing) in [
+        (SuspensionAxis::Athwartships, 0.352),
+        (SuspensionAxis::ForeAndAft, 0.204),
+    ] {
         for l1 in [0.504, 1.006, 1.560] {
             let (rig, body) = (Rig::bifilar(axis, l1, 0.56, 0.56, G).unwrap(), model_hull());
             let (in_phase, out_of_phase) = double_pendulum_s(l1, 0.253, k_swing);
             // Eq. (5): T = 2π (k/d) sqrt(l/g).
-            assert_close(period(&rig, &body, ModeKind::Yaw), TAU * 0.303 / 0.28 * (l1 / G).sqrt(), 1e-10);
+            assert_close(
+                period(&rig, &body, ModeKind::Yaw),
+                TAU * 0.303 / 0.28 * (l1 / G).sqrt(),
+                1e-10,
+            );
             // Eq. (7).
-            assert_close(period(&rig, &body, ModeKind::SwayLine), TAU * (l1 / G).sqrt(), 1e-10);
-            assert_close(period(&rig, &body, ModeKind::DoublePendulumInPhase), in_phase, 1e-10);
-            assert_close(period(&rig, &body, ModeKind::DoublePendulumOutOfPhase), out_of_phase, 1e-10);
+            assert_close(
+                period(&rig, &body, ModeKind::SwayLine),
+                TAU * (l1 / G).sqrt(),
+                1e-10,
+            );
+            assert_close(
+                period(&rig, &body, ModeKind::DoublePendulumInPhase),
+                in_phase,
+                1e-10,
+            );
+            assert_close(
+                period(&rig, &body, ModeKind::DoublePendulumOutOfPhase),
+                out_of_phase,
+                1e-10,
+            );
         }
     }
 }
@@ -79,7 +106,8 @@ fn yaw_on_lines_that_are_not_parallel() {
     // T = 2π k sqrt(h / (g d_b d_t)), half spacings below and above, h the drop of the lines.
     for top_m in [1.2, 1.8, 2.6] {
         let rig = Rig::bifilar(SuspensionAxis::Athwartships, 3.477, 1.8, top_m, G).unwrap();
-        let body = RigidBody::from_gyradii(622.7, [0.625, 1.156, 1.0566], Vec3::new(0.0, 0.0, -0.4));
+        let body =
+            RigidBody::from_gyradii(622.7, [0.625, 1.156, 1.0566], Vec3::new(0.0, 0.0, -0.4));
         let h = (3.477f64.powi(2) - (0.9 - 0.5 * top_m).powi(2)).sqrt();
         let expected = TAU * 1.0566 * (h / (G * 0.9 * 0.5 * top_m)).sqrt();
         assert_close(period(&rig, &body, ModeKind::Yaw), expected, 1e-10);
@@ -106,7 +134,10 @@ fn modes_are_mass_normalised_and_the_rest_pose_carries_the_weight() {
             let inertia = |v: Vec3| turn * (body.inertia_kg_m2 * (turn.inverse() * v));
             let product = body.mass_kg * modes.displacement(i).dot(&modes.displacement(j))
                 + modes.rotation(i).dot(&inertia(modes.rotation(j)));
-            assert!((product - f64::from(u8::from(i == j))).abs() < 1e-12, "{i} {j} {product}");
+            assert!(
+                (product - f64::from(u8::from(i == j))).abs() < 1e-12,
+                "{i} {j} {product}"
+            );
         }
     }
     // Statics, written out anew: forces and moments about the centre of mass vanish.
@@ -119,13 +150,19 @@ fn modes_are_mass_normalised_and_the_rest_pose_carries_the_weight() {
         force += up.normalize() * tension;
         moment += arm.cross(&(up.normalize() * tension));
     }
-    assert!(force.norm() < 1e-9 && moment.norm() < 1e-9, "{force} {moment}");
+    assert!(
+        force.norm() < 1e-9 && moment.norm() < 1e-9,
+        "{force} {moment}"
+    );
 }
 
 /// The keelboat: d = 0.900, l = 3.477 m, k_y = 1.0566 m (Table 1).
 fn keelboat() -> (Rig, RigidBody) {
     let rig = Rig::bifilar(SuspensionAxis::Athwartships, 3.477, 1.8, 1.8, G).unwrap();
-    (rig, RigidBody::from_gyradii(622.7, [0.625, 1.156, 1.0566], Vec3::new(0.0, 0.0, -0.4)))
+    (
+        rig,
+        RigidBody::from_gyradii(622.7, [0.625, 1.156, 1.0566], Vec3::new(0.0, 0.0, -0.4)),
+    )
 }
 
 /// A start in one mode, turned by `angle_rad` or displaced by `shift_m`.
@@ -137,12 +174,21 @@ fn start_in(rig: &Rig, body: &RigidBody, kind: ModeKind, size: f64) -> State {
     } else {
         modes.rotation(mode).norm()
     };
-    initial_state(rig, body, &modes, &[ModalPart { mode, amplitude: size / per_unit, phase_rad: 0.0 }])
-        .unwrap()
+    initial_state(
+        rig,
+        body,
+        &modes,
+        &[ModalPart {
+            mode,
+            amplitude: size / per_unit,
+            phase_rad: 0.0,
+        }],
+    )
+    .unwrap()
 }
 
-/// Period from the zero crossings of a signal that starts at its extreme: the sign changes are bracketed by
-/// samples, the crossing found by interpolation through the eight samples around.
+/// Period from the zero crossings of a signal that starts at its extreme: the sign changes are
+/// bracketed by samples, the crossing found by interpolation through the eight samples around.
 fn period_of_crossings(t: &[f64], x: &[f64]) -> f64 {
     let crossings: Vec<f64> = (4..x.len() - 4)
         .filter(|&i| x[i - 1] * x[i] < 0.0)
@@ -152,7 +198,8 @@ fn period_of_crossings(t: &[f64], x: &[f64]) -> f64 {
     2.0 * (crossings[last] - crossings[0]) / last as f64
 }
 
-/// Value at x = 0 of the polynomial through (x, t): Neville's scheme on the inverse function, monotone here.
+/// Value at x = 0 of the polynomial through (x, t): Neville's scheme on the inverse function,
+/// monotone here.
 fn inverse(x: &[f64], t: &[f64]) -> f64 {
     let mut p = t.to_vec();
     for k in 1..x.len() {
@@ -164,12 +211,20 @@ fn inverse(x: &[f64], t: &[f64]) -> f64 {
 }
 
 fn run(rig: &Rig, body: &RigidBody, start: &State, duration_s: f64, interval_s: f64) -> Trajectory {
-    let sampling = Sampling { duration_s, interval_s, step_s: None };
+    let sampling = Sampling {
+        duration_s,
+        interval_s,
+        step_s: None,
+    };
     simulate(rig, body, &Damping::default(), start, &sampling).unwrap()
 }
 
 fn yaw_angles(motion: &Trajectory) -> Vec<f64> {
-    motion.world_from_hull.iter().map(|turn| turn.scaled_axis().z).collect()
+    motion
+        .world_from_hull
+        .iter()
+        .map(|turn| turn.scaled_axis().z)
+        .collect()
 }
 
 /// Exact yaw period by quadrature of the energy, heave included:
@@ -181,11 +236,14 @@ fn yaw_quadrature_s(k: f64, d: f64, l: f64, theta0: f64) -> f64 {
     let integrand = |u: f64| {
         let th = theta0 * u.sin();
         let rise = d * d * th.sin() / h(th);
-        let drop =
-            4.0 * d * d * (0.5 * (theta0 + th)).sin() * (0.5 * (theta0 - th)).sin() / (h(th) + h(theta0));
+        let drop = 4.0 * d * d * (0.5 * (theta0 + th)).sin() * (0.5 * (theta0 - th)).sin()
+            / (h(th) + h(theta0));
         ((k * k + rise * rise) / (2.0 * G * drop)).sqrt() * theta0 * u.cos()
     };
-    4.0 * du * (0..n).map(|i| integrand((f64::from(i) + 0.5) * du)).sum::<f64>()
+    4.0 * du
+        * (0..n)
+            .map(|i| integrand((f64::from(i) + 0.5) * du))
+            .sum::<f64>()
 }
 
 #[test]
@@ -193,16 +251,36 @@ fn yaw_at_finite_amplitude_is_the_exact_law() {
     let (rig, body) = keelboat();
     let small_s = TAU * 1.0566 / 0.9 * (3.477 / G).sqrt();
     // Errata, "Pure yaw at finite amplitude", ppm.
-    for (degrees, table_ppm) in
-        [(1.0, 19.0), (2.0, 76.0), (5.0, 473.0), (8.0, 1211.0), (10.0, 1893.0), (15.0, 4263.0)]
-    {
+    for (degrees, table_ppm) in [
+        (1.0, 19.0),
+        (2.0, 76.0),
+        (5.0, 473.0),
+        (8.0, 1211.0),
+        (10.0, 1893.0),
+        (15.0, 4263.0),
+    ] {
         let theta0 = f64::to_radians(degrees);
         let exact_ppm = (yaw_quadrature_s(1.0566, 0.9, 3.477, theta0) / small_s - 1.0) * 1e6;
-        let motion = run(&rig, &body, &start_in(&rig, &body, ModeKind::Yaw, theta0), 60.0, 0.02);
-        let found_ppm = (period_of_crossings(&motion.t_s, &yaw_angles(&motion)) / small_s - 1.0) * 1e6;
-        println!("yaw {degrees} deg: {found_ppm:.4} ppm, quadrature {exact_ppm:.4}, table {table_ppm}");
-        assert!((found_ppm - exact_ppm).abs() < 0.01, "{degrees} deg: {found_ppm} against {exact_ppm}");
-        assert!((found_ppm - table_ppm).abs() < 0.6, "{degrees} deg: {found_ppm} against the table");
+        let motion = run(
+            &rig,
+            &body,
+            &start_in(&rig, &body, ModeKind::Yaw, theta0),
+            60.0,
+            0.02,
+        );
+        let found_ppm =
+            (period_of_crossings(&motion.t_s, &yaw_angles(&motion)) / small_s - 1.0) * 1e6;
+        println!(
+            "yaw {degrees} deg: {found_ppm:.4} ppm, quadrature {exact_ppm:.4}, table {table_ppm}"
+        );
+        assert!(
+            (found_ppm - exact_ppm).abs() < 0.01,
+            "{degrees} deg: {found_ppm} against {exact_ppm}"
+        );
+        assert!(
+            (found_ppm - table_ppm).abs() < 0.6,
+            "{degrees} deg: {found_ppm} against the table"
+        );
     }
 }
 
@@ -216,8 +294,15 @@ fn sway_is_a_simple_pendulum() {
         let motion = run(&rig, &body, &start, 60.0, 0.02);
         let y: Vec<f64> = motion.position_m.iter().map(|p| p.y).collect();
         // Next term of the series: 173 φ⁶/737280.
-        let series = 1.0 + phi.powi(2) / 16.0 + 11.0 * phi.powi(4) / 3072.0 + 173.0 * phi.powi(6) / 737_280.0;
-        assert_close(period_of_crossings(&motion.t_s, &y), TAU * (3.477 / G).sqrt() * series, 2e-8);
+        let series = 1.0
+            + phi.powi(2) / 16.0
+            + 11.0 * phi.powi(4) / 3072.0
+            + 173.0 * phi.powi(6) / 737_280.0;
+        assert_close(
+            period_of_crossings(&motion.t_s, &y),
+            TAU * (3.477 / G).sqrt() * series,
+            2e-8,
+        );
     }
 }
 
@@ -236,7 +321,13 @@ fn the_small_limit_of_the_motion_is_the_closed_form() {
         let angle: Vec<f64> = motion
             .world_from_hull
             .iter()
-            .map(|turn| if kind == ModeKind::Yaw { turn.scaled_axis().z } else { turn.scaled_axis().y })
+            .map(|turn| {
+                if kind == ModeKind::Yaw {
+                    turn.scaled_axis().z
+                } else {
+                    turn.scaled_axis().y
+                }
+            })
             .collect();
         assert_close(period_of_crossings(&motion.t_s, &angle), expected, 1e-8);
     }
@@ -253,8 +344,16 @@ fn lively(rig: &Rig, body: &RigidBody) -> State {
     let modes = small_modes(rig, body).unwrap();
     let part = |kind, size: f64, phase_rad| {
         let mode = by_kind(rig, body, &modes, kind);
-        let unit = if kind == ModeKind::SwayLine { modes.displacement(mode) } else { modes.rotation(mode) };
-        ModalPart { mode, amplitude: size / unit.norm(), phase_rad }
+        let unit = if kind == ModeKind::SwayLine {
+            modes.displacement(mode)
+        } else {
+            modes.rotation(mode)
+        };
+        ModalPart {
+            mode,
+            amplitude: size / unit.norm(),
+            phase_rad,
+        }
     };
     let parts = [
         part(ModeKind::Yaw, 0.17, 0.3),
@@ -271,14 +370,22 @@ fn energy_is_kept_and_the_lines_keep_their_length() {
     let body = lopsided();
     let motion = run(&rig, &body, &lively(&rig, &body), 600.0, 0.05);
     assert!(motion.slack.is_none());
-    let rest = small_modes(&rig, &body).unwrap().equilibrium.pose.position_m.z * body.mass_kg * G;
+    let rest = small_modes(&rig, &body)
+        .unwrap()
+        .equilibrium
+        .pose
+        .position_m
+        .z
+        * body.mass_kg
+        * G;
     let start = energy_j(&body, &motion, 0) - rest;
     let (mut loss, mut drift) = (0.0f64, 0.0f64);
     for i in 0..motion.t_s.len() {
         loss = loss.max((energy_j(&body, &motion, i) - rest - start).abs() / start);
         for line in &rig.lines {
             let arm = motion.world_from_hull[i] * (line.hull_point_m - body.cm_m);
-            drift = drift.max(((motion.position_m[i] + arm - line.top_m).norm() - line.length_m).abs());
+            drift =
+                drift.max(((motion.position_m[i] + arm - line.top_m).norm() - line.length_m).abs());
         }
     }
     println!("energy {loss:.2e} of the energy of the motion, lines {drift:.2e} m");
@@ -290,17 +397,28 @@ fn energy_is_kept_and_the_lines_keep_their_length() {
 fn linear_damping_gives_the_decay_of_a_yaw() {
     let (rig, body) = keelboat();
     let inertia = 622.7 * 1.0566 * 1.0566;
-    let damping = Damping { torque_n_m_s: Vec3::new(0.0, 0.0, 0.02 * inertia), ..Damping::default() };
+    let damping = Damping {
+        torque_n_m_s: Vec3::new(0.0, 0.0, 0.02 * inertia),
+        ..Damping::default()
+    };
     let start = start_in(&rig, &body, ModeKind::Yaw, 1e-3);
-    let sampling = Sampling { duration_s: 60.0, interval_s: 0.02, step_s: None };
+    let sampling = Sampling {
+        duration_s: 60.0,
+        interval_s: 0.02,
+        step_s: None,
+    };
     let motion = simulate(&rig, &body, &damping, &start, &sampling).unwrap();
     // θ'' + 2 α θ' + ω0² θ = 0 from rest: θ = θ0 e^(−αt) (cos ω t + α/ω sin ω t), α = 0.01.
     let omega0: f64 = 0.9 / 1.0566 * (G / 3.477).sqrt();
     let omega = (omega0 * omega0 - 1e-4).sqrt();
     for (t, angle) in motion.t_s.iter().zip(yaw_angles(&motion)) {
-        let expected = 1e-3 * (-0.01 * t).exp() * ((omega * t).cos() + 0.01 / omega * (omega * t).sin());
+        let expected =
+            1e-3 * (-0.01 * t).exp() * ((omega * t).cos() + 0.01 / omega * (omega * t).sin());
         // The finite amplitude turns the phase by 2e-8 · 86 rad in 60 s.
-        assert!((angle - expected).abs() < 3e-9, "{t} s: {angle} against {expected}");
+        assert!(
+            (angle - expected).abs() < 3e-9,
+            "{t} s: {angle} against {expected}"
+        );
     }
 }
 
@@ -309,7 +427,10 @@ fn the_phone_feels_the_motion_of_its_own_place() {
     let rig = Rig::bifilar(SuspensionAxis::Athwartships, 1.0, 0.56, 0.5, G).unwrap();
     let body = lopsided();
     let motion = run(&rig, &body, &lively(&rig, &body), 5.0, 0.005);
-    let (place, mount) = (Vec3::new(0.7, -0.2, 0.1), Rotation::from_euler_angles(0.4, -1.1, 2.0));
+    let (place, mount) = (
+        Vec3::new(0.7, -0.2, 0.1),
+        Rotation::from_euler_angles(0.4, -1.1, 2.0),
+    );
     let phone = ideal_phone(&motion, place, mount);
     let at: Vec<Vec3> = (0..motion.t_s.len())
         .map(|i| motion.position_m[i] + motion.world_from_hull[i] * (place - body.cm_m))
@@ -344,8 +465,9 @@ fn a_slack_line_is_reported() {
     assert!(run(&rig, &body, &start, 3.0, 0.02).slack.is_none());
 }
 
-/// Yaw stiffness m g d²/l + κ, sway mass m + a, and a support in series, which adds m/k to l/g; the double pendulum with a
-/// support that gives across swings on lines longer by m g/k in its translation alone.
+/// Yaw stiffness m g d²/l + κ, sway mass m + a, and a support in series, which adds m/k to l/g; the
+/// double pendulum with a support that gives across swings on lines longer by m g/k in its
+/// translation alone.
 #[test]
 fn effects_on_small_oscillations_are_closed_forms() {
     let body = model_hull();
@@ -357,7 +479,10 @@ fn effects_on_small_oscillations_are_closed_forms() {
         changed.period_s(by_kind(&rig, &body, &changed, kind))
     };
     let (kappa, air_kg, gives_m_n) = (0.4, 1.3, Vec3::new(3e-4, 2e-4, 0.0));
-    let mut effects = SmallEffects { support_m_n: gives_m_n, ..SmallEffects::default() };
+    let mut effects = SmallEffects {
+        support_m_n: gives_m_n,
+        ..SmallEffects::default()
+    };
     effects.stiffness[(5, 5)] = kappa;
     effects.mass[(1, 1)] = air_kg;
     let inertia = body.inertia_kg_m2[(2, 2)];
@@ -369,8 +494,17 @@ fn effects_on_small_oscillations_are_closed_forms() {
     // The support's spring carries the air as well: T² = 4π² (m + a) (l/(m g) + 1/k).
     let sway = TAU * ((mass + air_kg) * (l / (mass * G) + gives_m_n.y)).sqrt();
     assert_close(period(&effects, ModeKind::SwayLine), sway, 1e-9);
-    // In the translation of the suspension points the lines' spring m g/l and the support's are in series.
+    // In the translation of the suspension points the lines' spring m g/l and the support's are in
+    // series.
     let (in_phase, out_of_phase) = double_pendulum_s(l + mass * G * gives_m_n.x, 0.253, 0.352);
-    assert_close(period(&effects, ModeKind::DoublePendulumInPhase), in_phase, 1e-9);
-    assert_close(period(&effects, ModeKind::DoublePendulumOutOfPhase), out_of_phase, 1e-9);
+    assert_close(
+        period(&effects, ModeKind::DoublePendulumInPhase),
+        in_phase,
+        1e-9,
+    );
+    assert_close(
+        period(&effects, ModeKind::DoublePendulumOutOfPhase),
+        out_of_phase,
+        1e-9,
+    );
 }

@@ -13,22 +13,43 @@ use gyradius_core::{critique, inertia, live, plan, procedure, signal};
 
 /// Every sentence and word by key.
 fn all(language: Language) -> Vec<(String, String)> {
-    let of_live = live::sentences(language).iter().map(|(key, text)| (format!("live.{key}"), *text));
-    let routes = inertia::routes_in(language).iter().map(|(key, text)| (format!("route.{key}"), *text));
-    let of_procedure = procedure::sentences(language).iter().map(|(key, text)| ((*key).to_owned(), *text));
+    let of_live = live::sentences(language)
+        .iter()
+        .map(|(key, text)| (format!("live.{key}"), *text));
+    let routes = inertia::routes_in(language)
+        .iter()
+        .map(|(key, text)| (format!("route.{key}"), *text));
+    let of_procedure = procedure::sentences(language)
+        .iter()
+        .map(|(key, text)| ((*key).to_owned(), *text));
     let others = of_live.chain(routes).chain(of_procedure);
     let others = others.map(|(key, text)| (key, text.to_owned()));
-    let rooms = [signal::sentences, inertia::sentences, critique::sentences, plan::sentences];
-    others.chain(rooms.iter().flat_map(|sentences| sentences(language))).collect()
+    let rooms = [
+        signal::sentences,
+        inertia::sentences,
+        critique::sentences,
+        plan::sentences,
+    ];
+    others
+        .chain(rooms.iter().flat_map(|sentences| sentences(language)))
+        .collect()
 }
 
 /// Names in braces by key; a capital that a language gives one is its own affair.
 fn names(language: Language) -> BTreeMap<String, BTreeSet<String>> {
     let named = |text: &str| -> BTreeSet<String> {
-        let names = text.split('{').skip(1).map(|rest| rest.split_once('}').unwrap().0);
-        names.map(|name| name.trim_start_matches('^').to_owned()).collect()
+        let names = text
+            .split('{')
+            .skip(1)
+            .map(|rest| rest.split_once('}').unwrap().0);
+        names
+            .map(|name| name.trim_start_matches('^').to_owned())
+            .collect()
     };
-    all(language).into_iter().map(|(key, text)| (key, named(&text))).collect()
+    all(language)
+        .into_iter()
+        .map(|(key, text)| (key, named(&text)))
+        .collect()
 }
 
 #[test]
@@ -50,17 +71,24 @@ fn no_sentence_is_left_in_english() {
             });
             text.contains(' ') && outside.filter(|c| c.is_alphabetic()).count() > 0
         };
-        all(language).into_iter().map(|(_, text)| text).filter(has_words).collect::<BTreeSet<_>>()
+        all(language)
+            .into_iter()
+            .map(|(_, text)| text)
+            .filter(has_words)
+            .collect::<BTreeSet<_>>()
     };
-    let common: Vec<String> =
-        said(Language::English).intersection(&said(Language::German)).cloned().collect();
+    let common: Vec<String> = said(Language::English)
+        .intersection(&said(Language::German))
+        .cloned()
+        .collect();
     assert!(common.is_empty(), "{common:?}");
 }
 
 #[test]
 fn an_id_is_told_by_its_words() {
-    let told =
-        |id: &str| [Language::English, Language::German].map(|language| procedure::id_in(id, language));
+    let told = |id: &str| {
+        [Language::English, Language::German].map(|language| procedure::id_in(id, language))
+    };
     assert_eq!(told("yaw-sway-2"), ["yaw-sway-2", "Gieren-Querschwingen-2"]);
     assert_eq!(told("incline-bow"), ["incline-bow", "Neigungsversuch-Bug"]);
     assert_eq!(told("Tuesday"), ["Tuesday", "Tuesday"]);
@@ -69,58 +97,123 @@ fn an_id_is_told_by_its_words() {
 #[test]
 fn quantities_routes_and_causes_have_names_and_units() {
     let german = Language::German;
-    assert_eq!(inertia::quantity_in("k_yaw_m", german), "Trägheitsradius Gieren");
-    assert_eq!(inertia::quantity_in("small_period_yaw_s", Language::English), "small period yaw");
+    assert_eq!(
+        inertia::quantity_in("k_yaw_m", german),
+        "Trägheitsradius Gieren"
+    );
+    assert_eq!(
+        inertia::quantity_in("small_period_yaw_s", Language::English),
+        "small period yaw"
+    );
     assert_eq!(
         ["small_period_yaw_s", "i_kg_m2", "g_m_s2", "mass"].map(inertia::unit_of),
         ["s", "kg m²", "m/s²", ""]
     );
-    assert_eq!(inertia::route_in("lamboley", german), "physikalisches Pendel in zwei Höhen (Lamboley)");
+    assert_eq!(
+        inertia::route_in("lamboley", german),
+        "physikalisches Pendel in zwei Höhen (Lamboley)"
+    );
     assert_eq!(inertia::route_in("a_new_one", german), "a new one");
-    assert_eq!(critique::cause_name("quadratic_drag", german), "quadratischer Luftwiderstand");
-    assert_eq!(critique::cause_name("quadratic_drag", Language::English), "quadratic drag");
+    assert_eq!(
+        critique::cause_name("quadratic_drag", german),
+        "quadratischer Luftwiderstand"
+    );
+    assert_eq!(
+        critique::cause_name("quadratic_drag", Language::English),
+        "quadratic drag"
+    );
 }
 
 #[test]
 fn a_warning_is_told_with_its_numbers_and_names() {
     let numbers = [("u_percent", 20.0)];
-    let warning = Warning::new(WarningKind::RoughHull, None, &numbers, &[("quantity", "k_yaw_m")]);
+    let warning = Warning::new(
+        WarningKind::RoughHull,
+        None,
+        &numbers,
+        &[("quantity", "k_yaw_m")],
+    );
     let german = warning.said().in_language(Language::German);
-    assert!(german.starts_with("k_yaw_m des Rumpfs ist nur auf 20 % bekannt"), "{german}");
+    assert!(
+        german.starts_with("k_yaw_m des Rumpfs ist nur auf 20 % bekannt"),
+        "{german}"
+    );
     assert_eq!(warning.text, warning.said().in_language(Language::English));
-    let numbers = [("reached_u", 0.02), ("wanted_u", 0.01), ("contribution_u", 0.015), ("times_better", 3.0)];
+    let numbers = [
+        ("reached_u", 0.02),
+        ("wanted_u", 0.01),
+        ("contribution_u", 0.015),
+        ("times_better", 3.0),
+    ];
     let names = [("quantity", "depth"), ("input", "line_length")];
     let warning = Warning::new(WarningKind::NotReached, None, &numbers, &names);
     let german = warning.said().in_language(Language::German);
-    let begins =
-        "Schwerpunkttiefe erreicht u = 0,020, nicht 0,010: das meiste kommt von: Leinenlänge (0,015).";
+    let begins = "Schwerpunkttiefe erreicht u = 0,020, nicht 0,010: das meiste kommt von: Leinenlänge (0,015).";
     assert!(german.starts_with(begins), "{german}");
-    assert!(warning.text.contains("most of it comes from line_length (0.015)"), "{}", warning.text);
+    assert!(
+        warning
+            .text
+            .contains("most of it comes from line_length (0.015)"),
+        "{}",
+        warning.text
+    );
 }
 
 #[test]
 fn a_number_below_zero_has_a_minus_sign_and_no_hyphen() {
-    let numbers = [("tilt_deg", -25.0), ("points_moved_m", 0.4), ("corner_tilt_deg", -0.01)];
+    let numbers = [
+        ("tilt_deg", -25.0),
+        ("points_moved_m", 0.4),
+        ("corner_tilt_deg", -0.01),
+    ];
     let warning = Warning::new(WarningKind::TiltNeeded, Some("w1"), &numbers, &[]);
     let german = warning.said().in_language(Language::German);
-    assert!(german.starts_with("Schwingung w1 hängt geneigt, −25,0°"), "{german}");
-    assert!(warning.text.starts_with("Swing w1 hangs tilted, −25.0°"), "{}", warning.text);
+    assert!(
+        german.starts_with("Schwingung w1 hängt geneigt, −25,0°"),
+        "{german}"
+    );
+    assert!(
+        warning.text.starts_with("Swing w1 hangs tilted, −25.0°"),
+        "{}",
+        warning.text
+    );
     // Of what rounds to zero none.
     assert!(german.contains("gäben 0,0°"), "{german}");
-    let figures = Language::ALL.map(|language| language.number("-5.52 ± 0.65 m, 3 of -1, yaw-sway"));
-    assert_eq!(figures, ["−5.52 ± 0.65 m, 3 of −1, yaw-sway", "−5,52 ± 0,65 m, 3 of −1, yaw-sway"]);
+    let figures =
+        Language::ALL.map(|language| language.number("-5.52 ± 0.65 m, 3 of -1, yaw-sway"));
+    assert_eq!(
+        figures,
+        [
+            "−5.52 ± 0.65 m, 3 of −1, yaw-sway",
+            "−5,52 ± 0,65 m, 3 of −1, yaw-sway"
+        ]
+    );
 }
 
-/// Everything that the measurement of a session says, with its sentence; inputs of budgets by their labels.
+/// Everything that the measurement of a session says, with its sentence; inputs of budgets by their
+/// labels.
 fn told(measured: &Measurement) -> Vec<(&str, Text)> {
-    let of_swings = measured.swings.iter().map(|swing| (&swing.warnings, &swing.warnings_said));
+    let of_swings = measured
+        .swings
+        .iter()
+        .map(|swing| (&swing.warnings, &swing.warnings_said));
     let lists = of_swings.chain([(&measured.warnings, &measured.warnings_said)]);
     let mut all = Vec::new();
     for (warnings, said) in lists {
         assert_eq!(warnings.len(), said.len());
-        all.extend(warnings.iter().map(String::as_str).zip(said.iter().cloned()));
+        all.extend(
+            warnings
+                .iter()
+                .map(String::as_str)
+                .zip(said.iter().cloned()),
+        );
     }
-    all.extend(measured.consistency.iter().map(|claim| (claim.text.as_str(), claim.said.clone())));
+    all.extend(
+        measured
+            .consistency
+            .iter()
+            .map(|claim| (claim.text.as_str(), claim.said.clone())),
+    );
     let lines = measured.budget.values().flatten();
     all.extend(lines.map(|line| (line.input.as_str(), inertia::input(&line.input))));
     all
@@ -135,7 +228,10 @@ fn a_measurement_is_told_in_every_language() {
         let limits = vec!["ballast >= 1".parse().unwrap()];
         let measured = measure(&loaded, &MeasureOptions { limits }).unwrap();
         let all = told(&measured);
-        assert!(all.len() > 10 && !measured.warnings.is_empty(), "{name}: {all:?}");
+        assert!(
+            all.len() > 10 && !measured.warnings.is_empty(),
+            "{name}: {all:?}"
+        );
         for (english, said) in all {
             assert_eq!(english, said.in_language(Language::English));
             let german = said.in_language(Language::German);
@@ -150,17 +246,27 @@ fn a_measurement_is_told_in_every_language() {
 
 #[test]
 fn an_input_of_a_budget_has_a_name() {
-    let told = |label: &str| Language::ALL.map(|language| inertia::input(label).in_language(language));
+    let told =
+        |label: &str| Language::ALL.map(|language| inertia::input(label).in_language(language));
     assert_eq!(told("line_length"), ["line_length", "Leinenlänge"]);
     assert_eq!(
         told("yaw period of yaw-sway"),
-        ["yaw period of yaw-sway", "Gierperiode von Gieren-Querschwingen"]
+        [
+            "yaw period of yaw-sway",
+            "Gierperiode von Gieren-Querschwingen"
+        ]
     );
-    assert_eq!(told("roll out of phase period of roll")[1], "Rollperiode im Gegentakt von Rollen");
+    assert_eq!(
+        told("roll out of phase period of roll")[1],
+        "Rollperiode im Gegentakt von Rollen"
+    );
     assert_eq!(told("mass of keel"), ["mass of keel", "Masse von keel"]);
     assert_eq!(
         told("unknown tilt of the principal axes"),
-        ["unknown tilt of the principal axes", "unbekannte Neigung der Hauptachsen"]
+        [
+            "unknown tilt of the principal axes",
+            "unbekannte Neigung der Hauptachsen"
+        ]
     );
     // What is none is the id of a swing.
     assert_eq!(told("bow-up"), ["bow-up", "Bug-hoch"]);

@@ -1,5 +1,5 @@
-//! How many modes there are is decided from the data: none is invented in noise of any colour, behind a slow drift or
-//! beside hum that lies outside the band, and one 40 dB down is not missed.
+//! How many modes there are is decided from the data: none is invented in noise of any colour,
+//! behind a slow drift or beside hum that lies outside the band, and one 40 dB down is not missed.
 //!
 //! Every record is drawn afresh: span, rate, channels, uneven stamps, colour, phases, decays.
 #![allow(clippy::unwrap_used)]
@@ -17,7 +17,8 @@ use rand_distr::StandardNormal;
 
 /// Records of each kind.
 const RECORDS: usize = 400;
-/// A program that errs once in a thousand records errs in more of 400 with probability 6e-5 (Poisson, mean 0.4).
+/// A program that errs once in a thousand records errs in more of 400 with probability 6e-5
+/// (Poisson, mean 0.4).
 const MOST_ERRORS: usize = 4;
 
 fn normal(rng: &mut ChaCha8Rng) -> f64 {
@@ -44,12 +45,23 @@ struct Drawn {
 }
 
 fn drawn(rng: &mut ChaCha8Rng, rates_hz: &[f64]) -> Drawn {
-    let (span_s, rate_hz) = (one_of(rng, &[40.0, 80.0, 120.0, 240.0]), one_of(rng, rates_hz));
+    let (span_s, rate_hz) = (
+        one_of(rng, &[40.0, 80.0, 120.0, 240.0]),
+        one_of(rng, rates_hz),
+    );
     let samples = (span_s * rate_hz) as usize;
-    let t_s: Vec<f64> = (0..samples).map(|i| (i as f64 + 0.02 * rng.random::<f64>()) / rate_hz).collect();
+    let t_s: Vec<f64> = (0..samples)
+        .map(|i| (i as f64 + 0.02 * rng.random::<f64>()) / rate_hz)
+        .collect();
     let channels = one_of(rng, &[1, 3, 6]);
-    let channels = (0..channels).map(|_| (0..samples).map(|_| normal(rng)).collect()).collect();
-    Drawn { span_s, rate_hz, group: ChannelGroup { t_s, channels } }
+    let channels = (0..channels)
+        .map(|_| (0..samples).map(|_| normal(rng)).collect())
+        .collect();
+    Drawn {
+        span_s,
+        rate_hz,
+        group: ChannelGroup { t_s, channels },
+    }
 }
 
 impl Drawn {
@@ -57,7 +69,10 @@ impl Drawn {
     fn add<F: Fn(f64) -> f64>(&mut self, mut draw: impl FnMut() -> F) {
         for channel in &mut self.group.channels {
             let of_time = draw();
-            channel.iter_mut().zip(&self.group.t_s).for_each(|(y, t)| *y += of_time(*t));
+            channel
+                .iter_mut()
+                .zip(&self.group.t_s)
+                .for_each(|(y, t)| *y += of_time(*t));
         }
     }
 
@@ -65,7 +80,10 @@ impl Drawn {
     fn add_samples(&mut self, mut draw: impl FnMut(usize) -> Vec<f64>) {
         for channel in &mut self.group.channels {
             let more = draw(channel.len());
-            channel.iter_mut().zip(more).for_each(|(y, more)| *y += more);
+            channel
+                .iter_mut()
+                .zip(more)
+                .for_each(|(y, more)| *y += more);
         }
     }
 
@@ -91,11 +109,17 @@ fn power_law(rng: &mut ChaCha8Rng, samples: usize, gamma: f64) -> Vec<f64> {
         Complex64::new(normal(rng), normal(rng)) * (64.0 * k / length as f64).powf(-0.5 * gamma)
     };
     let mut lines: Vec<Complex64> = (0..length).map(|j| line(j, rng)).collect();
-    rustfft::FftPlanner::new().plan_fft_inverse(length).process(&mut lines);
-    lines[..samples].iter().map(|z| z.re / (length as f64).sqrt()).collect()
+    rustfft::FftPlanner::new()
+        .plan_fft_inverse(length)
+        .process(&mut lines);
+    lines[..samples]
+        .iter()
+        .map(|z| z.re / (length as f64).sqrt())
+        .collect()
 }
 
-/// First-order noise of standard deviation 1 with a corner frequency (an Ornstein–Uhlenbeck process, sampled).
+/// First-order noise of standard deviation 1 with a corner frequency (an Ornstein–Uhlenbeck
+/// process, sampled).
 fn red(rng: &mut ChaCha8Rng, samples: usize, rate_hz: f64, corner_hz: f64) -> Vec<f64> {
     let keep = (-TAU * corner_hz / rate_hz).exp();
     let fresh = (1.0 - keep * keep).sqrt();
@@ -119,8 +143,11 @@ fn walk(rng: &mut ChaCha8Rng, samples: usize) -> Vec<f64> {
 /// A line, a cubic, an exponential that runs in, or less than 1.4 cycles of a sine.
 fn drift(rng: &mut ChaCha8Rng, span_s: f64, kind: usize, size: f64) -> impl Fn(f64) -> f64 + use<> {
     let [a, b, c] = [0; 3].map(|_| size * normal(rng));
-    let (cycles, phase, run_in) =
-        (uniform(rng, 0.1, 1.4), uniform(rng, 0.0, TAU), log_uniform(rng, 0.1, 2.0));
+    let (cycles, phase, run_in) = (
+        uniform(rng, 0.1, 1.4),
+        uniform(rng, 0.0, TAU),
+        log_uniform(rng, 0.1, 2.0),
+    );
     move |t| {
         let u = t / span_s;
         match kind {
@@ -132,7 +159,8 @@ fn drift(rng: &mut ChaCha8Rng, span_s: f64, kind: usize, size: f64) -> impl Fn(f
     }
 }
 
-/// One to three tones above the band, which ends at 10 Hz, and below what the sampling theorem allows.
+/// One to three tones above the band, which ends at 10 Hz, and below what the sampling theorem
+/// allows.
 fn add_hum(record: &mut Drawn, rng: &mut ChaCha8Rng) {
     for _ in 0..rng.random_range(1..4) {
         let hum_hz = uniform(rng, 10.5, 0.48 * record.rate_hz);
@@ -174,7 +202,12 @@ fn red_noise_holds_no_mode() {
     no_modes_in(|record, rng| {
         let (corner_hz, size) = (log_uniform(rng, 0.005, 5.0), log_uniform(rng, 0.1, 30.0));
         let rate_hz = record.rate_hz;
-        record.add_samples(|n| red(rng, n, rate_hz, corner_hz).iter().map(|y| size * y).collect());
+        record.add_samples(|n| {
+            red(rng, n, rate_hz, corner_hz)
+                .iter()
+                .map(|y| size * y)
+                .collect()
+        });
     });
 }
 
@@ -197,7 +230,11 @@ fn one_over_f_noise_holds_no_mode() {
 #[test]
 fn a_slow_drift_is_no_mode() {
     no_modes_in(|record, rng| {
-        let (span_s, kind, size) = (record.span_s, rng.random_range(0..4), log_uniform(rng, 1.0, 100.0));
+        let (span_s, kind, size) = (
+            record.span_s,
+            rng.random_range(0..4),
+            log_uniform(rng, 1.0, 100.0),
+        );
         record.add(|| drift(rng, span_s, kind, size));
     });
 }
@@ -219,8 +256,8 @@ fn strong_mode(rng: &mut ChaCha8Rng, record: &Drawn) -> (f64, f64, Vec<Complex64
     let tau_s = uniform(rng, 0.5, 4.0) * record.span_s;
     let size = log_uniform(rng, 10.0, 200.0);
     let channels = record.group.channels.len();
-    let shape =
-        (0..channels).map(|_| Complex64::from_polar(size * uniform(rng, 0.3, 1.0), uniform(rng, 0.0, TAU)));
+    let shape = (0..channels)
+        .map(|_| Complex64::from_polar(size * uniform(rng, 0.3, 1.0), uniform(rng, 0.0, TAU)));
     (omega, tau_s, shape.collect())
 }
 
@@ -265,28 +302,36 @@ struct Faint {
 }
 
 impl Faint {
-    /// Period ratio 1/5 to 5, decay times drawn apart. Where a line is no mode of its own, none is drawn: within three
-    /// cycles per span of the first (its skirt), at a harmonic of it, with fewer than four cycles in the span (drift) or
-    /// than three in a decay time (as broad as a hump of red noise, whose level is taken from the record itself).
+    /// Period ratio 1/5 to 5, decay times drawn apart. Where a line is no mode of its own, none is
+    /// drawn: within three cycles per span of the first (its skirt), at a harmonic of it, with
+    /// fewer than four cycles in the span (drift) or than three in a decay time (as broad as a hump
+    /// of red noise, whose level is taken from the record itself).
     fn draw(rng: &mut ChaCha8Rng, span_s: f64) -> Self {
         let first_hz = uniform(rng, 0.12, 1.2);
         loop {
             let second_hz = first_hz * log_uniform(rng, 0.2, 5.0);
-            let tau_s = [log_uniform(rng, 60.0, 1000.0), log_uniform(rng, 30.0, 1000.0)];
+            let tau_s = [
+                log_uniform(rng, 60.0, 1000.0),
+                log_uniform(rng, 30.0, 1000.0),
+            ];
             let apart = (second_hz - first_hz).abs() * span_s > 3.0;
             let slow = second_hz * span_s < 4.0 || second_hz * tau_s[1] < 3.0;
             let width_hz = |k: f64| 1.0 / span_s + (k / tau_s[0] + 1.0 / tau_s[1]) / TAU;
-            let harmonic =
-                [2.0, 3.0, 4.0, 5.0].iter().any(|k| (second_hz - k * first_hz).abs() < width_hz(*k));
+            let harmonic = [2.0, 3.0, 4.0, 5.0]
+                .iter()
+                .any(|k| (second_hz - k * first_hz).abs() < width_hz(*k));
             if apart && !slow && !harmonic {
-                return Self { omega: [TAU * first_hz, TAU * second_hz], tau_s };
+                return Self {
+                    omega: [TAU * first_hz, TAU * second_hz],
+                    tau_s,
+                };
             }
         }
     }
 }
 
-/// The faint mode's own line takes 200 to 3000 off χ², of which chance takes off about 50 at the most: the best possible
-/// rule misses less than one in a million of the faintest (noncentral χ²).
+/// The faint mode's own line takes 200 to 3000 off χ², of which chance takes off about 50 at the
+/// most: the best possible rule misses less than one in a million of the faintest (noncentral χ²).
 fn sigma(rng: &mut ChaCha8Rng, t_s: &[f64], tau_s: f64, faint: &[Complex64]) -> f64 {
     let sum_of = |power: f64| t_s.iter().map(|t| (-power * t / tau_s).exp()).sum::<f64>();
     // What one undamped line takes of a damped swing: |∑z|²/N instead of ∑|z|².
@@ -298,15 +343,30 @@ fn sigma(rng: &mut ChaCha8Rng, t_s: &[f64], tau_s: f64, faint: &[Complex64]) -> 
 fn with_faint_mode(rng: &mut ChaCha8Rng) -> (Drawn, Faint) {
     let (span_s, rate_hz) = (uniform(rng, 60.0, 240.0), one_of(rng, &[50.0, 100.0]));
     let stamp = |i: usize, rng: &mut ChaCha8Rng| (i as f64 + 0.02 * rng.random::<f64>()) / rate_hz;
-    let t_s: Vec<f64> = (0..(span_s * rate_hz) as usize).map(|i| stamp(i, rng)).collect();
+    let t_s: Vec<f64> = (0..(span_s * rate_hz) as usize)
+        .map(|i| stamp(i, rng))
+        .collect();
     let modes = Faint::draw(rng, span_s);
-    let turned = |size: f64, rng: &mut ChaCha8Rng| Complex64::from_polar(size, uniform(rng, 0.0, TAU));
-    let sizes: Vec<f64> = (0..one_of(rng, &[1, 3, 6])).map(|_| uniform(rng, 0.3, 1.0)).collect();
+    let turned =
+        |size: f64, rng: &mut ChaCha8Rng| Complex64::from_polar(size, uniform(rng, 0.0, TAU));
+    let sizes: Vec<f64> = (0..one_of(rng, &[1, 3, 6]))
+        .map(|_| uniform(rng, 0.3, 1.0))
+        .collect();
     let strong: Vec<Complex64> = sizes.iter().map(|size| turned(*size, rng)).collect();
     let faint: Vec<Complex64> = sizes.iter().map(|size| turned(0.01 * size, rng)).collect();
     let sigma = sigma(rng, &t_s, modes.tau_s[1], &faint);
-    let noise = sizes.iter().map(|_| t_s.iter().map(|_| sigma * normal(rng)).collect()).collect();
-    let mut record = Drawn { span_s, rate_hz, group: ChannelGroup { t_s, channels: noise } };
+    let noise = sizes
+        .iter()
+        .map(|_| t_s.iter().map(|_| sigma * normal(rng)).collect())
+        .collect();
+    let mut record = Drawn {
+        span_s,
+        rate_hz,
+        group: ChannelGroup {
+            t_s,
+            channels: noise,
+        },
+    };
     record.add_mode(modes.omega[0], modes.tau_s[0], &strong);
     record.add_mode(modes.omega[1], modes.tau_s[1], &faint);
     (record, modes)
@@ -318,7 +378,12 @@ fn a_mode_forty_decibels_down_is_not_missed() {
         let (record, modes) = with_faint_mode(rng);
         let near = 0.5 * TAU / record.span_s;
         let found = record.found().unwrap();
-        let is_found = |omega: &f64| found.modes.iter().any(|m| (m.omega_rad_s - omega).abs() < near);
+        let is_found = |omega: &f64| {
+            found
+                .modes
+                .iter()
+                .any(|m| (m.omega_rad_s - omega).abs() < near)
+        };
         !(found.modes.len() == 2 && modes.omega.iter().all(is_found))
     });
     println!("wrong: {wrong} of {RECORDS}");

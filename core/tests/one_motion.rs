@@ -1,6 +1,7 @@
 //! The criticism of swings that a gyroscope alone saw.
 //!
-//! Synthetic swings are drawn afresh and integrated here, by the rule of Runge and Kutta, not by the code under test.
+//! Synthetic swings are drawn afresh and integrated here, by the rule of Runge and Kutta, not by
+//! the code under test.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod common;
@@ -15,8 +16,8 @@ use common::rng;
 use gyradius_core::critique::{Critique, criticise};
 use gyradius_core::recording::import::{ColumnMapping, ImportOptions, ImportedData, import_files};
 use gyradius_core::recording::{
-    Body, Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording, Session,
-    Site, Suspension, SuspensionKind, Swing, SwingData, Triad,
+    Body, Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording,
+    Session, Site, Suspension, SuspensionKind, Swing, SwingData, Triad,
 };
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -66,7 +67,11 @@ fn between(rng: &mut ChaCha8Rng, least: f64, most: f64) -> f64 {
 /// A phone's gyroscope on a compound pendulum, the phone taped on in any way.
 fn drawn(rng: &mut ChaCha8Rng, quadratic: f64, dry: f64) -> LoadedSession {
     let omega = TAU / between(rng, 1.0, 3.0);
-    let brakes = Brakes { linear: between(rng, 0.0005, 0.0015), quadratic, dry };
+    let brakes = Brakes {
+        linear: between(rng, 0.0005, 0.0015),
+        quadratic,
+        dry,
+    };
     let count = 12_000;
     let motion = rates(omega, between(rng, 0.2, 0.5), brakes, 0.01, count);
     let mut normal = || -> f64 { rng.sample(StandardNormal) };
@@ -74,11 +79,22 @@ fn drawn(rng: &mut ChaCha8Rng, quadratic: f64, dry: f64) -> LoadedSession {
     let size = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
     let axes = axis.map(|a| {
         let bias = 0.005 * normal();
-        motion.iter().map(|rate| a / size * rate + bias + 0.001 * normal()).collect::<Vec<f64>>()
+        motion
+            .iter()
+            .map(|rate| a / size * rate + bias + 0.001 * normal())
+            .collect::<Vec<f64>>()
     });
     let t_s = (0..count).map(|i| 0.01 * i as f64).collect();
     let gyroscope = Some(Triad { t_s, axes });
-    session(Recording { name: "drawn".into(), gyroscope, ..Default::default() }, compound(), vec![])
+    session(
+        Recording {
+            name: "drawn".into(),
+            gyroscope,
+            ..Default::default()
+        },
+        compound(),
+        vec![],
+    )
 }
 
 fn compound() -> Suspension {
@@ -94,7 +110,11 @@ fn compound() -> Suspension {
     }
 }
 
-fn session(recording: Recording, suspension: Suspension, excited: Vec<Excitation>) -> LoadedSession {
+fn session(
+    recording: Recording,
+    suspension: Suspension,
+    excited: Vec<Excitation>,
+) -> LoadedSession {
     let swing = Swing {
         id: "swing".into(),
         data: SwingData::Recording("swing.csv".into()),
@@ -113,18 +133,35 @@ fn session(recording: Recording, suspension: Suspension, excited: Vec<Excitation
         inclines: vec![],
         recorded: vec![],
     };
-    let data = vec![LoadedSwing { id: "swing".into(), data: LoadedData::Recording(recording) }];
-    LoadedSession { data, session, source: "one motion".into(), inclines: vec![] }
+    let data = vec![LoadedSwing {
+        id: "swing".into(),
+        data: LoadedData::Recording(recording),
+    }];
+    LoadedSession {
+        data,
+        session,
+        source: "one motion".into(),
+        inclines: vec![],
+    }
 }
 
 fn criticised(loaded: &LoadedSession) -> Critique {
     let critique = criticise(loaded, &|_, _| true).unwrap().critique;
     println!("{:?}: {}", critique.verdict.causes, critique.verdict.text);
-    println!("  {:?} -> {:?}", critique.baseline.rms_over_noise, critique.extended.rms_over_noise);
+    println!(
+        "  {:?} -> {:?}",
+        critique.baseline.rms_over_noise, critique.extended.rms_over_noise
+    );
     for cause in &critique.causes {
-        println!("  {} {:.1} {:?}", cause.id, cause.log_evidence_gain, cause.parameters);
+        println!(
+            "  {} {:.1} {:?}",
+            cause.id, cause.log_evidence_gain, cause.parameters
+        );
     }
-    critique.discrepancies.iter().for_each(|d| println!("  {:.1} {}", d.sigma, d.text));
+    critique
+        .discrepancies
+        .iter()
+        .for_each(|d| println!("  {:.1} {}", d.sigma, d.text));
     told_in_every_language(&critique);
     critique
 }
@@ -133,14 +170,21 @@ fn criticised(loaded: &LoadedSession) -> Critique {
 fn named(quadratic: f64, dry: f64, causes: &[&str]) -> usize {
     let mut rng = rng();
     let right = |critique: &Critique| {
-        let status = if causes.is_empty() { "adequate" } else { "explained" };
+        let status = if causes.is_empty() {
+            "adequate"
+        } else {
+            "explained"
+        };
         critique.verdict.causes == causes && critique.verdict.status == status
     };
-    (0..8).filter(|_| right(&criticised(&drawn(&mut rng, quadratic, dry)))).count()
+    (0..8)
+        .filter(|_| right(&criticised(&drawn(&mut rng, quadratic, dry))))
+        .count()
 }
 
-// A false alarm is rarer than one in fifty; so is a cause that is missed at strengths that change the decay by a tenth and more.
-// What errs so often errs in three of eight less than once in 2000 runs (binomial).
+// A false alarm is rarer than one in fifty; so is a cause that is missed at strengths that change
+// the decay by a tenth and more. What errs so often errs in three of eight less than once in 2000
+// runs (binomial).
 
 #[test]
 fn a_pendulum_that_swings_as_it_should_is_left_alone() {
@@ -162,7 +206,10 @@ fn dry_friction_is_named() {
 fn the_strength_of_a_drag_is_found_within_its_uncertainty() {
     let mut rng = rng();
     let critique = criticised(&drawn(&mut rng, 0.001, 0.0));
-    let period = critique.extended.quantities["small_period_swing_s"].value.as_f64().unwrap();
+    let period = critique.extended.quantities["small_period_swing_s"]
+        .value
+        .as_f64()
+        .unwrap();
     let found = &critique.causes[0].parameters["torque_coefficient_per_inertia"];
     // 2 ω q/(ω A) = 2 q/A: between those of the widest and the narrowest release.
     assert!((1.0..3.0).contains(&period));
@@ -173,13 +220,18 @@ fn the_strength_of_a_drag_is_found_within_its_uncertainty() {
 
 /// A recording from the folder of real data, imported; `None` (said aloud) where that is absent.
 fn shared(path: &str, mapping: &[&str]) -> Option<Recording> {
-    let full = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data").join(path);
+    let full = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../shared/data")
+        .join(path);
     let Ok(bytes) = std::fs::read(full) else {
         println!("skipped: ../shared/data/{path} is not here");
         return None;
     };
     let mapping = (!mapping.is_empty()).then(|| ColumnMapping::from_entries(mapping).unwrap());
-    let options = ImportOptions { mapping, ..Default::default() };
+    let options = ImportOptions {
+        mapping,
+        ..Default::default()
+    };
     let mut imported = import_files(&[(path.into(), bytes)], &options).unwrap();
     match imported.recordings.remove(0).data {
         ImportedData::Recording(recording) => Some(recording),
@@ -187,24 +239,42 @@ fn shared(path: &str, mapping: &[&str]) -> Option<Recording> {
     }
 }
 
-/// What its notes say, measured without this program: the small period is near 1.338 s, the period exceeds a pendulum's law above
-/// 0.25 rad. No cause that is known accounts for that, and the program must not claim one.
+/// What its notes say, measured without this program: the small period is near 1.338 s, the period
+/// exceeds a pendulum's law above 0.25 rad. No cause that is known accounts for that, and the
+/// program must not claim one.
 #[test]
 fn the_phone_pendulum_is_not_explained_away() {
-    let Some(recording) = shared("phone-pendulum/Gyroscope.csv", &[]) else { return };
+    let Some(recording) = shared("phone-pendulum/Gyroscope.csv", &[]) else {
+        return;
+    };
     let critique = criticised(&session(recording, compound(), vec![]));
     assert_eq!(critique.verdict.status, "unexplained");
-    let period = critique.baseline.quantities["small_period_swing_s"].value.as_f64().unwrap();
+    let period = critique.baseline.quantities["small_period_swing_s"]
+        .value
+        .as_f64()
+        .unwrap();
     assert!((period - 1.338).abs() < 0.005, "{period}");
-    assert!(critique.discrepancies.iter().any(|d| d.what == "period_vs_amplitude"));
+    assert!(
+        critique
+            .discrepancies
+            .iter()
+            .any(|d| d.what == "period_vs_amplitude")
+    );
     assert!(critique.extended.rms_over_noise < critique.baseline.rms_over_noise);
 }
 
 /// Its notes: 2.83 s at 0.75 rad falls to 2.64 s at 0.11 rad, and nobody has said why.
 #[test]
 fn the_ducted_fan_is_not_explained_away() {
-    let mapping = ["t=Time:ms", "gx=xGyro:deg/s", "gy=yGyro:deg/s", "gz=ZGyro:deg/s"];
-    let Some(recording) = shared("ducted-fan/YawInertiaPendel01.csv", &mapping) else { return };
+    let mapping = [
+        "t=Time:ms",
+        "gx=xGyro:deg/s",
+        "gy=yGyro:deg/s",
+        "gz=ZGyro:deg/s",
+    ];
+    let Some(recording) = shared("ducted-fan/YawInertiaPendel01.csv", &mapping) else {
+        return;
+    };
     let lines = Suspension {
         kind: SuspensionKind::Bifilar,
         line_length_m: Some(Quantity::new(0.74, 0.01)),
@@ -214,6 +284,9 @@ fn the_ducted_fan_is_not_explained_away() {
     };
     let critique = criticised(&session(recording, lines, vec![Excitation::Yaw]));
     assert_eq!(critique.verdict.status, "unexplained");
-    let period = critique.baseline.quantities["small_period_swing_s"].value.as_f64().unwrap();
+    let period = critique.baseline.quantities["small_period_swing_s"]
+        .value
+        .as_f64()
+        .unwrap();
     assert!((2.5..2.8).contains(&period), "{period}");
 }

@@ -18,11 +18,20 @@ struct Mode {
 }
 
 fn mode(period_s: f64, tau_s: f64, shape: &[(f64, f64)]) -> Mode {
-    Mode { period_s, tau_s, shape: shape.iter().map(|&(a, phase)| Complex64::from_polar(a, phase)).collect() }
+    Mode {
+        period_s,
+        tau_s,
+        shape: shape
+            .iter()
+            .map(|&(a, phase)| Complex64::from_polar(a, phase))
+            .collect(),
+    }
 }
 
 fn even(span_s: f64, rate_hz: f64) -> Vec<f64> {
-    (0..(span_s * rate_hz) as usize).map(|i| 3.0 + i as f64 / rate_hz).collect()
+    (0..(span_s * rate_hz) as usize)
+        .map(|i| 3.0 + i as f64 / rate_hz)
+        .collect()
 }
 
 fn swing(t_s: &[f64], modes: &[Mode], sigma: &[f64], rng: &mut ChaCha8Rng) -> ChannelGroup {
@@ -30,14 +39,21 @@ fn swing(t_s: &[f64], modes: &[Mode], sigma: &[f64], rng: &mut ChaCha8Rng) -> Ch
         let value = |t: &f64| {
             let at = t - t_s[0];
             let z = |m: &Mode| {
-                (m.shape[c] * Complex64::new(-at / m.tau_s, std::f64::consts::TAU * at / m.period_s).exp()).re
+                (m.shape[c]
+                    * Complex64::new(-at / m.tau_s, std::f64::consts::TAU * at / m.period_s).exp())
+                .re
             };
             modes.iter().map(z).sum::<f64>()
         };
-        t_s.iter().map(|t| 0.02 + value(t) + sigma[c] * rng.sample::<f64, _>(StandardNormal)).collect()
+        t_s.iter()
+            .map(|t| 0.02 + value(t) + sigma[c] * rng.sample::<f64, _>(StandardNormal))
+            .collect()
     };
     let channels = (0..sigma.len()).map(|c| channel(c, rng)).collect();
-    ChannelGroup { t_s: t_s.to_vec(), channels }
+    ChannelGroup {
+        t_s: t_s.to_vec(),
+        channels,
+    }
 }
 
 fn show(d: &Decomposition) {
@@ -53,7 +69,11 @@ fn show(d: &Decomposition) {
         );
     }
     for t in &d.tones {
-        println!("tone {:?} {:.5?}", t.multiples, t.shape.iter().map(|a| a.norm()).collect::<Vec<_>>());
+        println!(
+            "tone {:?} {:.5?}",
+            t.multiples,
+            t.shape.iter().map(|a| a.norm()).collect::<Vec<_>>()
+        );
     }
     println!(
         "rms/noise {:.4} noise {:.6?} baseline {} {:?}",
@@ -89,13 +109,16 @@ fn tells_two_modes_apart_that_are_three_percent_apart() {
     assert_eq!(found.modes.len(), 2);
 }
 
-/// Standard deviations of (ω, α) of each mode by the Cramér–Rao bound: inverse Fisher matrix of the model written
-/// out here (poles shared, amplitude and phase, bias and slope by channel), by central differences.
+/// Standard deviations of (ω, α) of each mode by the Cramér–Rao bound: inverse Fisher matrix of the
+/// model written out here (poles shared, amplitude and phase, bias and slope by channel), by
+/// central differences.
 fn bound(t_s: &[f64], modes: &[Mode], sigma: &[f64]) -> Vec<(f64, f64)> {
     let (poles, channels) = (2 * modes.len(), sigma.len());
     let own = 2 * modes.len() + 2;
-    let mut truth: Vec<f64> =
-        modes.iter().flat_map(|m| [std::f64::consts::TAU / m.period_s, 1.0 / m.tau_s]).collect();
+    let mut truth: Vec<f64> = modes
+        .iter()
+        .flat_map(|m| [std::f64::consts::TAU / m.period_s, 1.0 / m.tau_s])
+        .collect();
     for c in 0..channels {
         truth.extend(modes.iter().flat_map(|m| [m.shape[c].re, m.shape[c].im]));
         truth.extend([0.0, 0.0]);
@@ -122,7 +145,12 @@ fn bound(t_s: &[f64], modes: &[Mode], sigma: &[f64]) -> Vec<(f64, f64)> {
     }
     let covariance = fisher.try_inverse().unwrap();
     (0..modes.len())
-        .map(|m| (covariance[(2 * m, 2 * m)].sqrt(), covariance[(2 * m + 1, 2 * m + 1)].sqrt()))
+        .map(|m| {
+            (
+                covariance[(2 * m, 2 * m)].sqrt(),
+                covariance[(2 * m + 1, 2 * m + 1)].sqrt(),
+            )
+        })
         .collect()
 }
 
@@ -136,7 +164,9 @@ fn draws(
 ) -> Vec<Vec<[f64; 4]>> {
     let part = |seed: ChaCha8Rng| {
         let mut rng = seed;
-        (0..count / 2).map(|_| one_draw(t_s, modes, sigma, options, &mut rng)).collect::<Vec<_>>()
+        (0..count / 2)
+            .map(|_| one_draw(t_s, modes, sigma, options, &mut rng))
+            .collect::<Vec<_>>()
     };
     let (a, b) = (rng(), rng());
     std::thread::scope(|scope| {
@@ -158,21 +188,40 @@ fn one_draw(
     let nearest = |m: &Mode| {
         let omega = std::f64::consts::TAU / m.period_s;
         let off = |f: &&gyradius_core::signal::FittedMode| (f.omega_rad_s - omega).abs();
-        let f = found.modes.iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap();
-        [f.omega_rad_s - omega, f.omega_se_rad_s, f.alpha_per_s - 1.0 / m.tau_s, f.alpha_se_per_s]
+        let f = found
+            .modes
+            .iter()
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .unwrap();
+        [
+            f.omega_rad_s - omega,
+            f.omega_se_rad_s,
+            f.alpha_per_s - 1.0 / m.tau_s,
+            f.alpha_se_per_s,
+        ]
     };
     modes.iter().map(nearest).collect()
 }
 
-/// rmse over the bound, and coverage of 68.27 % and 95.45 % intervals, of ω and α of every mode. Bounds are those of the
-/// issue, widened by 3.3 standard deviations of what `count` draws can tell (1 in 1000).
+/// rmse over the bound, and coverage of 68.27 % and 95.45 % intervals, of ω and α of every mode.
+/// Bounds are those of the issue, widened by 3.3 standard deviations of what `count` draws can tell
+/// (1 in 1000).
 fn judge(all: &[Vec<[f64; 4]>], crb: &[(f64, f64)], ratio: f64) {
     let n = all.len() as f64;
     for (m, bound) in crb.iter().enumerate() {
         for (name, at, bound) in [("omega", 0, bound.0), ("alpha", 2, bound.1)] {
             let rmse = (all.iter().map(|d| d[m][at].powi(2)).sum::<f64>() / n).sqrt() / bound;
-            let within = |z: f64| all.iter().filter(|d| d[m][at].abs() < z * d[m][at + 1]).count() as f64 / n;
-            println!("mode {m} {name}: rmse/CRB {rmse:.4}, 1σ {:.4}, 1.96σ {:.4}", within(1.0), within(1.96));
+            let within = |z: f64| {
+                all.iter()
+                    .filter(|d| d[m][at].abs() < z * d[m][at + 1])
+                    .count() as f64
+                    / n
+            };
+            println!(
+                "mode {m} {name}: rmse/CRB {rmse:.4}, 1σ {:.4}, 1.96σ {:.4}",
+                within(1.0),
+                within(1.96)
+            );
             assert!(rmse < ratio + 3.3 / (2.0 * n).sqrt(), "{name} rmse {rmse}");
             assert!(
                 (within(1.0) - 0.683).abs() < 0.03 + 3.3 * (0.217 / n).sqrt(),
@@ -200,10 +249,20 @@ fn one_mode_reaches_the_bound_with_true_errors() {
 #[test]
 fn two_modes_three_percent_apart_reach_the_bound() {
     let t = even(120.0, 25.0);
-    let modes = [mode(4.39, 640.0, &[(0.2, 0.3), (0.05, 1.0)]), mode(4.26, 400.0, &[(0.1, 0.1), (0.1, 2.0)])];
+    let modes = [
+        mode(4.39, 640.0, &[(0.2, 0.3), (0.05, 1.0)]),
+        mode(4.26, 400.0, &[(0.1, 0.1), (0.1, 2.0)]),
+    ];
     let sigma = [0.005, 0.005];
-    let options = DecomposeOptions { mode_count: Some(2), ..DecomposeOptions::default() };
-    judge(&draws(2000, &t, &modes, &sigma, &options), &bound(&t, &modes, &sigma), 1.1);
+    let options = DecomposeOptions {
+        mode_count: Some(2),
+        ..DecomposeOptions::default()
+    };
+    judge(
+        &draws(2000, &t, &modes, &sigma, &options),
+        &bound(&t, &modes, &sigma),
+        1.1,
+    );
 }
 
 #[test]
@@ -231,11 +290,20 @@ fn noise_holds_no_modes() {
 #[test]
 fn finds_a_mode_forty_decibels_down_through_a_stall() {
     let mut rng = rng();
-    let t: Vec<f64> = even(120.0, 100.0).into_iter().filter(|t| !(40.0..40.8).contains(t)).collect();
+    let t: Vec<f64> = even(120.0, 100.0)
+        .into_iter()
+        .filter(|t| !(40.0..40.8).contains(t))
+        .collect();
     let t: Vec<f64> = t.iter().map(|t| t + 0.0004 * rng.random::<f64>()).collect();
-    let modes =
-        [mode(4.39, 640.0, &[(0.2, 0.3), (0.05, 1.0)]), mode(1.7, 200.0, &[(0.002, 0.1), (0.0005, 2.0)])];
-    let found = decompose(&[swing(&t, &modes, &[0.005; 2], &mut rng)], &DecomposeOptions::default()).unwrap();
+    let modes = [
+        mode(4.39, 640.0, &[(0.2, 0.3), (0.05, 1.0)]),
+        mode(1.7, 200.0, &[(0.002, 0.1), (0.0005, 2.0)]),
+    ];
+    let found = decompose(
+        &[swing(&t, &modes, &[0.005; 2], &mut rng)],
+        &DecomposeOptions::default(),
+    )
+    .unwrap();
     show(&found);
     assert_eq!(found.modes.len(), 2);
     for (found, m) in found.modes.iter().zip(&modes) {
@@ -260,8 +328,14 @@ fn one_chirping_mode_stays_one() {
             envelope -= h * middle * (alpha + beta * middle);
         }
     }
-    let found =
-        decompose(&[ChannelGroup { t_s: t, channels: vec![y] }], &DecomposeOptions::default()).unwrap();
+    let found = decompose(
+        &[ChannelGroup {
+            t_s: t,
+            channels: vec![y],
+        }],
+        &DecomposeOptions::default(),
+    )
+    .unwrap();
     show(&found);
     assert_eq!(found.modes.len(), 1);
     let law = &found.modes[0].law;
@@ -271,5 +345,9 @@ fn one_chirping_mode_stays_one() {
         "{}",
         law.omega_small_rad_s
     );
-    assert!((law.shift_rad_s + omega * epsilon).abs() < 4.5 * law.shift_se_rad_s, "{}", law.shift_rad_s);
+    assert!(
+        (law.shift_rad_s + omega * epsilon).abs() < 4.5 * law.shift_se_rad_s,
+        "{}",
+        law.shift_rad_s
+    );
 }

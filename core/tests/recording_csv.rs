@@ -1,4 +1,5 @@
-//! Reading and writing the project's own recordings. Expected values are written out by hand in each case.
+//! Reading and writing the project's own recordings. Expected values are written out by hand in
+//! each case.
 // Clippy's leave for tests does not reach the functions that tests share.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -14,7 +15,9 @@ fn read(text: &str) -> Recording {
 }
 
 fn refusal(text: &str) -> String {
-    read_recording(text.as_bytes(), "swing.csv").unwrap_err().to_string()
+    read_recording(text.as_bytes(), "swing.csv")
+        .unwrap_err()
+        .to_string()
 }
 
 /// `n` rows whose gx is the row's number and a half, at the given stamps.
@@ -27,7 +30,11 @@ fn rows(n: usize, stamp: impl Fn(usize) -> f64) -> String {
 }
 
 fn only(recording: &Recording, kind: RepairKind) -> &Repair {
-    let found: Vec<&Repair> = recording.repairs.iter().filter(|repair| repair.kind == kind).collect();
+    let found: Vec<&Repair> = recording
+        .repairs
+        .iter()
+        .filter(|repair| repair.kind == kind)
+        .collect();
     assert_eq!(found.len(), 1, "{:?}", recording.repairs);
     found[0]
 }
@@ -39,10 +46,16 @@ fn sensors_keep_their_own_clocks_and_columns_their_names() {
     );
     let gyroscope = recording.gyroscope.unwrap();
     assert_eq!(gyroscope.t_s, [0.5, 0.51]);
-    assert_eq!(gyroscope.axes, [vec![1.0, 4.0], vec![2.0, 5.0], vec![3.0, 6.0]]);
+    assert_eq!(
+        gyroscope.axes,
+        [vec![1.0, 4.0], vec![2.0, 5.0], vec![3.0, 6.0]]
+    );
     let accelerometer = recording.accelerometer.unwrap();
     assert_eq!(accelerometer.t_s, [0.5, 0.52]);
-    assert_eq!(accelerometer.axes, [vec![0.1, 0.3], vec![0.2, 0.4], vec![9.81, 9.79]]);
+    assert_eq!(
+        accelerometer.axes,
+        [vec![0.1, 0.3], vec![0.2, 0.4], vec![9.81, 9.79]]
+    );
     assert!(recording.linear_accelerometer.is_none());
     assert_eq!(recording.repairs, []);
 }
@@ -63,10 +76,22 @@ fn what_cannot_be_read_is_said_with_its_place() {
         ("\r\n\n", empty),
         ("t,gx,gy,gz\n", few),
         ("t,gx,gy,gz\n0,1,2,3\n", few),
-        ("gx,gy,gz\n1,2,3\n", "swing.csv, line 1: expected a column `t`, found `gx,gy,gz`"),
-        ("t,gx,gz\n1,2,3\n", "swing.csv, line 1: expected columns gx, gy, gz together, found `t,gx,gz`"),
-        ("t,gx,gx\n1,2,3\n", "swing.csv, line 1: expected column `gx` once, found `t,gx,gx`"),
-        ("t,gx,gy,Gz\n1,2,3,4\n", "swing.csv, line 1: unknown key `Gz`; the nearest known key is `gz`"),
+        (
+            "gx,gy,gz\n1,2,3\n",
+            "swing.csv, line 1: expected a column `t`, found `gx,gy,gz`",
+        ),
+        (
+            "t,gx,gz\n1,2,3\n",
+            "swing.csv, line 1: expected columns gx, gy, gz together, found `t,gx,gz`",
+        ),
+        (
+            "t,gx,gx\n1,2,3\n",
+            "swing.csv, line 1: expected column `gx` once, found `t,gx,gx`",
+        ),
+        (
+            "t,gx,gy,Gz\n1,2,3,4\n",
+            "swing.csv, line 1: unknown key `Gz`; the nearest known key is `gz`",
+        ),
         (
             "t\n1\n2\n",
             "swing.csv, line 1: expected columns gx,gy,gz (gyroscope) or ax,ay,az (accelerometer), found `t`",
@@ -79,18 +104,29 @@ fn what_cannot_be_read_is_said_with_its_place() {
             "t,gx,gy,gz\r\n0,1,2,3\r\n1,2,x1,4\r\n",
             "swing.csv, line 3: expected a number in column `gy`, found `x1`",
         ),
-        ("t,gx,gy,gz\n0,1,2\n1,2,3,4\n", "swing.csv, line 2: expected 4 cells, as in the header, found 3"),
+        (
+            "t,gx,gy,gz\n0,1,2\n1,2,3,4\n",
+            "swing.csv, line 2: expected 4 cells, as in the header, found 3",
+        ),
         (
             "t,gx,gy,gz\n0,1,2,3,9\n1,2,3,4\n",
             "swing.csv, line 2: expected 4 cells, as in the header, found 5",
         ),
-        ("t,gx,gy,gz\n0,1,2,3\n,2,3,4\n", "swing.csv, line 3: expected a time stamp, found an empty cell"),
-        ("\u{d0}", "swing.csv, line 1: unknown key `\u{d0}`; the nearest known key is `t`"),
+        (
+            "t,gx,gy,gz\n0,1,2,3\n,2,3,4\n",
+            "swing.csv, line 3: expected a time stamp, found an empty cell",
+        ),
+        (
+            "\u{d0}",
+            "swing.csv, line 1: unknown key `\u{d0}`; the nearest known key is `t`",
+        ),
     ];
     for (text, expected) in cases {
         assert_eq!(refusal(text), expected, "{text:?}");
     }
-    let workbook = read_recording(&[0xD0, 0xCF, 0x11, 0xE0, 0xA1], "a.xls").unwrap_err().to_string();
+    let workbook = read_recording(&[0xD0, 0xCF, 0x11, 0xE0, 0xA1], "a.xls")
+        .unwrap_err()
+        .to_string();
     assert_eq!(
         workbook,
         "a.xls: expected comma-separated text (export as CSV), found an Excel workbook (xls)"
@@ -106,7 +142,11 @@ fn a_last_row_cut_off_by_a_killed_app_costs_that_row_only() {
 
 #[test]
 fn stamps_in_another_unit_are_refused() {
-    for (scale, unit) in [(1e3, "milliseconds"), (1e6, "microseconds"), (1e9, "nanoseconds")] {
+    for (scale, unit) in [
+        (1e3, "milliseconds"),
+        (1e6, "microseconds"),
+        (1e9, "nanoseconds"),
+    ] {
         let text = refusal(&rows(1200, |i| 0.01 * i as f64 * scale));
         assert!(text.contains(unit), "{text}");
     }
@@ -124,7 +164,10 @@ fn values_that_are_not_numbers_leave_the_row_out_for_that_sensor() {
         (repair.sensor, repair.count, repair.first_s, repair.last_s),
         (Sensor::Gyroscope, 3, 0.1, 0.3)
     );
-    assert_eq!(repair.text, "gyroscope: 3 samples have a value that is not a number; left out");
+    assert_eq!(
+        repair.text,
+        "gyroscope: 3 samples have a value that is not a number; left out"
+    );
 }
 
 #[test]
@@ -143,9 +186,15 @@ fn repeated_and_backward_stamps_are_left_out() {
     assert_eq!(gyroscope.t_s, [0.0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06]);
     assert_eq!(gyroscope.axes[0], [0.5, 1.5, 2.5, 5.5, 6.5, 8.5, 9.5]);
     let repeated = only(&recording, RepairKind::RepeatedStamp);
-    assert_eq!((repeated.count, repeated.first_s, repeated.last_s), (2, 0.02, 0.02));
+    assert_eq!(
+        (repeated.count, repeated.first_s, repeated.last_s),
+        (2, 0.02, 0.02)
+    );
     let backward = only(&recording, RepairKind::BackwardStamp);
-    assert_eq!((backward.count, backward.first_s, backward.last_s), (1, 0.03, 0.03));
+    assert_eq!(
+        (backward.count, backward.first_s, backward.last_s),
+        (1, 0.03, 0.03)
+    );
     assert_eq!(recording.repairs.len(), 2);
 }
 
@@ -159,8 +208,14 @@ fn gaps_and_stalls_are_told_apart_by_ten_intervals() {
     };
     let recording = read(&rows(120, |i| 0.01 * i as f64 + shift(i)));
     let missing = only(&recording, RepairKind::MissingRows);
-    assert_eq!((missing.count, missing.first_s, missing.last_s), (2, 0.49, 0.81));
-    assert_eq!(missing.text, "gyroscope: rows are missing in 2 gaps, up to 0.060 s long; left as gaps");
+    assert_eq!(
+        (missing.count, missing.first_s, missing.last_s),
+        (2, 0.49, 0.81)
+    );
+    assert_eq!(
+        missing.text,
+        "gyroscope: rows are missing in 2 gaps, up to 0.060 s long; left as gaps"
+    );
     let stall = only(&recording, RepairKind::Stall);
     assert_eq!((stall.count, stall.first_s), (1, 0.96));
     assert_eq!(recording.gyroscope.unwrap().t_s.len(), 120);
@@ -168,7 +223,8 @@ fn gaps_and_stalls_are_told_apart_by_ten_intervals() {
 
 #[test]
 fn jitter_is_reported_above_a_twentieth_of_the_interval_and_used_as_it_stands() {
-    // Every other stamp late by d: intervals 10 ms ± d, so their sd is d and the bound is at d = 0.5 ms.
+    // Every other stamp late by d: intervals 10 ms ± d, so their sd is d and the bound is at d =
+    // 0.5 ms.
     let late = |ms: f64| move |i: usize| 0.01 * i as f64 + if i % 2 == 1 { 1e-3 * ms } else { 0.0 };
     let recording = read(&rows(101, late(1.0)));
     let jitter = only(&recording, RepairKind::Jitter);
@@ -185,7 +241,10 @@ fn of_two_recordings_in_one_file_the_longer_is_kept() {
         let recording = read(&rows(first + second, stamp));
         let gyroscope = recording.gyroscope.as_ref().unwrap();
         assert_eq!(gyroscope.t_s.len(), 500);
-        assert_eq!(gyroscope.axes[0][0], if first > second { 0.5 } else { 300.5 });
+        assert_eq!(
+            gyroscope.axes[0][0],
+            if first > second { 0.5 } else { 300.5 }
+        );
         assert_eq!(only(&recording, RepairKind::SecondSwing).count, 300);
     }
 }
@@ -193,7 +252,10 @@ fn of_two_recordings_in_one_file_the_longer_is_kept() {
 #[test]
 fn a_stray_stamp_far_ahead_or_behind_costs_its_own_row_only() {
     for stray in [1e6, -5.0] {
-        let recording = read(&rows(400, |i| if i == 200 { stray } else { 0.01 * i as f64 }));
+        let recording = read(&rows(
+            400,
+            |i| if i == 200 { stray } else { 0.01 * i as f64 },
+        ));
         assert_eq!(recording.gyroscope.as_ref().unwrap().t_s.len(), 399);
         assert_eq!(only(&recording, RepairKind::BackwardStamp).count, 1);
     }
@@ -228,28 +290,45 @@ fn a_clipped_channel_is_saturated_and_a_coarse_one_is_not() {
     assert_eq!(swing(100.0, 0.001).repairs, []);
     assert_eq!(swing(100.0, 0.5).repairs, []);
     let level = |i: usize| 9.8 + 0.01 * (i / 7 % 2) as f64;
-    let resting: String = (0..500).map(|i| format!("{:.2},0,0,{}\n", 0.01 * i as f64, level(i))).collect();
+    let resting: String = (0..500)
+        .map(|i| format!("{:.2},0,0,{}\n", 0.01 * i as f64, level(i)))
+        .collect();
     assert_eq!(read(&("t,ax,ay,az\n".to_owned() + &resting)).repairs, []);
 }
 
 #[test]
 fn tracks_and_period_lists_are_read_likewise() {
     let track = read_track(b"y,t\n0.5,0\n0.6,0.05\n0.7,0.1\nnan,0.15\n", "track.csv").unwrap();
-    assert_eq!((track.t_s, track.y_m), (vec![0.0, 0.05, 0.1], vec![0.5, 0.6, 0.7]));
+    assert_eq!(
+        (track.t_s, track.y_m),
+        (vec![0.0, 0.05, 0.1], vec![0.5, 0.6, 0.7])
+    );
     assert_eq!(track.repairs[0].sensor, Sensor::Displacement);
     let list = read_period_list(b"t,period\n1,4.39\n5.4,4.38\n5.4,4.38\n", "p.csv").unwrap();
-    assert_eq!((list.t_s, list.period_s), (vec![1.0, 5.4], vec![4.39, 4.38]));
+    assert_eq!(
+        (list.t_s, list.period_s),
+        (vec![1.0, 5.4], vec![4.39, 4.38])
+    );
     assert_eq!(list.repairs[0].kind, RepairKind::RepeatedStamp);
-    let text = read_period_list(b"t,period\n1,4.39\n5.4,-1\n", "p.csv").unwrap_err().to_string();
-    assert_eq!(text, "p.csv, line 3: expected a period above 0 s in column `period`, found -1");
+    let text = read_period_list(b"t,period\n1,4.39\n5.4,-1\n", "p.csv")
+        .unwrap_err()
+        .to_string();
+    assert_eq!(
+        text,
+        "p.csv, line 3: expected a period above 0 s in column `period`, found -1"
+    );
     let error = read_period_list(b"t,perod\n1,4.39\n", "p.csv").unwrap_err();
     assert!(matches!(error, Error::UnknownKey { nearest: Some(key), .. } if key == "period"));
 }
 
-/// Counted over the file's own stamps, outside this program: 1 steps back, 11 repeat, 12 gaps of 20–30 ms remain.
+/// Counted over the file's own stamps, outside this program: 1 steps back, 11 repeat, 12 gaps of
+/// 20–30 ms remain.
 #[test]
 fn the_phone_pendulum_has_the_damage_that_was_counted_outside() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data/phone-pendulum/Gyroscope.csv");
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../shared/data/phone-pendulum/Gyroscope.csv"
+    );
     let Ok(bytes) = std::fs::read(path) else {
         println!("skipped: ../shared/data is absent");
         return;
@@ -277,8 +356,15 @@ fn triad(stamps: impl Strategy<Value = Vec<u32>>) -> impl Strategy<Value = Optio
 }
 
 fn kept_and_left_out(recording: &Recording, sensor: Sensor, triad: &Option<Triad>) -> usize {
-    let gaps = [RepairKind::Jitter, RepairKind::MissingRows, RepairKind::Stall];
-    let left_out = recording.repairs.iter().filter(|r| r.sensor == sensor && !gaps.contains(&r.kind));
+    let gaps = [
+        RepairKind::Jitter,
+        RepairKind::MissingRows,
+        RepairKind::Stall,
+    ];
+    let left_out = recording
+        .repairs
+        .iter()
+        .filter(|r| r.sensor == sensor && !gaps.contains(&r.kind));
     left_out.map(|r| r.count).sum::<usize>() + triad.as_ref().map_or(0, |triad| triad.t_s.len())
 }
 
@@ -347,7 +433,8 @@ proptest! {
                 (Sensor::Accelerometer, &recording.accelerometer, accelerometer),
             ];
             for (sensor, triad, rows) in both {
-                // A sensor with a single usable sample is absent; that sample is then the one not accounted for.
+                // A sensor with a single usable sample is absent; that sample is then the one not
+                // accounted for.
                 let counted = kept_and_left_out(&recording, sensor, triad);
                 prop_assert!(counted == rows || (triad.is_none() && counted + 1 == rows), "{counted} of {rows}");
             }

@@ -1,4 +1,5 @@
-//! Which room of the core may know which (ARCHITECTURE.md). Collects every `crate::…` path of every source file.
+//! Which room of the core may know which (ARCHITECTURE.md). Collects every `crate::…` path of every
+//! source file.
 
 #![allow(clippy::unwrap_used)]
 
@@ -6,7 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// `room: what it may know`. `error`, `constants`, `frames`, `language`, `progress` and `parallel` are known to all.
+/// `room: what it may know`. `error`, `constants`, `frames`, `language`, `progress` and `parallel`
+/// are known to all.
 const MAY_KNOW: [(&str, &[&str]); 19] = [
     ("error", &[]),
     ("constants", &[]),
@@ -23,12 +25,54 @@ const MAY_KNOW: [(&str, &[&str]); 19] = [
     ("dynamics", &[]),
     ("practice", &["recording", "dynamics"]),
     ("inertia", &["recording", "signal", "modes", "dynamics"]),
-    ("critique", &["recording", "signal", "modes", "dynamics", "inertia"]),
-    ("plan", &["recording", "signal", "modes", "dynamics", "practice", "inertia", "critique"]),
-    ("procedure", &["recording", "recorder", "live", "plan", "practice", "inertia", "critique"]),
-    ("report", &["recording", "signal", "modes", "dynamics", "inertia", "critique"]),
+    (
+        "critique",
+        &["recording", "signal", "modes", "dynamics", "inertia"],
+    ),
+    (
+        "plan",
+        &[
+            "recording",
+            "signal",
+            "modes",
+            "dynamics",
+            "practice",
+            "inertia",
+            "critique",
+        ],
+    ),
+    (
+        "procedure",
+        &[
+            "recording",
+            "recorder",
+            "live",
+            "plan",
+            "practice",
+            "inertia",
+            "critique",
+        ],
+    ),
+    (
+        "report",
+        &[
+            "recording",
+            "signal",
+            "modes",
+            "dynamics",
+            "inertia",
+            "critique",
+        ],
+    ),
 ];
-const KNOWN_TO_ALL: [&str; 6] = ["error", "constants", "frames", "language", "progress", "parallel"];
+const KNOWN_TO_ALL: [&str; 6] = [
+    "error",
+    "constants",
+    "frames",
+    "language",
+    "progress",
+    "parallel",
+];
 
 fn sources(dir: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(dir).unwrap() {
@@ -41,15 +85,23 @@ fn sources(dir: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Names that follow `crate::`, braces included: `crate::{error::Error, signal::x}` knows `error` and `signal`.
+/// Names that follow `crate::`, braces included: `crate::{error::Error, signal::x}` knows `error`
+/// and `signal`.
 fn known_rooms(text: &str) -> BTreeSet<String> {
     let mut rooms = BTreeSet::new();
     for (at, _) in text.match_indices("crate::") {
         let rest = &text[at + 7..];
-        let names: Vec<&str> =
-            if let Some(inside) = rest.strip_prefix('{') { top_level_names(inside) } else { vec![rest] };
+        let names: Vec<&str> = if let Some(inside) = rest.strip_prefix('{') {
+            top_level_names(inside)
+        } else {
+            vec![rest]
+        };
         for name in names {
-            let name: String = name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            let name: String = name
+                .trim()
+                .chars()
+                .take_while(|c| c.is_alphanumeric() || *c == '_')
+                .collect();
             rooms.insert(name);
         }
     }
@@ -86,18 +138,27 @@ fn every_room_knows_only_what_it_may() {
     let mut seen = BTreeSet::new();
     for file in files {
         let inside = file.strip_prefix(&root).unwrap();
-        let room = inside.iter().next().unwrap().to_str().unwrap().trim_end_matches(".rs").to_string();
+        let room = inside
+            .iter()
+            .next()
+            .unwrap()
+            .to_str()
+            .unwrap()
+            .trim_end_matches(".rs")
+            .to_string();
         if room == "lib" {
             continue;
         }
-        let may =
-            allowed.get(room.as_str()).unwrap_or_else(|| panic!("{room} is no room of ARCHITECTURE.md"));
+        let may = allowed
+            .get(room.as_str())
+            .unwrap_or_else(|| panic!("{room} is no room of ARCHITECTURE.md"));
         seen.insert(room.clone());
         let text = fs::read_to_string(&file).unwrap();
         for known in known_rooms(&text) {
             let is_room = allowed.contains_key(known.as_str());
-            let fine =
-                known == room || KNOWN_TO_ALL.contains(&known.as_str()) || may.contains(&known.as_str());
+            let fine = known == room
+                || KNOWN_TO_ALL.contains(&known.as_str())
+                || may.contains(&known.as_str());
             if is_room && !fine {
                 wrong.push(format!("{} knows {known}", inside.display()));
             }
@@ -115,6 +176,9 @@ fn every_room_knows_only_what_it_may() {
 #[test]
 fn braces_are_read() {
     let text = "use crate::{error::{Error, Result}, signal::Fit}; use crate::modes;";
-    let expected: BTreeSet<String> = ["error", "signal", "modes"].into_iter().map(String::from).collect();
+    let expected: BTreeSet<String> = ["error", "signal", "modes"]
+        .into_iter()
+        .map(String::from)
+        .collect();
     assert_eq!(known_rooms(text), expected);
 }

@@ -1,12 +1,14 @@
-//! Every valid session survives writing and reading; no text and no archive makes the readers panic.
+//! Every valid session survives writing and reading; no text and no archive makes the readers
+//! panic.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeMap;
 
 use gyradius_core::recording::{
-    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation, Quantity,
-    Recorded, RecordedEvent, RecordedRepair, RecordedSensor, Session, Site, Store, Suspension,
-    SuspensionKind, Swing, SwingData, load_store, read_session, session_zip_bytes, write_session,
+    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
+    Quantity, Recorded, RecordedEvent, RecordedRepair, RecordedSensor, Session, Site, Store,
+    Suspension, SuspensionKind, Swing, SwingData, load_store, read_session, session_zip_bytes,
+    write_session,
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option::of;
@@ -20,7 +22,13 @@ fn quantity(value: impl Strategy<Value = f64>) -> impl Strategy<Value = Quantity
 }
 
 fn positive() -> impl Strategy<Value = f64> {
-    prop_oneof![1e-3..1e3, Just(1.0), Just(5e-324), Just(1e300), 1e-200..1e-190]
+    prop_oneof![
+        1e-3..1e3,
+        Just(1.0),
+        Just(5e-324),
+        Just(1e300),
+        1e-200..1e-190
+    ]
 }
 
 fn vector(low: f64) -> impl Strategy<Value = [f64; 3]> {
@@ -38,7 +46,16 @@ fn file() -> impl Strategy<Value = String> {
 
 fn mode() -> impl Strategy<Value = ModeName> {
     use ModeName::*;
-    select(vec![Yaw, Sway, PitchInPhase, PitchOutOfPhase, RollInPhase, RollOutOfPhase, Compound, Other])
+    select(vec![
+        Yaw,
+        Sway,
+        PitchInPhase,
+        PitchOutOfPhase,
+        RollInPhase,
+        RollOutOfPhase,
+        Compound,
+        Other,
+    ])
 }
 
 fn excitation() -> impl Strategy<Value = Excitation> {
@@ -74,7 +91,10 @@ prop_compose! {
 }
 
 fn added_mass() -> impl Strategy<Value = AddedMass> {
-    (quantity(positive()), vector(-9.0)).prop_map(|(mass_kg, position_m)| AddedMass { mass_kg, position_m })
+    (quantity(positive()), vector(-9.0)).prop_map(|(mass_kg, position_m)| AddedMass {
+        mass_kg,
+        position_m,
+    })
 }
 
 fn orientation() -> impl Strategy<Value = Orientation> {
@@ -82,24 +102,38 @@ fn orientation() -> impl Strategy<Value = Orientation> {
 }
 
 fn bifilar() -> impl Strategy<Value = Suspension> {
-    let lengths = (quantity(2.0..50.0), quantity(0.1..3.0), of(quantity(0.1..3.0)));
-    (orientation(), lengths, of(quantity(-90.0..90.0)), of(quantity(-3.0..3.0))).prop_map(
-        |(orientation, (line, spacing, top), pitch, moved)| Suspension {
-            kind: SuspensionKind::Bifilar,
-            orientation,
-            line_length_m: Some(line),
-            spacing_m: Some(spacing),
-            top_spacing_m: top,
-            hull_pitch_deg: pitch,
-            points_moved_m: moved,
-            axis_height_m: None,
-        },
+    let lengths = (
+        quantity(2.0..50.0),
+        quantity(0.1..3.0),
+        of(quantity(0.1..3.0)),
+    );
+    (
+        orientation(),
+        lengths,
+        of(quantity(-90.0..90.0)),
+        of(quantity(-3.0..3.0)),
     )
+        .prop_map(
+            |(orientation, (line, spacing, top), pitch, moved)| Suspension {
+                kind: SuspensionKind::Bifilar,
+                orientation,
+                line_length_m: Some(line),
+                spacing_m: Some(spacing),
+                top_spacing_m: top,
+                hull_pitch_deg: pitch,
+                points_moved_m: moved,
+                axis_height_m: None,
+            },
+        )
 }
 
 fn compound() -> impl Strategy<Value = Suspension> {
-    (orientation(), quantity(positive()), of(quantity(-90.0..90.0))).prop_map(
-        |(orientation, height, pitch)| Suspension {
+    (
+        orientation(),
+        quantity(positive()),
+        of(quantity(-90.0..90.0)),
+    )
+        .prop_map(|(orientation, height, pitch)| Suspension {
             kind: SuspensionKind::Compound,
             orientation,
             line_length_m: None,
@@ -108,8 +142,7 @@ fn compound() -> impl Strategy<Value = Suspension> {
             hull_pitch_deg: pitch,
             points_moved_m: None,
             axis_height_m: Some(height),
-        },
-    )
+        })
 }
 
 /// Data with the amplitudes that may stand beside them.
@@ -122,10 +155,16 @@ fn data() -> impl Strategy<Value = (SwingData, BTreeMap<ModeName, f64>)> {
         (file(), btree_map(mode(), 0.0..180.0, 0..3))
             .prop_map(|(file, amplitudes)| (SwingData::Periods(file), amplitudes)),
         btree_map(mode(), (quantity(positive()), of(0.0..180.0)), 1..4).prop_map(|both| {
-            let amplitudes = both.iter().filter_map(|(mode, (_, angle))| angle.map(|angle| (*mode, angle)));
+            let amplitudes = both
+                .iter()
+                .filter_map(|(mode, (_, angle))| angle.map(|angle| (*mode, angle)));
             let amplitudes = amplitudes.collect();
             (
-                SwingData::PeriodsS(both.into_iter().map(|(mode, (period, _))| (mode, period)).collect()),
+                SwingData::PeriodsS(
+                    both.into_iter()
+                        .map(|(mode, (period, _))| (mode, period))
+                        .collect(),
+                ),
                 amplitudes,
             )
         }),
@@ -186,16 +225,22 @@ prop_compose! {
 
 fn files_named(session: &Session) -> Vec<String> {
     let swings = session.swings.iter().filter_map(|swing| match &swing.data {
-        SwingData::Recording(file) | SwingData::Periods(file) | SwingData::Displacement { file, .. } => {
-            Some(file)
-        }
+        SwingData::Recording(file)
+        | SwingData::Periods(file)
+        | SwingData::Displacement { file, .. } => Some(file),
         SwingData::PeriodsS(_) => None,
     });
-    let inclines = session.inclines.iter().filter_map(|incline| match &incline.angle {
-        InclineAngle::Recording(file) => Some(file),
-        InclineAngle::Stated(_) => None,
-    });
-    let recorded = session.recorded.iter().flat_map(|one| std::iter::once(&one.file).chain(&one.bias));
+    let inclines = session
+        .inclines
+        .iter()
+        .filter_map(|incline| match &incline.angle {
+            InclineAngle::Recording(file) => Some(file),
+            InclineAngle::Stated(_) => None,
+        });
+    let recorded = session
+        .recorded
+        .iter()
+        .flat_map(|one| std::iter::once(&one.file).chain(&one.bias));
     let mut files: Vec<String> = swings.chain(inclines).chain(recorded).cloned().collect();
     files.sort();
     files.dedup();

@@ -1,5 +1,6 @@
-//! A criticism's own suggestion, played through the procedure: an operator who always forgets the shackles in the length of
-//! the lines, on one rig, where long lines, a gantry that gives and lines that stretch look alike.
+//! A criticism's own suggestion, played through the procedure: an operator who always forgets the
+//! shackles in the length of the lines, on one rig, where long lines, a gantry that gives and lines
+//! that stretch look alike.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -43,7 +44,9 @@ fn drawn(rng: &mut impl Rng) -> RigFile {
 fn one_swing(rig: &RigFile) -> Task {
     let mut task = practice_task(rig);
     task.steps.truncate(1);
-    let Step::Swing(swing) = &mut task.steps[0] else { panic!() };
+    let Step::Swing(swing) = &mut task.steps[0] else {
+        panic!()
+    };
     swing.excited = vec![Excitation::Yaw, Excitation::Sway];
     swing.duration_s = 40.0;
     task
@@ -70,7 +73,10 @@ fn play(rehearsal: &mut Rehearsal, until: &[Phase]) {
             None => assert!(rehearsal.advance(1.0).unwrap() > 0.0, "{:?}", state.phase),
         }
     }
-    panic!("the procedure does not end: {:?}", rehearsal.state().instruction);
+    panic!(
+        "the procedure does not end: {:?}",
+        rehearsal.state().instruction
+    );
 }
 
 fn verdict(rehearsal: &Rehearsal) -> CauseVerdict {
@@ -82,28 +88,47 @@ fn verdict(rehearsal: &Rehearsal) -> CauseVerdict {
 
 /// What may be the cause.
 fn candidates(verdict: &CauseVerdict) -> BTreeSet<&str> {
-    verdict.causes.iter().chain(&verdict.indistinguishable_from).map(String::as_str).collect()
+    verdict
+        .causes
+        .iter()
+        .chain(&verdict.indistinguishable_from)
+        .map(String::as_str)
+        .collect()
 }
 
-/// The step is the criticism's swing, figure by figure as its file has them: reading JSON may turn the last bit.
+/// The step is the criticism's swing, figure by figure as its file has them: reading JSON may turn
+/// the last bit.
 fn assert_as_suggested(step: &PlannedSwing, next: &NextSwing) {
     println!("{}", next.text);
     let is = |stated: Option<Quantity>, value: f64| {
         stated.is_some_and(|stated| (stated.value - value).abs() < 1e-12 * value.abs())
     };
-    assert!(is(step.suspension.line_length_m, next.line_length_m), "{step:?}");
+    assert!(
+        is(step.suspension.line_length_m, next.line_length_m),
+        "{step:?}"
+    );
     assert!(is(step.suspension.spacing_m, next.spacing_m), "{step:?}");
-    assert_eq!((step.amplitude_deg, step.duration_s), (next.amplitude_deg, next.duration_s));
+    assert_eq!(
+        (step.amplitude_deg, step.duration_s),
+        (next.amplitude_deg, next.duration_s)
+    );
     assert_eq!(step.excited, next.excited);
     let is_tilted = next.hull_pitch_deg.abs() > 1.0;
-    assert_eq!(is(step.suspension.hull_pitch_deg, next.hull_pitch_deg), is_tilted, "{step:?}");
+    assert_eq!(
+        is(step.suspension.hull_pitch_deg, next.hull_pitch_deg),
+        is_tilted,
+        "{step:?}"
+    );
     // Forward for bow up, aft for bow down.
-    let moved = step.suspension.points_moved_m.map(|moved| moved.value.signum());
+    let moved = step
+        .suspension
+        .points_moved_m
+        .map(|moved| moved.value.signum());
     assert_eq!(moved, is_tilted.then_some(next.hull_pitch_deg.signum()));
 }
 
-/// Plays a hull: what the criticism suggests is made as it says. Whether the criticism was right before and after, and the procedure called the
-/// recording good.
+/// Plays a hull: what the criticism suggests is made as it says. Whether the criticism was right
+/// before and after, and the procedure called the recording good.
 fn tells_more(seed: u64) -> bool {
     let rig = drawn(&mut ChaCha8Rng::seed_from_u64(seed));
     let folder = tempfile::tempdir().unwrap();
@@ -115,7 +140,9 @@ fn tells_more(seed: u64) -> bool {
         println!("{before:?}");
         return false;
     }
-    let Some(Step::Swing(step)) = rehearsal.state().suggestion else { panic!("{before:?}") };
+    let Some(Step::Swing(step)) = rehearsal.state().suggestion else {
+        panic!("{before:?}")
+    };
     assert_as_suggested(&step, before.next_swing.as_ref().unwrap());
 
     rehearsal.handle(Event::Accept).unwrap();
@@ -127,21 +154,33 @@ fn tells_more(seed: u64) -> bool {
         return false;
     }
     play(&mut rehearsal, &[Phase::Critique]);
-    let session = load_session(rehearsal.folder().join("session")).unwrap().session;
-    let ids: Vec<&str> = session.swings.iter().map(|swing| swing.id.as_str()).collect();
+    let session = load_session(rehearsal.folder().join("session"))
+        .unwrap()
+        .session;
+    let ids: Vec<&str> = session
+        .swings
+        .iter()
+        .map(|swing| swing.id.as_str())
+        .collect();
     assert_eq!(ids, ["yaw-sway", step.id.as_str()]);
     let hung = &session.swings[1].suspension;
-    assert_eq!(hung.points_moved_m.is_some(), step.suspension.points_moved_m.is_some());
+    assert_eq!(
+        hung.points_moved_m.is_some(),
+        step.suspension.points_moved_m.is_some()
+    );
 
     rehearsal.procedure().work(&|_, _| true).unwrap();
     let after = verdict(&rehearsal);
     println!("{before:?}\n{after:?}");
     let found = candidates(&after);
-    found.contains(TRUTH) && after.status != "unexplained" && found.len() <= candidates(&before).len()
+    found.contains(TRUTH)
+        && after.status != "unexplained"
+        && found.len() <= candidates(&before).len()
 }
 
-/// What is right of nine hulls in ten is wrong of three in a row less than once in a thousand runs; how often the criticism is right
-/// is judged by `make hidden`, how often a swing that nobody touched is called touched in `live.rs`.
+/// What is right of nine hulls in ten is wrong of three in a row less than once in a thousand runs;
+/// how often the criticism is right is judged by `make hidden`, how often a swing that nobody
+/// touched is called touched in `live.rs`.
 #[test]
 fn the_swing_that_the_criticism_suggests_is_made_and_tells_more() {
     assert!((0..3).any(|hull| tells_more(seed(&format!("hull {hull}")))));

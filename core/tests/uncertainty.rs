@@ -1,5 +1,6 @@
-//! The stated uncertainty against Monte Carlo (JCGM 101): inputs and periods drawn from what is stated of them, the
-//! whole estimate run for each draw; and the guard band's promise (JCGM 106) counted.
+//! The stated uncertainty against Monte Carlo (JCGM 101): inputs and periods drawn from what is
+//! stated of them, the whole estimate run for each draw; and the guard band's promise (JCGM 106)
+//! counted.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -8,13 +9,16 @@ use std::f64::consts::TAU;
 
 use common::rng;
 use gyradius_core::inertia::{MeasureOptions, Measurement, measure, routes::guard};
-use gyradius_core::recording::{LoadedData, LoadedSession, LoadedSwing, Quantity, Swing, read_session};
+use gyradius_core::recording::{
+    LoadedData, LoadedSession, LoadedSwing, Quantity, Swing, read_session,
+};
 use rand::RngExt;
 use rand_distr::StandardNormal;
 
 const DRAWS: usize = 1200;
 const QUANTITIES: [&str; 4] = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m"];
-/// A correct program exceeds this in one of the test's 11 comparisons less than once in 10 000 runs.
+/// A correct program exceeds this in one of the test's 11 comparisons less than once in 10 000
+/// runs.
 const BOUND: f64 = 4.5;
 
 /// The hull of Fig. 15 with the roll gyradius of Table 3: roll, pitch, yaw gyradius and depth, m.
@@ -82,9 +86,17 @@ fn session(values: &[f64]) -> LoadedSession {
         suspension("fore_and_aft", &s[3], &s[4]),
     );
     let session = read_session(&text, "session.toml").unwrap();
-    let typed = |swing: &Swing| LoadedSwing { id: swing.id.clone(), data: LoadedData::Typed };
+    let typed = |swing: &Swing| LoadedSwing {
+        id: swing.id.clone(),
+        data: LoadedData::Typed,
+    };
     let data = session.swings.iter().map(typed).collect();
-    LoadedSession { session, source: "drawn".into(), data, inclines: vec![] }
+    LoadedSession {
+        session,
+        source: "drawn".into(),
+        data,
+        inclines: vec![],
+    }
 }
 
 fn results(values: &[f64]) -> Measurement {
@@ -96,7 +108,11 @@ fn numbers(measurement: &Measurement) -> [f64; 4] {
 }
 
 fn correlation(x: &[[f64; 4]], mean: &[f64; 4], (i, j): (usize, usize)) -> f64 {
-    let sum = |a: usize, b: usize| x.iter().map(|r| (r[a] - mean[a]) * (r[b] - mean[b])).sum::<f64>();
+    let sum = |a: usize, b: usize| {
+        x.iter()
+            .map(|r| (r[a] - mean[a]) * (r[b] - mean[b]))
+            .sum::<f64>()
+    };
     sum(i, j) / (sum(i, i) * sum(j, j)).sqrt()
 }
 
@@ -105,10 +121,19 @@ fn the_stated_uncertainty_is_that_of_monte_carlo() {
     let (mut rng, inputs) = (rng(), stated());
     let centre = results(&inputs.iter().map(|q| q.value).collect::<Vec<_>>());
     let drawn: Vec<Vec<f64>> = (0..DRAWS)
-        .map(|_| inputs.iter().map(|q| q.value + q.u * rng.sample::<f64, _>(StandardNormal)).collect())
+        .map(|_| {
+            inputs
+                .iter()
+                .map(|q| q.value + q.u * rng.sample::<f64, _>(StandardNormal))
+                .collect()
+        })
         .collect();
     let x: Vec<[f64; 4]> = std::thread::scope(|scope| {
-        let half = |part: &[Vec<f64>]| part.iter().map(|v| numbers(&results(v))).collect::<Vec<_>>();
+        let half = |part: &[Vec<f64>]| {
+            part.iter()
+                .map(|v| numbers(&results(v)))
+                .collect::<Vec<_>>()
+        };
         let (left, right) = drawn.split_at(DRAWS / 2);
         let other = scope.spawn(move || half(left));
         let mut all = half(right);
@@ -121,29 +146,48 @@ fn the_stated_uncertainty_is_that_of_monte_carlo() {
     for (i, name) in QUANTITIES.iter().enumerate() {
         let spread = (x.iter().map(|r| (r[i] - mean[i]).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
         let u = centre.quantities[*name].u.as_f64().unwrap();
-        println!("{name}: {:.6} ± {u:.6}, Monte Carlo {:.6} ± {spread:.6}", values[i], mean[i]);
+        println!(
+            "{name}: {:.6} ± {u:.6}, Monte Carlo {:.6} ± {spread:.6}",
+            values[i], mean[i]
+        );
         // Standard errors of a mean and of a standard deviation of n normal draws.
-        assert!((mean[i] - values[i]).abs() < BOUND * u / n.sqrt(), "{name}: mean");
+        assert!(
+            (mean[i] - values[i]).abs() < BOUND * u / n.sqrt(),
+            "{name}: mean"
+        );
         let excess = (spread / u).ln();
-        assert!(excess < BOUND / (2.0 * n).sqrt(), "{name}: {spread} against {u}");
-        // Where the principal axes point is no input: nobody measured it, and a roll is less certain for it.
+        assert!(
+            excess < BOUND / (2.0 * n).sqrt(),
+            "{name}: {spread} against {u}"
+        );
+        // Where the principal axes point is no input: nobody measured it, and a roll is less
+        // certain for it.
         let is_roll = *name == "k_roll_m";
-        assert!(is_roll || excess > -BOUND / (2.0 * n).sqrt(), "{name}: {spread} against {u}");
+        assert!(
+            is_roll || excess > -BOUND / (2.0 * n).sqrt(),
+            "{name}: {spread} against {u}"
+        );
     }
     for i in [0, 1, 3] {
         for j in [0, 1, 3].into_iter().filter(|j| *j > i) {
             let (a, b) = (QUANTITIES[i], QUANTITIES[j]);
-            let found =
-                centre.correlations.iter().find(|(x, y, _)| (&**x, &**y) == (a, b) || (&**x, &**y) == (b, a));
+            let found = centre
+                .correlations
+                .iter()
+                .find(|(x, y, _)| (&**x, &**y) == (a, b) || (&**x, &**y) == (b, a));
             let (r, counted) = (found.unwrap().2, correlation(&x, &mean, (i, j)));
             println!("{a}, {b}: r {r:.3}, Monte Carlo {counted:.3}");
             // Fisher: atanh r scatters by 1/√(n − 3).
-            assert!((r.atanh() - counted.atanh()).abs() < BOUND / (n - 3.0).sqrt(), "{a}, {b}");
+            assert!(
+                (r.atanh() - counted.atanh()).abs() < BOUND / (n - 3.0).sqrt(),
+                "{a}, {b}"
+            );
         }
     }
 }
 
-/// A hull that lies at the limit passes, and fails, in 5 % of measurements each: the risk the guard band promises.
+/// A hull that lies at the limit passes, and fails, in 5 % of measurements each: the risk the guard
+/// band promises.
 #[test]
 fn a_hull_at_the_limit_passes_once_in_twenty() {
     let mut rng = rng();
@@ -160,5 +204,8 @@ fn a_hull_at_the_limit_passes_once_in_twenty() {
     }
     let (expected, sd) = (0.05 * f64::from(n), (0.05 * 0.95 * f64::from(n)).sqrt());
     println!("{count:?} of {n}");
-    assert!(count.iter().all(|c| (c - expected).abs() < BOUND * sd), "{count:?}");
+    assert!(
+        count.iter().all(|c| (c - expected).abs() < BOUND * sd),
+        "{count:?}"
+    );
 }

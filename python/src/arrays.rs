@@ -41,9 +41,14 @@ pub fn decompose(
 ) -> PyResult<Decomposition> {
     let group = ChannelGroup {
         t_s: t_s.as_slice()?.to_vec(),
-        channels: channels.iter().map(|channel| Ok(channel.as_slice()?.to_vec())).collect::<PyResult<_>>()?,
+        channels: channels
+            .iter()
+            .map(|channel| Ok(channel.as_slice()?.to_vec()))
+            .collect::<PyResult<_>>()?,
     };
-    let inner = detached(py, || signal::decompose(&[group], &DecomposeOptions::default()))?;
+    let inner = detached(py, || {
+        signal::decompose(&[group], &DecomposeOptions::default())
+    })?;
     Ok(Decomposition { inner })
 }
 

@@ -35,9 +35,11 @@ impl Criticism {
     fn from_json(py: Python<'_>, critique: &str, traces: &str) -> PyResult<Self> {
         detached(py, || {
             let critique = Critique::from_json(critique)?;
-            let traces =
-                serde_json::from_str(traces).map_err(|error| Error::argument("traces", "its JSON", error))?;
-            Ok(Self { inner: critique::Criticism { critique, traces } })
+            let traces = serde_json::from_str(traces)
+                .map_err(|error| Error::argument("traces", "its JSON", error))?;
+            Ok(Self {
+                inner: critique::Criticism { critique, traces },
+            })
         })
     }
 
@@ -48,12 +50,22 @@ impl Criticism {
 
     /// Each swing against both simulations.
     fn traces<'py>(&self, py: Python<'py>) -> Vec<Trace<'py>> {
-        self.inner.traces.iter().map(|swing| trace(py, swing)).collect()
+        self.inner
+            .traces
+            .iter()
+            .map(|swing| trace(py, swing))
+            .collect()
     }
 }
 
 fn trace<'py>(py: Python<'py>, trace: &SwingTrace) -> Trace<'py> {
-    let SwingTrace { swing, channel, unit, noise, .. } = trace;
+    let SwingTrace {
+        swing,
+        channel,
+        unit,
+        noise,
+        ..
+    } = trace;
     let columns = [&trace.t_s, &trace.measured, &trace.base, &trace.extended];
     let arrays = columns.map(|column| column.to_pyarray(py)).into();
     (swing.clone(), channel.clone(), unit.clone(), *noise, arrays)
@@ -61,8 +73,8 @@ fn trace<'py>(py: Python<'py>, trace: &SwingTrace) -> Trace<'py> {
 
 /// Runs work on a thread of its own while this one tells Python how far it is and heeds signals.
 ///
-/// The callback gets a share and a text; what it raises, or `CancelledError` where it answers false, is raised when the
-/// work has stopped.
+/// The callback gets a share and a text; what it raises, or `CancelledError` where it answers
+/// false, is raised when the work has stopped.
 pub fn watched<T: Send>(
     py: Python<'_>,
     callback: Option<Py<PyAny>>,
@@ -81,9 +93,13 @@ pub fn watched<T: Send>(
                     !stop.load(Ordering::Relaxed)
                 })
             };
-            let worker = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, run)?;
+            let worker = thread::Builder::new()
+                .stack_size(STACK_BYTES)
+                .spawn_scoped(scope, run)?;
             let stopped = listen(&receiver, callback.as_ref(), stop);
-            let done = worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            let done = worker
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
             Ok::<_, std::io::Error>((done, stopped))
         })
     })?;
@@ -117,11 +133,15 @@ fn listen(
 /// Heeds signals and tells the callback; an error where either wants an end.
 fn tell(py: Python<'_>, callback: Option<&Py<PyAny>>, news: Option<(f64, String)>) -> PyResult<()> {
     py.check_signals()?;
-    let (Some(callback), Some(news)) = (callback, news) else { return Ok(()) };
+    let (Some(callback), Some(news)) = (callback, news) else {
+        return Ok(());
+    };
     let answer = callback.bind(py).call1(news)?;
     // A callback that answers nothing wants to go on.
     if answer.is_none() || answer.is_truthy()? {
         return Ok(());
     }
-    Err(CancelledError::new_err("cancelled by the progress callback"))
+    Err(CancelledError::new_err(
+        "cancelled by the progress callback",
+    ))
 }

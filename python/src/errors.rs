@@ -6,10 +6,30 @@ use pyo3::create_exception;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-create_exception!(gyradius, GyradiusError, PyValueError, "What went wrong, with its `file` and `line`.");
-create_exception!(gyradius, InputError, GyradiusError, "The input cannot be read or used.");
-create_exception!(gyradius, NoResultError, GyradiusError, "The data do not allow a result.");
-create_exception!(gyradius, CancelledError, GyradiusError, "The work was stopped by whoever watched it.");
+create_exception!(
+    gyradius,
+    GyradiusError,
+    PyValueError,
+    "What went wrong, with its `file` and `line`."
+);
+create_exception!(
+    gyradius,
+    InputError,
+    GyradiusError,
+    "The input cannot be read or used."
+);
+create_exception!(
+    gyradius,
+    NoResultError,
+    GyradiusError,
+    "The data do not allow a result."
+);
+create_exception!(
+    gyradius,
+    CancelledError,
+    GyradiusError,
+    "The work was stopped by whoever watched it."
+);
 
 /// Every instance has `file` and `line`; a class attribute makes both readable before they are set.
 pub fn declare_places(py: Python<'_>) -> PyResult<()> {

@@ -41,8 +41,14 @@ pub fn import_files(
     folder: PathBuf,
     plan: Plan,
 ) -> PyResult<Vec<String>> {
-    let overwrite = if plan.replace { Overwrite::Replace } else { Overwrite::Refuse };
-    detached(py, || import_session(&files, &folder, &plan.request()?, overwrite))
+    let overwrite = if plan.replace {
+        Overwrite::Replace
+    } else {
+        Overwrite::Refuse
+    };
+    detached(py, || {
+        import_session(&files, &folder, &plan.request()?, overwrite)
+    })
 }
 
 impl Plan {
@@ -67,7 +73,13 @@ impl Plan {
         let orientation = match self.orientation.as_str() {
             "athwartships" => Orientation::Athwartships,
             "fore_and_aft" => Orientation::ForeAndAft,
-            other => return Err(Error::argument("orientation", "athwartships or fore_and_aft", other)),
+            other => {
+                return Err(Error::argument(
+                    "orientation",
+                    "athwartships or fore_and_aft",
+                    other,
+                ));
+            }
         };
         Ok(Suspension {
             kind,

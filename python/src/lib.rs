@@ -1,8 +1,8 @@
 //! The Python face of `gyradius-core`: conversions only, no science.
 //!
-//! Every function reads its arguments, calls the core without the interpreter lock, and turns the result or the
-//! error into Python's. Results that Python reads as a tree cross as the JSON text that the core writes; samples
-//! cross as numpy arrays.
+//! Every function reads its arguments, calls the core without the interpreter lock, and turns the
+//! result or the error into Python's. Results that Python reads as a tree cross as the JSON text
+//! that the core writes; samples cross as numpy arrays.
 
 use pyo3::prelude::*;
 

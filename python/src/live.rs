@@ -35,7 +35,8 @@ impl Live {
         detached(py, || live::Live::new(options)).map(|inner| Self { inner })
     }
 
-    /// Takes samples of `gyroscope` (rad/s) or `accelerometer` (m/s²): stamps in ns, and a row of x, y, z each.
+    /// Takes samples of `gyroscope` (rad/s) or `accelerometer` (m/s²): stamps in ns, and a row of
+    /// x, y, z each.
     fn push(
         &mut self,
         py: Python<'_>,
@@ -51,7 +52,10 @@ impl Live {
                 let found = format!("{} by {}", shape[0], shape[1]);
                 return Err(Error::argument("values", "rows of x, y, z", found));
             }
-            let rows: Vec<[f64; 3]> = values.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect();
+            let rows: Vec<[f64; 3]> = values
+                .chunks_exact(3)
+                .map(|row| [row[0], row[1], row[2]])
+                .collect();
             self.inner.push(sensor_of(sensor)?, &stamps_ns, &rows)
         })
     }
@@ -63,7 +67,12 @@ impl Live {
 
     /// What to know or do now, in English, most urgent first.
     fn advice(&self) -> Vec<String> {
-        self.inner.estimate().advice.iter().map(|advice| Text::from(advice).english).collect()
+        self.inner
+            .estimate()
+            .advice
+            .iter()
+            .map(|advice| Text::from(advice).english)
+            .collect()
     }
 }
 
@@ -71,6 +80,10 @@ fn sensor_of(name: &str) -> Result<Sensor> {
     match name {
         "gyroscope" => Ok(Sensor::Gyroscope),
         "accelerometer" => Ok(Sensor::Accelerometer),
-        other => Err(Error::argument("sensor", "gyroscope or accelerometer", other)),
+        other => Err(Error::argument(
+            "sensor",
+            "gyroscope or accelerometer",
+            other,
+        )),
     }
 }

@@ -15,8 +15,12 @@ use crate::critique::Criticism;
 use crate::errors::{detached, raise};
 
 /// Names of the channels, time stamps, samples and fit of one sensor.
-type Fit<'py> =
-    (Vec<String>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+type Fit<'py> = (
+    Vec<String>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray2<f64>>,
+);
 
 /// Frequencies and amplitudes by channel.
 type Spectrum<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>);
@@ -39,7 +43,12 @@ impl Measurement {
         let mut found = self.inner.evidence.iter().flatten();
         found
             .find(|evidence| evidence.id == swing_id)
-            .ok_or_else(|| raise(py, &Error::argument("swing_id", "a swing that has a recording", swing_id)))
+            .ok_or_else(|| {
+                raise(
+                    py,
+                    &Error::argument("swing_id", "a swing that has a recording", swing_id),
+                )
+            })
     }
 }
 
@@ -50,7 +59,8 @@ impl Measurement {
         detached(py, || as_json(&self.inner.measurement))
     }
 
-    /// The report: one self-contained HTML file, with the session's criticism or the reason why there is none.
+    /// The report: one self-contained HTML file, with the session's criticism or the reason why
+    /// there is none.
     fn to_html(
         &self,
         py: Python<'_>,
@@ -68,13 +78,23 @@ impl Measurement {
     /// Ids of the swings that have a recording with a fit.
     #[getter]
     fn recorded_swings(&self) -> Vec<&str> {
-        self.inner.evidence.iter().flatten().map(|evidence| evidence.id.as_str()).collect()
+        self.inner
+            .evidence
+            .iter()
+            .flatten()
+            .map(|evidence| evidence.id.as_str())
+            .collect()
     }
 
     /// Names of the channels, time stamps, samples and fit, by sensor.
     fn fits<'py>(&self, py: Python<'py>, swing_id: &str) -> PyResult<Vec<Fit<'py>>> {
         let evidence = self.evidence(py, swing_id)?;
-        evidence.groups.iter().enumerate().map(|(place, group)| fit(py, evidence, place, group)).collect()
+        evidence
+            .groups
+            .iter()
+            .enumerate()
+            .map(|(place, group)| fit(py, evidence, place, group))
+            .collect()
     }
 
     /// Frequencies, Hz, and amplitude spectra by channel, thinned for plots.
@@ -90,19 +110,42 @@ pub fn as_json<T: serde::Serialize>(value: &T) -> gyradius_core::Result<String> 
     serde_json::to_string_pretty(value).map_err(|error| Error::no_result("JSON", error.to_string()))
 }
 
-fn fit<'py>(py: Python<'py>, evidence: &Evidence, place: usize, group: &ChannelGroup) -> PyResult<Fit<'py>> {
-    let first: usize = evidence.groups[..place].iter().map(|before| before.channels.len()).sum();
+fn fit<'py>(
+    py: Python<'py>,
+    evidence: &Evidence,
+    place: usize,
+    group: &ChannelGroup,
+) -> PyResult<Fit<'py>> {
+    let first: usize = evidence.groups[..place]
+        .iter()
+        .map(|before| before.channels.len())
+        .sum();
     let fitted = py.detach(|| model(&group.t_s, &evidence.found));
-    let labels = (first..first + group.channels.len()).map(|channel| label(evidence, channel)).collect();
+    let labels = (first..first + group.channels.len())
+        .map(|channel| label(evidence, channel))
+        .collect();
     let fitted = &fitted[first..first + group.channels.len()];
-    Ok((labels, group.t_s.clone().into_pyarray(py), rows(py, &group.channels)?, rows(py, fitted)?))
+    Ok((
+        labels,
+        group.t_s.clone().into_pyarray(py),
+        rows(py, &group.channels)?,
+        rows(py, fitted)?,
+    ))
 }
 
 /// `gx`, `ay`, `lz`: the names of the session format; a track's only channel is `y`.
 fn label(evidence: &Evidence, channel: usize) -> String {
     let axis = |first: usize| ["x", "y", "z"].get(channel.wrapping_sub(first)).copied();
     let sensor = if evidence.map.gravity_free { "l" } else { "a" };
-    let gyroscope = evidence.map.gyroscope.and_then(axis).map(|axis| format!("g{axis}"));
-    let accelerometer = evidence.map.accelerometer.and_then(axis).map(|axis| format!("{sensor}{axis}"));
+    let gyroscope = evidence
+        .map
+        .gyroscope
+        .and_then(axis)
+        .map(|axis| format!("g{axis}"));
+    let accelerometer = evidence
+        .map
+        .accelerometer
+        .and_then(axis)
+        .map(|axis| format!("{sensor}{axis}"));
     gyroscope.or(accelerometer).unwrap_or_else(|| "y".into())
 }

@@ -53,10 +53,14 @@ impl Practice {
         detached(py, || self.inner.advance(seconds))
     }
 
-    /// What an operator who plays by the book does now, as JSON; nothing while there is to be waited or worked.
+    /// What an operator who plays by the book does now, as JSON; nothing while there is to be
+    /// waited or worked.
     fn by_the_book(&self, py: Python<'_>, at_utc: &str) -> PyResult<Option<String>> {
         let event = || -> Result<Option<String>> {
-            self.inner.by_the_book(at_utc)?.map(|event| as_json(&event)).transpose()
+            self.inner
+                .by_the_book(at_utc)?
+                .map(|event| as_json(&event))
+                .transpose()
         };
         detached(py, event)
     }
@@ -68,12 +72,18 @@ impl Practice {
         Ok(())
     }
 
-    /// Does the work that is wanted; the callback is told a share and a text, and stops it by answering false.
+    /// Does the work that is wanted; the callback is told a share and a text, and stops it by
+    /// answering false.
     #[pyo3(signature = (progress=None))]
     fn work(&mut self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<()> {
-        let Some(job) = self.inner.procedure().job() else { return Ok(()) };
+        let Some(job) = self.inner.procedure().job() else {
+            return Ok(());
+        };
         let outcome = watched(py, progress, |progress| job.run(progress))?;
-        self.inner.procedure().finish(outcome).map_err(|error| raise(py, &error))
+        self.inner
+            .procedure()
+            .finish(outcome)
+            .map_err(|error| raise(py, &error))
     }
 
     /// What is true of the hull, by name.

@@ -41,16 +41,27 @@ impl Session {
         Ok(Measurement::new(inner, Arc::clone(&self.loaded)))
     }
 
-    /// Criticise the simulation; the callback is told a share and a text, and stops it by answering false.
+    /// Criticise the simulation; the callback is told a share and a text, and stops it by answering
+    /// false.
     #[pyo3(signature = (progress=None))]
     fn critique(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Criticism> {
-        let loaded = self.loaded.with_dimensions().map_err(|error| raise(py, &error))?;
-        watched(py, progress, |progress| criticise(loaded, progress)).map(|inner| Criticism { inner })
+        let loaded = self
+            .loaded
+            .with_dimensions()
+            .map_err(|error| raise(py, &error))?;
+        watched(py, progress, |progress| criticise(loaded, progress))
+            .map(|inner| Criticism { inner })
     }
 
     /// The plan from what was measured so far; the request is JSON.
     fn plan(&self, py: Python<'_>, request: &str) -> PyResult<Plan> {
-        detached(py, || plan_on(self.loaded.with_dimensions()?, &Request::from_json(request)?)).map(Plan::new)
+        detached(py, || {
+            plan_on(
+                self.loaded.with_dimensions()?,
+                &Request::from_json(request)?,
+            )
+        })
+        .map(Plan::new)
     }
 
     /// The plan of the swing that tells two causes apart; the callback as of `critique`.
@@ -63,15 +74,22 @@ impl Session {
         request: &str,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Plan> {
-        let loaded = self.loaded.with_dimensions().map_err(|error| raise(py, &error))?;
+        let loaded = self
+            .loaded
+            .with_dimensions()
+            .map_err(|error| raise(py, &error))?;
         let request = Request::from_json(request).map_err(|error| raise(py, &error))?;
-        let work = |progress: &Progress| plan_to_tell_apart(loaded, [one, other], &request, progress);
+        let work =
+            |progress: &Progress| plan_to_tell_apart(loaded, [one, other], &request, progress);
         watched(py, progress, work).map(Plan::new)
     }
 }
 
 fn measured(loaded: &Loaded, limits: &[String]) -> Result<Analysis> {
-    let limits = limits.iter().map(|limit| limit.parse()).collect::<Result<_>>()?;
+    let limits = limits
+        .iter()
+        .map(|limit| limit.parse())
+        .collect::<Result<_>>()?;
     let options = MeasureOptions { limits };
     match loaded {
         Loaded::Session(loaded) => analyse(loaded, &options),
@@ -79,8 +97,11 @@ fn measured(loaded: &Loaded, limits: &[String]) -> Result<Analysis> {
     }
 }
 
-/// Read a session folder, a session zip or a bare recording; a mapping names the columns of a foreign CSV.
+/// Read a session folder, a session zip or a bare recording; a mapping names the columns of a
+/// foreign CSV.
 #[pyfunction]
 pub fn load(py: Python<'_>, path: PathBuf, mapping: Vec<String>) -> PyResult<Session> {
-    detached(py, || load_any(&path, &mapping)).map(|loaded| Session { loaded: Arc::new(loaded) })
+    detached(py, || load_any(&path, &mapping)).map(|loaded| Session {
+        loaded: Arc::new(loaded),
+    })
 }

@@ -39,14 +39,24 @@ impl Rig {
     /// Ids of the swings, in the order of the file.
     #[getter]
     fn swing_ids(&self) -> Vec<&str> {
-        self.inner.swings.iter().map(|swing| swing.id.as_str()).collect()
+        self.inner
+            .swings
+            .iter()
+            .map(|swing| swing.id.as_str())
+            .collect()
     }
 
     /// Name, value and unit of every number of a swing.
     fn numbers(&self, swing: &str, py: Python<'_>) -> PyResult<Vec<(String, f64, &'static str)>> {
         let found = detached(py, || self.inner.swing(swing))?;
-        let named = found.experiment.names().into_iter().zip(found.experiment.values());
-        Ok(named.map(|((name, unit), value)| (name, value, unit)).collect())
+        let named = found
+            .experiment
+            .names()
+            .into_iter()
+            .zip(found.experiment.values());
+        Ok(named
+            .map(|((name, unit), value)| (name, value, unit))
+            .collect())
     }
 
     /// Simulate all swings and write the session, and beside it what is true.
@@ -58,14 +68,23 @@ impl Rig {
         seed: u64,
         replace: bool,
     ) -> PyResult<()> {
-        let overwrite = if replace { Overwrite::Replace } else { Overwrite::Refuse };
+        let overwrite = if replace {
+            Overwrite::Replace
+        } else {
+            Overwrite::Refuse
+        };
         detached(py, || {
-            practice::save_practised(&practice::practise(&self.inner, seed)?, folder, truth_file, overwrite)
+            practice::save_practised(
+                &practice::practise(&self.inner, seed)?,
+                folder,
+                truth_file,
+                overwrite,
+            )
         })
     }
 
-    /// Simulate a swing with other values of some numbers, at these times or as its phone samples; without a seed there is
-    /// no chance in it.
+    /// Simulate a swing with other values of some numbers, at these times or as its phone samples;
+    /// without a seed there is no chance in it.
     fn simulate(
         &self,
         py: Python<'_>,
@@ -77,7 +96,12 @@ impl Rig {
     ) -> PyResult<Simulation> {
         let t_s = t_s.map(|t| t.as_slice().map(<[f64]>::to_vec)).transpose()?;
         let parameters = derivatives.len();
-        let varied = Variation { values, derivatives, t_s, seed };
+        let varied = Variation {
+            values,
+            derivatives,
+            t_s,
+            seed,
+        };
         let inner = detached(py, || self.inner.swing(swing)?.simulated(&varied))?;
         Ok(Simulation { inner, parameters })
     }
@@ -92,7 +116,12 @@ pub struct Simulation {
 
 impl Simulation {
     fn flat_readings(&self) -> Vec<f64> {
-        self.inner.record.readings.iter().flat_map(|reading| reading.six()).collect()
+        self.inner
+            .record
+            .readings
+            .iter()
+            .flat_map(|reading| reading.six())
+            .collect()
     }
 
     fn rows<'py, const N: usize>(
@@ -101,7 +130,8 @@ impl Simulation {
         row: impl Fn(&Moment<f64>) -> [f64; N],
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let flat: Vec<f64> = self.inner.record.moments.iter().flat_map(row).collect();
-        flat.to_pyarray(py).reshape([self.inner.record.moments.len(), N])
+        flat.to_pyarray(py)
+            .reshape([self.inner.record.moments.len(), N])
     }
 }
 
@@ -113,16 +143,23 @@ impl Simulation {
         self.inner.record.t_s.to_pyarray(py)
     }
 
-    /// Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: one row per stamp.
+    /// Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: one row per
+    /// stamp.
     #[getter]
     fn readings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.flat_readings().to_pyarray(py).reshape([self.inner.record.t_s.len(), 6])
+        self.flat_readings()
+            .to_pyarray(py)
+            .reshape([self.inner.record.t_s.len(), 6])
     }
 
     /// Derivatives of the readings: stamp, reading, number.
     #[getter]
     fn derivatives<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        self.inner.derivatives.to_pyarray(py).reshape([self.inner.record.t_s.len(), 6, self.parameters])
+        self.inner.derivatives.to_pyarray(py).reshape([
+            self.inner.record.t_s.len(),
+            6,
+            self.parameters,
+        ])
     }
 
     /// Centre of mass, world axes, m.
@@ -157,13 +194,20 @@ impl Simulation {
 
     /// Angular acceleration, hull axes, rad/s².
     #[getter]
-    fn angular_acceleration_rad_s2<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn angular_acceleration_rad_s2<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.rows(py, |moment| moment.angular_acceleration.into())
     }
 
     /// When a line first went slack, s, and which.
     #[getter]
     fn slack(&self) -> Option<(f64, usize)> {
-        self.inner.record.path.slack.map(|slack| (slack.t_s, slack.line))
+        self.inner
+            .record
+            .path
+            .slack
+            .map(|slack| (slack.t_s, slack.line))
     }
 }

@@ -27,7 +27,10 @@ impl Analysis {
     fn source(&self, criticism: Option<Arc<Criticism>>) -> ReportSource {
         let criticism = criticism.map(|criticism| Ok(criticism.inner().clone()));
         let source = ReportSource::from_analysis(&self.inner, self.loaded.session());
-        ReportSource { criticism, ..source }
+        ReportSource {
+            criticism,
+            ..source
+        }
     }
 }
 
@@ -48,8 +51,9 @@ impl Analysis {
         self.source(None).recordings
     }
 
-    /// The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-    /// as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
+    /// The report: one self-contained HTML file, with the session's criticism where one is given.
+    /// `measured_on` is the date as the operator writes it, in the place of the session's own; the
+    /// report leaves a blank where neither is there.
     pub fn report_html_blocking(
         &self,
         criticism: Option<Arc<Criticism>>,
@@ -59,7 +63,10 @@ impl Analysis {
         announced(&listener, "writing the report", || {
             let source = self.source(criticism);
             let measured_on = measured_on.or(source.measured_on);
-            Ok(report::html(&ReportSource { measured_on, ..source }))
+            Ok(report::html(&ReportSource {
+                measured_on,
+                ..source
+            }))
         })
     }
 

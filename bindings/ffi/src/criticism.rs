@@ -33,10 +33,30 @@ pub struct ComparedSwing {
 
 impl From<&SwingTrace> for ComparedSwing {
     fn from(trace: &SwingTrace) -> Self {
-        let SwingTrace { swing, channel, said, unit, noise, t_s, measured, base, extended } = trace;
+        let SwingTrace {
+            swing,
+            channel,
+            said,
+            unit,
+            noise,
+            t_s,
+            measured,
+            base,
+            extended,
+        } = trace;
         let [measured, base, extended] = [measured, base, extended].map(|y| thinned(t_s, y));
-        let (swing, channel, said, unit) = (swing.clone(), channel.clone(), said.clone(), unit.clone());
-        Self { swing, channel, said, unit, noise: *noise, measured, base, extended }
+        let (swing, channel, said, unit) =
+            (swing.clone(), channel.clone(), said.clone(), unit.clone());
+        Self {
+            swing,
+            channel,
+            said,
+            unit,
+            noise: *noise,
+            measured,
+            base,
+            extended,
+        }
     }
 }
 
@@ -64,7 +84,10 @@ impl Criticism {
     #[uniffi::constructor]
     pub fn from_json(text: &str) -> Result<Arc<Self>> {
         let critique = critique::Critique::from_json(text)?;
-        Ok(Self::new(critique::Criticism { critique, traces: Vec::new() }))
+        Ok(Self::new(critique::Criticism {
+            critique,
+            traces: Vec::new(),
+        }))
     }
 
     /// Keeps it in a folder with what pictures are drawn from, in the place of an earlier one.
@@ -88,7 +111,8 @@ impl Criticism {
     }
 }
 
-/// The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told; absent where it keeps none.
+/// The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told;
+/// absent where it keeps none.
 #[uniffi::export]
 pub fn kept_criticism(folder: &str) -> Result<Option<Arc<Criticism>>> {
     Ok(procedure::kept_criticism(folder)?.map(Criticism::new))

@@ -59,11 +59,17 @@ impl From<Error> for GyradiusError {
     fn from(error: Error) -> Self {
         let text = error.to_string();
         match error {
-            Error::Unreadable { file, .. } | Error::UnsafeArchive { file, .. } => {
-                Self::BadFile { text, file, line: None }
-            }
+            Error::Unreadable { file, .. } | Error::UnsafeArchive { file, .. } => Self::BadFile {
+                text,
+                file,
+                line: None,
+            },
             Error::Malformed { file, line, .. } | Error::UnknownKey { file, line, .. } => {
-                Self::BadFile { text, file, line: line.and_then(|line| line.try_into().ok()) }
+                Self::BadFile {
+                    text,
+                    file,
+                    line: line.and_then(|line| line.try_into().ok()),
+                }
             }
             Error::Unwritable { file, .. } => Self::Unwritable { text, file },
             Error::DiskFull { file } => Self::DiskFull { text, file },
@@ -100,13 +106,21 @@ mod tests {
 
     fn malformed(line: usize) -> Error {
         let (file, expected, found) = ("a.toml".into(), "a number".into(), "`x`".into());
-        Error::Malformed { file, line: Some(line), expected, found }
+        Error::Malformed {
+            file,
+            line: Some(line),
+            expected,
+            found,
+        }
     }
 
     #[test]
     fn every_error_keeps_its_sentence_and_its_place() {
         let (file, reason) = (String::from("a.zip"), String::from("it climbs"));
-        let unsafe_archive = Error::UnsafeArchive { file: file.clone(), reason: reason.clone() };
+        let unsafe_archive = Error::UnsafeArchive {
+            file: file.clone(),
+            reason: reason.clone(),
+        };
         let unwritable = Error::Unwritable { file, reason };
         let place = |error: Error| {
             let text = error.to_string();

@@ -41,8 +41,8 @@ pub struct ImportRequest {
     pub suspension: Suspension,
 }
 
-/// Writes a session folder from phone exports and recorder's files, one swing for each recording; returns what a reader must
-/// know.
+/// Writes a session folder from phone exports and recorder's files, one swing for each recording;
+/// returns what a reader must know.
 #[uniffi::export]
 pub fn import_recordings(
     files: Vec<String>,
@@ -54,18 +54,25 @@ pub fn import_recordings(
     aside(|| import_session(&files, Path::new(folder), request, overwrite))
 }
 
-/// Accelerations of Core Motion (in g, at rest, screen up: z = −1) as specific force, m/s² (z = +9.80665): a block of x, y,
-/// z each way.
+/// Accelerations of Core Motion (in g, at rest, screen up: z = −1) as specific force, m/s² (z =
+/// +9.80665): a block of x, y, z each way.
 #[uniffi::export]
 pub fn forces_from_core_motion(accelerations_g: &[u8]) -> Result<Vec<u8>> {
-    let forces: Vec<[f64; 3]> =
-        block::triples("accelerations_g", accelerations_g)?.into_iter().map(from_core_motion).collect();
+    let forces: Vec<[f64; 3]> = block::triples("accelerations_g", accelerations_g)?
+        .into_iter()
+        .map(from_core_motion)
+        .collect();
     Ok(block::of_floats(forces.as_flattened()))
 }
 
-/// Time stamps of Core Motion, a block of floats, s since the phone was switched on, as a block of stamps, ns.
+/// Time stamps of Core Motion, a block of floats, s since the phone was switched on, as a block of
+/// stamps, ns.
 #[uniffi::export]
 pub fn stamps_from_core_motion(timestamps_s: &[u8]) -> Result<Vec<u8>> {
-    let stamps = block::floats("timestamps_s", timestamps_s)?.into_iter().map(stamp_from_core_motion);
-    Ok(block::of_stamps(&stamps.collect::<gyradius_core::Result<Vec<_>>>()?))
+    let stamps = block::floats("timestamps_s", timestamps_s)?
+        .into_iter()
+        .map(stamp_from_core_motion);
+    Ok(block::of_stamps(
+        &stamps.collect::<gyradius_core::Result<Vec<_>>>()?,
+    ))
 }

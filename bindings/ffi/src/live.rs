@@ -17,20 +17,27 @@ pub struct LiveEstimator {
 
 #[uniffi::export]
 impl LiveEstimator {
-    /// An estimator that has seen nothing. `wanted`: relative standard uncertainty of the period that is enough (1e-4 is
-    /// usual); full scales in rad/s and m/s², where the phone tells.
+    /// An estimator that has seen nothing. `wanted`: relative standard uncertainty of the period
+    /// that is enough (1e-4 is usual); full scales in rad/s and m/s², where the phone tells.
     #[uniffi::constructor]
     pub fn new(
         wanted: f64,
         gyroscope_full_scale_rad_s: Option<f64>,
         accelerometer_full_scale_m_s2: Option<f64>,
     ) -> Result<Arc<Self>> {
-        let options = LiveOptions { wanted, gyroscope_full_scale_rad_s, accelerometer_full_scale_m_s2 };
-        Ok(Arc::new(Self { inner: Mutex::new(Live::new(options)?) }))
+        let options = LiveOptions {
+            wanted,
+            gyroscope_full_scale_rad_s,
+            accelerometer_full_scale_m_s2,
+        };
+        Ok(Arc::new(Self {
+            inner: Mutex::new(Live::new(options)?),
+        }))
     }
 
-    /// Takes a block of stamps (ns) and one of values (x, y, z; rad/s or m/s² of specific force) of the gyroscope or the
-    /// accelerometer. Now and then this looks at the swing anew: tens of milliseconds.
+    /// Takes a block of stamps (ns) and one of values (x, y, z; rad/s or m/s² of specific force) of
+    /// the gyroscope or the accelerometer. Now and then this looks at the swing anew: tens of
+    /// milliseconds.
     pub fn push(&self, sensor: Sensor, stamps_ns: &[u8], values: &[u8]) -> Result<()> {
         let (stamps_ns, values) = (block::stamps(stamps_ns)?, block::triples("values", values)?);
         Ok(locked(&self.inner).push(sensor, &stamps_ns, &values)?)

@@ -9,7 +9,8 @@ use crate::error::Result;
 use crate::work::{Listener, watched};
 use crate::{as_json, block, locked};
 
-/// One hull being measured, from hanging it level to the result. What is decided is on the disk before a call returns.
+/// One hull being measured, from hanging it level to the result. What is decided is on the disk
+/// before a call returns.
 #[derive(uniffi::Object)]
 pub struct Procedure {
     inner: Mutex<procedure::Procedure>,
@@ -17,7 +18,9 @@ pub struct Procedure {
 
 impl Procedure {
     fn of(procedure: procedure::Procedure) -> Arc<Self> {
-        Arc::new(Self { inner: Mutex::new(procedure) })
+        Arc::new(Self {
+            inner: Mutex::new(procedure),
+        })
     }
 }
 
@@ -50,28 +53,34 @@ impl Procedure {
         as_json(&self.state())
     }
 
-    /// Takes what happened. What is not offered in the present phase fails with `BadArgument`, and nothing has changed.
+    /// Takes what happened. What is not offered in the present phase fails with `BadArgument`, and
+    /// nothing has changed.
     pub fn handle(&self, event: Event) -> Result<()> {
         Ok(locked(&self.inner).handle(event)?)
     }
 
-    /// Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they came.
+    /// Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they
+    /// came.
     pub fn push(&self, channel: Channel, stamps_ns: &[u8], values: &[u8]) -> Result<()> {
         self.handle(Event::Samples(batch(channel, stamps_ns, values)?))
     }
 
-    /// Does the work that is wanted, if there is any: seconds or minutes. Other calls go on meanwhile.
+    /// Does the work that is wanted, if there is any: seconds or minutes. Other calls go on
+    /// meanwhile.
     pub fn work_blocking(&self, listener: Listener) -> Result<()> {
         // Two statements: the lock must be free while the work is done.
         let job = locked(&self.inner).job();
-        let Some(outcome) = done(job, &listener)? else { return Ok(()) };
+        let Some(outcome) = done(job, &listener)? else {
+            return Ok(());
+        };
         Ok(locked(&self.inner).finish(outcome)?)
     }
 }
 
 /// Runs a job, if there is one.
 pub fn done(job: Option<Job>, listener: &Listener) -> Result<Option<Outcome>> {
-    job.map(|job| watched(listener, |progress| job.run(progress))).transpose()
+    job.map(|job| watched(listener, |progress| job.run(progress)))
+        .transpose()
 }
 
 /// An event from its JSON, e.g. `{"event": "tick", "stamp_ns": 5}`.
@@ -82,5 +91,9 @@ pub fn procedure_event_from_json(text: &str) -> Result<Event> {
 }
 
 fn batch(channel: Channel, stamps_ns: &[u8], values: &[u8]) -> Result<Batch> {
-    Ok(Batch { channel, stamps_ns: block::stamps(stamps_ns)?, values: block::triples("values", values)? })
+    Ok(Batch {
+        channel,
+        stamps_ns: block::stamps(stamps_ns)?,
+        values: block::triples("values", values)?,
+    })
 }

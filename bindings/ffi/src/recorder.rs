@@ -19,11 +19,14 @@ pub struct RecorderWriter {
 
 impl RecorderWriter {
     fn of(writer: Writer) -> Arc<Self> {
-        Arc::new(Self { inner: Mutex::new(Some(writer)) })
+        Arc::new(Self {
+            inner: Mutex::new(Some(writer)),
+        })
     }
 
     fn with<T>(&self, act: impl FnOnce(&mut Writer) -> gyradius_core::Result<T>) -> Result<T> {
-        let ended = || Error::argument("recorder", "a recording that goes on", "one that has ended");
+        let ended =
+            || Error::argument("recorder", "a recording that goes on", "one that has ended");
         Ok(act(locked(&self.inner).as_mut().ok_or_else(ended)?)?)
     }
 }
@@ -36,13 +39,15 @@ impl RecorderWriter {
         Ok(Self::of(Writer::create(path, header)?))
     }
 
-    /// Goes on with a file after its writer died: cuts off the incomplete block at its end and says so in the file.
+    /// Goes on with a file after its writer died: cuts off the incomplete block at its end and says
+    /// so in the file.
     #[uniffi::constructor]
     pub fn resume(path: &str) -> Result<Arc<Self>> {
         Ok(Self::of(Writer::resume(path)?))
     }
 
-    /// Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they came.
+    /// Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they
+    /// came.
     pub fn push(&self, channel: Channel, stamps_ns: &[u8], values: &[u8]) -> Result<Written> {
         let (stamps_ns, values) = (block::stamps(stamps_ns)?, block::triples("values", values)?);
         self.with(|writer| writer.push(channel.into(), &stamps_ns, &values))
@@ -60,8 +65,12 @@ impl RecorderWriter {
 
     /// Ends the recording with its end mark; nothing more is taken.
     pub fn end(&self, stamp_ns: i64) -> Result<Written> {
-        let ended = || Error::argument("recorder", "a recording that goes on", "one that has ended");
-        Ok(locked(&self.inner).take().ok_or_else(ended)?.end(stamp_ns)?)
+        let ended =
+            || Error::argument("recorder", "a recording that goes on", "one that has ended");
+        Ok(locked(&self.inner)
+            .take()
+            .ok_or_else(ended)?
+            .end(stamp_ns)?)
     }
 }
 
@@ -87,7 +96,9 @@ impl RecorderFile {
     /// Reads a file, however it was cut or damaged.
     #[uniffi::constructor]
     pub fn read(path: &str) -> Result<Arc<Self>> {
-        Ok(Arc::new(Self { inner: read_whole(path)? }))
+        Ok(Arc::new(Self {
+            inner: read_whole(path)?,
+        }))
     }
 
     /// What was known before the first sample.
@@ -107,7 +118,11 @@ impl RecorderFile {
 
     /// Samples of every stream that has any, bit for bit as the phone gave them.
     pub fn tracks(&self) -> Vec<RecordedTrack> {
-        let filled = self.inner.tracks.iter().filter(|track| !track.stamps_ns.is_empty());
+        let filled = self
+            .inner
+            .tracks
+            .iter()
+            .filter(|track| !track.stamps_ns.is_empty());
         let track = |samples: &recorder::Samples| RecordedTrack {
             channel: samples.stream,
             stamps_ns: block::of_stamps(&samples.stamps_ns),
@@ -117,8 +132,13 @@ impl RecorderFile {
     }
 }
 
-/// Writes a recorder's file as `<name>.csv` (and `<name>-bias.csv`) into a folder; returns what was damaged, a sentence each.
+/// Writes a recorder's file as `<name>.csv` (and `<name>-bias.csv`) into a folder; returns what was
+/// damaged, a sentence each.
 #[uniffi::export]
 pub fn convert_recorder_file(file: &str, folder: &str, name: &str) -> Result<Vec<String>> {
-    Ok(convert(file, folder, name)?.repairs.into_iter().map(|repair| repair.text).collect())
+    Ok(convert(file, folder, name)?
+        .repairs
+        .into_iter()
+        .map(|repair| repair.text)
+        .collect())
 }

@@ -11,7 +11,8 @@ use crate::simulation::Rig;
 use crate::work::{Listener, aside};
 use crate::{as_json, locked};
 
-/// A procedure with a simulated hull and phone. The same rig, seed and events give the same session.
+/// A procedure with a simulated hull and phone. The same rig, seed and events give the same
+/// session.
 #[derive(uniffi::Object)]
 pub struct Rehearsal {
     inner: Mutex<procedure::Rehearsal>,
@@ -19,7 +20,9 @@ pub struct Rehearsal {
 
 impl Rehearsal {
     fn of(rehearsal: procedure::Rehearsal) -> Arc<Self> {
-        Arc::new(Self { inner: Mutex::new(rehearsal) })
+        Arc::new(Self {
+            inner: Mutex::new(rehearsal),
+        })
     }
 }
 
@@ -29,13 +32,22 @@ impl Rehearsal {
     #[uniffi::constructor]
     pub fn create(folder: &str, rig: &Rig, seed: u64) -> Result<Arc<Self>> {
         let task = procedure::practice_task(rig.file());
-        Ok(Self::of(procedure::Rehearsal::create(folder, rig.file().clone(), task, seed)?))
+        Ok(Self::of(procedure::Rehearsal::create(
+            folder,
+            rig.file().clone(),
+            task,
+            seed,
+        )?))
     }
 
     /// Goes on with one that was left: two seconds have gone by on the phone's clock.
     #[uniffi::constructor]
     pub fn open(folder: &str, rig: &Rig, seed: u64) -> Result<Arc<Self>> {
-        Ok(Self::of(procedure::Rehearsal::open(folder, rig.file().clone(), seed)?))
+        Ok(Self::of(procedure::Rehearsal::open(
+            folder,
+            rig.file().clone(),
+            seed,
+        )?))
     }
 
     /// Where it stands.
@@ -53,7 +65,8 @@ impl Rehearsal {
         Ok(locked(&self.inner).handle(event)?)
     }
 
-    /// Lets so much time go by on the simulated hull, s; returns what did: less where the recording ends meanwhile.
+    /// Lets so much time go by on the simulated hull, s; returns what did: less where the recording
+    /// ends meanwhile.
     pub fn advance(&self, seconds: f64) -> Result<f64> {
         aside(|| locked(&self.inner).advance(seconds))
     }
@@ -63,13 +76,14 @@ impl Rehearsal {
         locked(&self.inner).heard().to_vec()
     }
 
-    /// What an operator who plays by the book does now; nothing while there is to be waited or worked. `at_utc` is the
-    /// wall clock as text.
+    /// What an operator who plays by the book does now; nothing while there is to be waited or
+    /// worked. `at_utc` is the wall clock as text.
     pub fn by_the_book(&self, at_utc: &str) -> Result<Option<Event>> {
         Ok(locked(&self.inner).by_the_book(at_utc)?)
     }
 
-    /// Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`, `touch`, `slip`, `silence`.
+    /// Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`,
+    /// `touch`, `slip`, `silence`.
     pub fn mishap(&self, step: &str, take: u32, what: &str) -> Result<()> {
         let mishap = what.parse()?;
         locked(&self.inner).mishap(step, take as usize, mishap);
@@ -79,7 +93,9 @@ impl Rehearsal {
     /// Does the work that is wanted, if there is any: seconds or minutes.
     pub fn work_blocking(&self, listener: Listener) -> Result<()> {
         let job = locked(&self.inner).procedure().job();
-        let Some(outcome) = done(job, &listener)? else { return Ok(()) };
+        let Some(outcome) = done(job, &listener)? else {
+            return Ok(());
+        };
         Ok(locked(&self.inner).procedure().finish(outcome)?)
     }
 

@@ -15,8 +15,8 @@ pub fn routes_json() -> Result<String> {
 
 /// Outputs of one route of the paper for given inputs, SI units.
 ///
-/// Fails with `BadArgument` for an unknown route, an unknown or missing input and whatever is outside the domain, with
-/// `NoResult` where the inputs contradict each other.
+/// Fails with `BadArgument` for an unknown route, an unknown or missing input and whatever is
+/// outside the domain, with `NoResult` where the inputs contradict each other.
 #[uniffi::export]
 pub fn evaluate_route(name: &str, inputs: HashMap<String, f64>) -> Result<HashMap<String, f64>> {
     let outputs = catalogue::evaluate(name, &inputs.into_iter().collect())?;

@@ -23,13 +23,16 @@ pub struct Session {
 
 #[uniffi::export]
 impl Session {
-    /// Reads a session folder, a session's zip, or a bare recording in any format that can be imported.
+    /// Reads a session folder, a session's zip, or a bare recording in any format that can be
+    /// imported.
     ///
     /// `mapping` names the columns of a CSV that is not recognised: `gx=xGyro:deg/s`.
     #[uniffi::constructor]
     pub fn load(path: &str, mapping: Vec<String>) -> Result<Arc<Self>> {
         let loaded = load_any(Path::new(path), &mapping)?;
-        Ok(Arc::new(Self { loaded: Arc::new(loaded) }))
+        Ok(Arc::new(Self {
+            loaded: Arc::new(loaded),
+        }))
     }
 
     /// The session's title, or the recording's name.
@@ -39,28 +42,41 @@ impl Session {
 
     /// Ids of the swings, in session order.
     pub fn swing_ids(&self) -> Vec<String> {
-        self.loaded.swing_ids().into_iter().map(String::from).collect()
+        self.loaded
+            .swing_ids()
+            .into_iter()
+            .map(String::from)
+            .collect()
     }
 
     /// The session as stated, as the text of a `session.toml`; absent for a bare recording.
     pub fn stated_toml(&self) -> Option<String> {
-        self.loaded.session().map(|loaded| write_session(&loaded.session))
+        self.loaded
+            .session()
+            .map(|loaded| write_session(&loaded.session))
     }
 
     /// Modes, inertia, uncertainty and consistency: seconds.
     ///
-    /// `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare recording's listener is asked
-    /// before and after, not in between.
-    pub fn measure_blocking(&self, limits: Vec<String>, listener: Listener) -> Result<Arc<Analysis>> {
-        let limits = limits.iter().map(|limit| limit.parse()).collect::<gyradius_core::Result<_>>()?;
+    /// `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare
+    /// recording's listener is asked before and after, not in between.
+    pub fn measure_blocking(
+        &self,
+        limits: Vec<String>,
+        listener: Listener,
+    ) -> Result<Arc<Analysis>> {
+        let limits = limits
+            .iter()
+            .map(|limit| limit.parse())
+            .collect::<gyradius_core::Result<_>>()?;
         let options = MeasureOptions { limits };
         let inner = match &*self.loaded {
-            Loaded::Session(loaded) => {
-                watched(&listener, |progress| analyse_watched(loaded, &options, progress))
-            }
-            Loaded::Bare(recording) => {
-                announced(&listener, "measuring", || measure_recording(recording, &options))
-            }
+            Loaded::Session(loaded) => watched(&listener, |progress| {
+                analyse_watched(loaded, &options, progress)
+            }),
+            Loaded::Bare(recording) => announced(&listener, "measuring", || {
+                measure_recording(recording, &options)
+            }),
         }?;
         Ok(Analysis::new(inner, Arc::clone(&self.loaded)))
     }
@@ -86,7 +102,9 @@ impl Session {
         listener: Listener,
     ) -> Result<Arc<Plan>> {
         let loaded = self.loaded.with_dimensions()?;
-        watched(&listener, |progress| plan_to_tell_apart(loaded, [one, other], &request, progress))
-            .map(Plan::new)
+        watched(&listener, |progress| {
+            plan_to_tell_apart(loaded, [one, other], &request, progress)
+        })
+        .map(Plan::new)
     }
 }

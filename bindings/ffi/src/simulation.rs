@@ -40,13 +40,17 @@ impl Rig {
     /// Reads a rig file.
     #[uniffi::constructor]
     pub fn read(path: &str) -> Result<Arc<Self>> {
-        Ok(Arc::new(Self { inner: practice::read_rig_file(path)? }))
+        Ok(Arc::new(Self {
+            inner: practice::read_rig_file(path)?,
+        }))
     }
 
     /// Reads the text of a rig file; `name` is what messages call it.
     #[uniffi::constructor]
     pub fn parse(text: &str, name: &str) -> Result<Arc<Self>> {
-        Ok(Arc::new(Self { inner: practice::read_rig(text, name)? }))
+        Ok(Arc::new(Self {
+            inner: practice::read_rig(text, name)?,
+        }))
     }
 
     /// The same under another title, which its sessions bear.
@@ -58,26 +62,47 @@ impl Rig {
 
     /// Ids of the swings, in the order of the file.
     pub fn swing_ids(&self) -> Vec<String> {
-        self.inner.swings.iter().map(|swing| swing.id.clone()).collect()
+        self.inner
+            .swings
+            .iter()
+            .map(|swing| swing.id.clone())
+            .collect()
     }
 
     /// Every number of a swing.
     pub fn numbers(&self, swing: &str) -> Result<Vec<RigNumber>> {
         let experiment = &self.inner.swing(swing)?.experiment;
         let named = experiment.names().into_iter().zip(experiment.values());
-        Ok(named.map(|((name, unit), value)| RigNumber { name, value, unit: unit.into() }).collect())
+        Ok(named
+            .map(|((name, unit), value)| RigNumber {
+                name,
+                value,
+                unit: unit.into(),
+            })
+            .collect())
     }
 
-    /// Simulates all swings and writes the session into a folder, and what is true into a file outside of it. The same seed
-    /// gives the same files.
-    pub fn write(&self, folder: &str, truth_file: &str, seed: u64, overwrite: Overwrite) -> Result<()> {
+    /// Simulates all swings and writes the session into a folder, and what is true into a file
+    /// outside of it. The same seed gives the same files.
+    pub fn write(
+        &self,
+        folder: &str,
+        truth_file: &str,
+        seed: u64,
+        overwrite: Overwrite,
+    ) -> Result<()> {
         aside(|| {
-            practice::save_practised(&practice::practise(&self.inner, seed)?, folder, truth_file, overwrite)
+            practice::save_practised(
+                &practice::practise(&self.inner, seed)?,
+                folder,
+                truth_file,
+                overwrite,
+            )
         })
     }
 
-    /// Simulates a swing as its phone samples it. `values` replace numbers, `derivatives` names those to differentiate by;
-    /// without a seed there is no chance in it.
+    /// Simulates a swing as its phone samples it. `values` replace numbers, `derivatives` names
+    /// those to differentiate by; without a seed there is no chance in it.
     pub fn simulate(
         &self,
         swing: &str,
@@ -97,7 +122,13 @@ impl Rig {
         derivatives: Vec<String>,
         seed: Option<u64>,
     ) -> Result<Arc<Simulation>> {
-        self.simulated(swing, values, derivatives, Some(block::floats("t_s", t_s)?), seed)
+        self.simulated(
+            swing,
+            values,
+            derivatives,
+            Some(block::floats("t_s", t_s)?),
+            seed,
+        )
     }
 }
 
@@ -110,8 +141,16 @@ impl Rig {
         t_s: Option<Vec<f64>>,
         seed: Option<u64>,
     ) -> Result<Arc<Simulation>> {
-        let values = values.into_iter().map(|one| (one.name, one.value)).collect();
-        let varied = Variation { values, derivatives, t_s, seed };
+        let values = values
+            .into_iter()
+            .map(|one| (one.name, one.value))
+            .collect();
+        let varied = Variation {
+            values,
+            derivatives,
+            t_s,
+            seed,
+        };
         let inner = aside(|| self.inner.swing(swing)?.simulated(&varied))?;
         Ok(Arc::new(Simulation { inner }))
     }
@@ -128,7 +167,10 @@ pub struct SlackLine {
 
 impl From<Slack> for SlackLine {
     fn from(slack: Slack) -> Self {
-        Self { t_s: slack.t_s, line: slack.line }
+        Self {
+            t_s: slack.t_s,
+            line: slack.line,
+        }
     }
 }
 
@@ -145,9 +187,16 @@ impl Simulation {
         block::of_floats(&self.inner.record.t_s)
     }
 
-    /// Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: a row for each stamp.
+    /// Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: a row for each
+    /// stamp.
     pub fn readings(&self) -> Vec<u8> {
-        let rows: Vec<[f64; 6]> = self.inner.record.readings.iter().map(|reading| reading.six()).collect();
+        let rows: Vec<[f64; 6]> = self
+            .inner
+            .record
+            .readings
+            .iter()
+            .map(|reading| reading.six())
+            .collect();
         block::of_floats(rows.as_flattened())
     }
 

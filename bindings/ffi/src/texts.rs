@@ -16,17 +16,30 @@ pub enum Language {
     German,
 }
 
-/// Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
-/// estimator begin with `live.`, those of the plan with `plan.`, of a measurement with `inertia.` and `signal.`, of the criticism
-/// with `critique.`.
+/// Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a
+/// capital. Keys of the live estimator begin with `live.`, those of the plan with `plan.`, of a
+/// measurement with `inertia.` and `signal.`, of the criticism with `critique.`.
 #[uniffi::export]
 pub fn texts(language: Language) -> Vec<NamedText> {
-    let of_live = live::sentences(language).iter().map(|(key, text)| (format!("live.{key}"), *text));
-    let of_procedure = procedure::sentences(language).iter().map(|(key, text)| ((*key).to_owned(), *text));
-    let all = of_procedure.chain(of_live).map(|(name, text)| (name, text.to_owned()));
-    let rooms = [plan::sentences, signal::sentences, inertia::sentences, critique::sentences];
+    let of_live = live::sentences(language)
+        .iter()
+        .map(|(key, text)| (format!("live.{key}"), *text));
+    let of_procedure = procedure::sentences(language)
+        .iter()
+        .map(|(key, text)| ((*key).to_owned(), *text));
+    let all = of_procedure
+        .chain(of_live)
+        .map(|(name, text)| (name, text.to_owned()));
+    let rooms = [
+        plan::sentences,
+        signal::sentences,
+        inertia::sentences,
+        critique::sentences,
+    ];
     let of_rooms = rooms.iter().flat_map(|sentences| sentences(language));
-    all.chain(of_rooms).map(|(name, text)| NamedText { name, text }).collect()
+    all.chain(of_rooms)
+        .map(|(name, text)| NamedText { name, text })
+        .collect()
 }
 
 /// A sentence in a language, with what it names.

@@ -13,8 +13,8 @@ const STACK_BYTES: usize = 8 << 20;
 /// Watches long work.
 #[uniffi::export(foreign)]
 pub trait ProgressListener: Send + Sync {
-    /// Told the share that is done (0 to 1) and what is being done, from a thread of the work; false stops it, and what was
-    /// called fails with `Cancelled`.
+    /// Told the share that is done (0 to 1) and what is being done, from a thread of the work;
+    /// false stops it, and what was called fails with `Cancelled`.
     fn on_progress(&self, share: f64, doing: String) -> bool;
 }
 
@@ -28,9 +28,13 @@ pub fn aside<T: Send>(work: impl FnOnce() -> gyradius_core::Result<T> + Send) ->
         what: "the work".into(),
     };
     let done = thread::scope(|scope| {
-        let worker = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work)?;
+        let worker = thread::Builder::new()
+            .stack_size(STACK_BYTES)
+            .spawn_scoped(scope, work)?;
         // What the core never does is told by UniFFI as an internal error.
-        Ok(worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+        Ok(worker
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
     });
     done.map_err(started)?.map_err(GyradiusError::from)
 }
@@ -43,7 +47,8 @@ pub fn watched<T: Send>(
     aside(|| work(&|share, doing| goes_on(listener, share, doing)))
 }
 
-/// Runs work that cannot be stopped half-way: told of before it, and given up where its listener wants an end by then.
+/// Runs work that cannot be stopped half-way: told of before it, and given up where its listener
+/// wants an end by then.
 pub fn announced<T: Send>(
     listener: &Listener,
     doing: &str,
@@ -58,5 +63,7 @@ pub fn announced<T: Send>(
 }
 
 fn goes_on(listener: &Listener, share: f64, doing: &str) -> bool {
-    listener.as_ref().is_none_or(|listener| listener.on_progress(share, doing.to_owned()))
+    listener
+        .as_ref()
+        .is_none_or(|listener| listener.on_progress(share, doing.to_owned()))
 }

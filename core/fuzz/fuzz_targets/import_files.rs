@@ -1,4 +1,5 @@
-//! Exports from any bytes: as one file, as several loose files of one folder (split at form feeds), and by mapping.
+//! Exports from any bytes: as one file, as several loose files of one folder (split at form feeds),
+//! and by mapping.
 #![no_main]
 
 use gyradius_core::recording::import::{ColumnMapping, ImportOptions, import_files};
@@ -23,6 +24,7 @@ fuzz_target!(|bytes: &[u8]| {
         .map(|(part, name)| (name.to_owned(), part.to_vec()))
         .collect();
     let _ = import_files(&parts, &options);
-    let mapping = ColumnMapping::from_entries(["t=t:ms", "gx=x:deg/s", "gy=y:deg/s", "gz=z:deg/s"]).ok();
+    let mapping =
+        ColumnMapping::from_entries(["t=t:ms", "gx=x:deg/s", "gy=y:deg/s", "gz=z:deg/s"]).ok();
     let _ = import_files(&whole, &ImportOptions { mapping, ..options });
 });

@@ -1,6 +1,8 @@
-//! A recorder's file from any bytes: an error or pieces that keep their promises, and damage that stays inside the file.
+//! A recorder's file from any bytes: an error or pieces that keep their promises, and damage that
+//! stays inside the file.
 //!
-//! Chance does not find a checksum: the bytes are read as they are, and as the payload of a whole block of each kind behind them.
+//! Chance does not find a checksum: the bytes are read as they are, and as the payload of a whole
+//! block of each kind behind them.
 #![no_main]
 
 use gyradius_core::recorder::{Piece, Reader};
@@ -22,7 +24,12 @@ fn read(file: &[u8]) {
             assert_eq!(samples.stamps_ns.len(), samples.values.len());
         }
     }
-    assert!(reader.damage().iter().all(|damage| damage.at_byte <= file.len() as u64));
+    assert!(
+        reader
+            .damage()
+            .iter()
+            .all(|damage| damage.at_byte <= file.len() as u64)
+    );
 }
 
 /// A block as `core/docs/recorder-file.md` has it.

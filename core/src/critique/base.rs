@@ -14,18 +14,20 @@ use crate::recording::{self, Quantity, Repair, RepairKind, Session};
 use super::fitting::HORIZONS_S;
 use super::point::{BIAS, Model, Mount, OWN, Part, Point};
 
-/// Phones turned against each other by less than this may be one phone that slipped, rad; beyond, it was taped anew.
+/// Phones turned against each other by less than this may be one phone that slipped, rad; beyond,
+/// it was taped anew.
 const SAME_MOUNT_RAD: f64 = 0.25;
 /// Standard uncertainties of the turn between two swings that may lie between them as well.
 const SAME_MOUNT_U: f64 = 4.0;
-/// Rate at which a motion dies away within some twenty seconds, 1/s: where a fit begins, none is faster.
+/// Rate at which a motion dies away within some twenty seconds, 1/s: where a fit begins, none is
+/// faster.
 const MOST_DAMPING_PER_S: f64 = 0.1;
 /// The roll gyradius stays within so many standard deviations of hulls' …
 const ROLL_U: f64 = 3.0;
 /// … and the product of inertia below this share of what no body can exceed.
 const MOST_PRODUCT: f64 = 0.7;
-/// Samples are averaged over a sixteenth of this or of the fastest period, s: what moves inside a hull is followed up to
-/// some 2.5 Hz.
+/// Samples are averaged over a sixteenth of this or of the fastest period, s: what moves inside a
+/// hull is followed up to some 2.5 Hz.
 const FASTEST_PERIOD_S: f64 = 0.4;
 
 /// A swing that is fitted.
@@ -54,21 +56,26 @@ impl<'a> Base<'a> {
         &self.system.layout
     }
 
-    /// Keeps the roll gyradius and the product of inertia, of which level swings say nearly nothing, to those of a body: a
-    /// simulation that lacks something would bend them out of all shape.
+    /// Keeps the roll gyradius and the product of inertia, of which level swings say nearly
+    /// nothing, to those of a body: a simulation that lacks something would bend them out of all
+    /// shape.
     pub fn keep_a_body(&self, x: &mut [f64]) {
         let layout = self.layout();
         let [roll, _, yaw] = layout.log_gyradii;
         let prior = layout.parameters[roll].prior;
-        x[roll] = x[roll].clamp(prior.value - ROLL_U * prior.u, prior.value + ROLL_U * prior.u);
+        x[roll] = x[roll].clamp(
+            prior.value - ROLL_U * prior.u,
+            prior.value + ROLL_U * prior.u,
+        );
         // I_xx/M and I_zz/M; their product is the square of the largest I_xz/M.
         let (xx, zz) = ((2.0 * (x[roll] + x[yaw])).exp(), (2.0 * x[yaw]).exp());
         let most = MOST_PRODUCT * (xx * zz).sqrt();
         x[layout.product_xz] = x[layout.product_xz].clamp(-most, most);
     }
 
-    /// Fits each swing by itself; what they agree on is where the fit of all begins. None where there is no swing on two
-    /// lines, with gyroscope and accelerometer, that a simulation can be fitted to.
+    /// Fits each swing by itself; what they agree on is where the fit of all begins. None where
+    /// there is no swing on two lines, with gyroscope and accelerometer, that a simulation can be
+    /// fitted to.
     pub fn begin(
         system: &'a System<'a>,
         works: &'a [SwingWork],
@@ -78,10 +85,15 @@ impl<'a> Base<'a> {
         let (session, layout) = (system.session, &system.layout);
         let mut begun: Vec<Begun> = Vec::new();
         let fits = nearest_fits(system, works, x, inclines);
-        let said: Vec<_> = fits.iter().map(|f| f.as_ref().map_or(vec![], |f| f.statements(false))).collect();
+        let said: Vec<_> = fits
+            .iter()
+            .map(|f| f.as_ref().map_or(vec![], |f| f.statements(false)))
+            .collect();
         let agreed = system.agreed(&said, inclines);
         for (number, fit) in fits.into_iter().enumerate() {
-            let (Some(fit), Some(evidence)) = (fit, works[number].evidence.as_ref()) else { continue };
+            let (Some(fit), Some(evidence)) = (fit, works[number].evidence.as_ref()) else {
+                continue;
+            };
             let (model, fit) = fit.into_parts();
             let fastest_s = swing_periods(layout, &fit.x, model.setup.swing, model.setup.index)?
                 .iter()
@@ -107,7 +119,10 @@ impl<'a> Base<'a> {
             return Ok(None);
         }
         let median = median(layout, &begun);
-        let mut sets: Vec<Vec<f64>> = agreed.into_iter().chain([median.clone(), x.to_vec()]).collect();
+        let mut sets: Vec<Vec<f64>> = agreed
+            .into_iter()
+            .chain([median.clone(), x.to_vec()])
+            .collect();
         sets.extend(begun.iter().map(|b| b.x.clone()));
         let (mounts, which) = mounts(&mut begun, &median);
         let owns = begun.iter().map(|b| own_of(&b.own)).collect();
@@ -122,29 +137,64 @@ impl<'a> Base<'a> {
                 evidence: b.evidence,
             })
             .collect();
-        let free = (0..layout.parameters.len()).filter(|i| layout.parameters[*i].prior.u > 0.0).collect();
-        let base = Self { session, system, swings, mounts: mounts.len(), free };
-        let start = base.nearest(sets, Point { x: median, mounts, causes: vec![], owns });
+        let free = (0..layout.parameters.len())
+            .filter(|i| layout.parameters[*i].prior.u > 0.0)
+            .collect();
+        let base = Self {
+            session,
+            system,
+            swings,
+            mounts: mounts.len(),
+            free,
+        };
+        let start = base.nearest(
+            sets,
+            Point {
+                x: median,
+                mounts,
+                causes: vec![],
+                owns,
+            },
+        );
         Ok(Some((base, start)))
     }
 
-    /// A start with that set of the session's parameters which is nearest to the first seconds of the recordings. Swings
-    /// that contradict each other agree on no body that there can be, or on one that cannot hang; from rest every body can.
+    /// A start with that set of the session's parameters which is nearest to the first seconds of
+    /// the recordings. Swings that contradict each other agree on no body that there can be, or on
+    /// one that cannot hang; from rest every body can.
     fn nearest(&self, sets: Vec<Vec<f64>>, start: Point) -> Point {
-        let early = Model { part: Part::First(HORIZONS_S[0]), ..Model::of(self) };
+        let early = Model {
+            part: Part::First(HORIZONS_S[0]),
+            ..Model::of(self)
+        };
         let cost = |point: &Point| early.chi2(point).unwrap_or(f64::INFINITY);
         let mut at_rest = start.clone();
-        at_rest.owns.iter_mut().for_each(|own| own[..BIAS].fill(0.0));
+        at_rest
+            .owns
+            .iter_mut()
+            .for_each(|own| own[..BIAS].fill(0.0));
         let points = sets.into_iter().flat_map(|mut x| {
             self.keep_a_body(&mut x);
-            [Point { x: x.clone(), ..start.clone() }, Point { x, ..at_rest.clone() }]
+            [
+                Point {
+                    x: x.clone(),
+                    ..start.clone()
+                },
+                Point {
+                    x,
+                    ..at_rest.clone()
+                },
+            ]
         });
         let costs = points.map(|point| (cost(&point), point));
-        costs.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(start.clone(), |(_, point)| point)
+        costs
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or(start.clone(), |(_, point)| point)
     }
 }
 
-/// Samples at a sensor's limit were lost; those beside the gaps would be chosen by their noise. So much is left out, s.
+/// Samples at a sensor's limit were lost; those beside the gaps would be chosen by their noise. So
+/// much is left out, s.
 const BESIDE_LIMIT_S: f64 = 0.15;
 
 /// Leaves out what lies beside gaps that a sensor's limit has torn.
@@ -154,8 +204,9 @@ fn keep_off_limits(samples: &mut Samples, evidence: &Evidence) {
             Sensor::Gyroscope => recording::Sensor::Gyroscope,
             Sensor::Accelerometer => recording::Sensor::Accelerometer,
         };
-        let was_lost =
-            |r: &Repair| r.kind == RepairKind::Saturation && (r.sensor == sensor || r.text.contains(" and "));
+        let was_lost = |r: &Repair| {
+            r.kind == RepairKind::Saturation && (r.sensor == sensor || r.text.contains(" and "))
+        };
         if evidence.repairs.iter().any(was_lost) {
             stream.leave_out_beside_gaps(BESIDE_LIMIT_S);
         }
@@ -174,12 +225,17 @@ struct Begun<'a> {
     tells_bow_from_stern: bool,
 }
 
-/// Parameters of the session from the fits of its swings: the median of each, so that one lost swing does no harm.
+/// Parameters of the session from the fits of its swings: the median of each, so that one lost
+/// swing does no harm.
 fn median(layout: &Layout, begun: &[Begun]) -> Vec<f64> {
     let median = |i: usize| {
         let prior = layout.parameters[i].prior;
         // A swing that says nothing of a parameter leaves it at its prior.
-        let mut moved: Vec<f64> = begun.iter().map(|b| b.x[i]).filter(|x| *x != prior.value).collect();
+        let mut moved: Vec<f64> = begun
+            .iter()
+            .map(|b| b.x[i])
+            .filter(|x| *x != prior.value)
+            .collect();
         moved.sort_by(f64::total_cmp);
         moved.get(moved.len() / 2).copied().unwrap_or(prior.value)
     };
@@ -191,12 +247,14 @@ fn own_of(own: &Own) -> [f64; OWN] {
     values[..13].copy_from_slice(&own.values[..13]);
     values[13..].copy_from_slice(&own.values[19..25]);
     // A single swing that lost its way may even gain energy: such a start runs away.
-    values[8..13].iter_mut().for_each(|rate| *rate = rate.clamp(0.0, MOST_DAMPING_PER_S));
+    values[8..13]
+        .iter_mut()
+        .for_each(|rate| *rate = rate.clamp(0.0, MOST_DAMPING_PER_S));
     values
 }
 
-/// Poses of the phone in hull axes, those alike as one: that of the swing that knows it best. A level hull looks the same
-/// from both ends: a swing seen from the other end is turned round.
+/// Poses of the phone in hull axes, those alike as one: that of the swing that knows it best. A
+/// level hull looks the same from both ends: a swing seen from the other end is turned round.
 fn mounts(begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
     let mut order: Vec<usize> = (0..begun.len()).collect();
     order.sort_by(|a, b| begun[*a].turn_u_rad.total_cmp(&begun[*b].turn_u_rad));
@@ -225,7 +283,11 @@ fn mounts(begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
                 .filter(|(away, _)| *away < allowed)
                 .map(|(_, own)| own.clone())
         };
-        match mounts.iter().enumerate().find_map(|(k, known)| Some((k, nearest(known)?))) {
+        match mounts
+            .iter()
+            .enumerate()
+            .find_map(|(k, known)| Some((k, nearest(known)?)))
+        {
             Some((k, own)) => (which[i], b.own) = (k, own),
             None => {
                 which[i] = mounts.len();
@@ -249,6 +311,11 @@ fn renormalised(turn: Rotation) -> Rotation {
 /// Parameters by the periods alone, or as stated where those admit no solution.
 pub fn by_periods(prepared: &mut Prepared) -> Vec<f64> {
     let session = prepared.system.session;
-    let solved = estimate(&mut prepared.system, session, &mut prepared.works, &prepared.inclines);
+    let solved = estimate(
+        &mut prepared.system,
+        session,
+        &mut prepared.works,
+        &prepared.inclines,
+    );
     solved.map_or_else(|_| prepared.system.layout.start(), |solution| solution.x)
 }

@@ -1,4 +1,5 @@
-//! The simplest closed form of a force that was learned: which of its terms do as well as all of them.
+//! The simplest closed form of a force that was learned: which of its terms do as well as all of
+//! them.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -27,19 +28,37 @@ pub struct Closed<'a> {
 }
 
 impl<'a> Whole<'a> {
-    /// The last cause of what was found, a force along a coordinate whose terms are over these scales.
+    /// The last cause of what was found, a force along a coordinate whose terms are over these
+    /// scales.
     pub fn of(found: &'a Found<'a>, scales: &'a Scales, coordinate: usize) -> Option<Self> {
         let values = DVector::from_column_slice(found.fitted.point.causes.last()?);
-        let (covariance, first) = (found.fitted.covariance()?, found.fitted.place_of_last(values.len()));
-        Some(Self { found, scales, coordinate, values, covariance, first })
+        let (covariance, first) = (
+            found.fitted.covariance()?,
+            found.fitted.place_of_last(values.len()),
+        );
+        Some(Self {
+            found,
+            scales,
+            coordinate,
+            values,
+            covariance,
+            first,
+        })
     }
 
     /// The best single term, and a second where it pays.
     pub fn closed_form(&self) -> Option<Closed<'a>> {
         let one = self.with_one_more(&[])?;
-        let Some(two) = self.with_one_more(&one.terms) else { return Some(one) };
+        let Some(two) = self.with_one_more(&one.terms) else {
+            return Some(one);
+        };
         let second = learned_force(self.scales, self.coordinate, &[TERMS[two.terms[1]]]);
-        let gained = gain(&one.fitted, &two.fitted, &second, self.found.model.base.swings.len())?;
+        let gained = gain(
+            &one.fitted,
+            &two.fitted,
+            &second,
+            self.found.model.base.swings.len(),
+        )?;
         Some(if gained > LEAST_GAIN { two } else { one })
     }
 
@@ -52,13 +71,17 @@ impl<'a> Whole<'a> {
     }
 
     fn left_out(&self, kept: &[usize]) -> Vec<usize> {
-        (0..self.values.len()).filter(|term| !kept.contains(term)).collect()
+        (0..self.values.len())
+            .filter(|term| !kept.contains(term))
+            .collect()
     }
 
     /// Values of terms over their joint covariance.
     fn pull(&self, terms: &[usize]) -> Option<DVector<f64>> {
         let place = |k: usize| self.first + terms[k];
-        let own = DMatrix::from_fn(terms.len(), terms.len(), |i, j| self.covariance[(place(i), place(j))]);
+        let own = DMatrix::from_fn(terms.len(), terms.len(), |i, j| {
+            self.covariance[(place(i), place(j))]
+        });
         Some(own.cholesky()?.solve(&self.values.select_rows(terms)))
     }
 
@@ -85,6 +108,10 @@ impl<'a> Whole<'a> {
         model.causes.pop();
         let model = model.with(&learned_force(self.scales, self.coordinate, &names));
         let fitted = model.fit(&self.start(&terms)?, &|_| false).ok()?;
-        Some(Closed { terms, model, fitted })
+        Some(Closed {
+            terms,
+            model,
+            fitted,
+        })
     }
 }

@@ -1,9 +1,10 @@
-//! What these data cannot decide, and what it leaves open of the body: causes that do as well as the one named, and causes too weak to be
-//! seen that may yet be there.
+//! What these data cannot decide, and what it leaves open of the body: causes that do as well as
+//! the one named, and causes too weak to be seen that may yet be there.
 //!
-//! A clock that is wrong by 0.1 % shows at 3 standard deviations and moves a gyradius by 30 of its own: the model without it is
-//! believed, and its uncertainty alone would be wrong. Each such cause is a model of its own, with the odds of its evidence and of
-//! what was known before, and an interval holds 95 % of all of them together (Bayesian model averaging: J. A. Hoeting et al.,
+//! A clock that is wrong by 0.1 % shows at 3 standard deviations and moves a gyradius by 30 of its
+//! own: the model without it is believed, and its uncertainty alone would be wrong. Each such cause
+//! is a model of its own, with the odds of its evidence and of what was known before, and an
+//! interval holds 95 % of all of them together (Bayesian model averaging: J. A. Hoeting et al.,
 //! *Statistical Science* 14 (1999) 382).
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,7 +24,8 @@ use super::trial::Tried;
 
 /// Odds below this move no interval of 95 %.
 const LEAST_ODDS: f64 = 1e-3;
-/// Standard deviations of a dimension of the body by which the ends of two fits differ that are not one.
+/// Standard deviations of a dimension of the body by which the ends of two fits differ that are not
+/// one.
 const ELSEWHERE: f64 = 0.1;
 /// Halvings of the bracket of an interval.
 const HALVINGS: usize = 60;
@@ -35,43 +37,70 @@ pub struct Otherwise {
 }
 
 impl Otherwise {
-    /// No model counts for more than the one that is believed: what is passed over for the structure that it leaves may have gained far more.
+    /// No model counts for more than the one that is believed: what is passed over for the
+    /// structure that it leaves may have gained far more.
     fn new(odds: f64, quantities: BTreeMap<String, QuantityResult>) -> Self {
-        Self { odds: odds.min(1.0), quantities }
+        Self {
+            odds: odds.min(1.0),
+            quantities,
+        }
     }
 }
 
 impl Found<'_> {
-    /// What else may be: rivals of the cause taken last, and what was not taken where no more is to be seen.
+    /// What else may be: rivals of the cause taken last, and what was not taken where no more is to
+    /// be seen.
     pub fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
         let mut all = self.instead(inclines);
         all.extend(self.besides(inclines));
         all
     }
 
-    /// Rivals of the cause taken last, and other valleys of its own. Rivals that a verdict calls alike count alike.
+    /// Rivals of the cause taken last, and other valleys of its own. Rivals that a verdict calls
+    /// alike count alike.
     fn instead(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
         let rivals = self.rivals();
-        let Some(best) = self.decisive().and_then(|round| round.tried.first()) else { return vec![] };
+        let Some(best) = self.decisive().and_then(|round| round.tried.first()) else {
+            return vec![];
+        };
         let by_evidence = |t: &Tried| (t.gain - best.gain).exp();
-        let odds = |t: &Tried| if self.is_unexplained() { by_evidence(t) } else { 1.0 };
-        let rivals = rivals.into_iter().filter_map(|t| self.by(t, odds(t), inclines));
-        let elsewhere =
-            best.ends.iter().filter(|end| by_evidence(end) > LEAST_ODDS && self.is_elsewhere(end, best));
-        rivals.chain(elsewhere.filter_map(|end| self.by(end, by_evidence(end), inclines))).collect()
+        let odds = |t: &Tried| {
+            if self.is_unexplained() {
+                by_evidence(t)
+            } else {
+                1.0
+            }
+        };
+        let rivals = rivals
+            .into_iter()
+            .filter_map(|t| self.by(t, odds(t), inclines));
+        let elsewhere = best
+            .ends
+            .iter()
+            .filter(|end| by_evidence(end) > LEAST_ODDS && self.is_elsewhere(end, best));
+        rivals
+            .chain(elsewhere.filter_map(|end| self.by(end, by_evidence(end), inclines)))
+            .collect()
     }
 
     /// Whether a fit ended with another body than the best: two that did not are one model.
     fn is_elsewhere(&self, end: &Tried, best: &Tried) -> bool {
-        let Some(covariance) = best.fitted.covariance() else { return false };
+        let Some(covariance) = best.fitted.covariance() else {
+            return false;
+        };
         let moved = |i: usize| (end.fitted.point.x[i] - best.fitted.point.x[i]).abs();
         let free = self.model.base.free.iter().enumerate();
-        free.map(|(k, i)| moved(*i) / covariance[(k, k)].sqrt()).any(|z| z > ELSEWHERE)
+        free.map(|(k, i)| moved(*i) / covariance[(k, k)].sqrt())
+            .any(|z| z > ELSEWHERE)
     }
 
-    /// Causes that were not taken: those fitted in full, and the weak ones by what first looks saw of them.
+    /// Causes that were not taken: those fitted in full, and the weak ones by what first looks saw
+    /// of them.
     fn besides(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
-        let last = self.rounds.last().filter(|round| !round.taken && self.left.is_white());
+        let last = self
+            .rounds
+            .last()
+            .filter(|round| !round.taken && self.left.is_white());
         let Some((round, looked)) =
             last.and_then(|round| round.looked.as_ref().map(|looked| (round, looked)))
         else {
@@ -81,9 +110,20 @@ impl Found<'_> {
         // Something may have been taken out of the model since.
         let is_beside = |t: &&Tried| t.causes.len() == self.model.causes.len() + 1;
         let tried: Vec<&Tried> = round.tried.iter().filter(is_beside).collect();
-        let in_full = tried.iter().filter_map(|t| self.by(t, odds_before * t.gain.exp(), inclines));
-        let of_name = |id: &str| looked.looks.iter().filter(|look| look.cause.id == id).count();
-        let weak = looked.looks.iter().filter(|look| tried.iter().all(|t| t.cause.id != look.cause.id));
+        let in_full = tried
+            .iter()
+            .filter_map(|t| self.by(t, odds_before * t.gain.exp(), inclines));
+        let of_name = |id: &str| {
+            looked
+                .looks
+                .iter()
+                .filter(|look| look.cause.id == id)
+                .count()
+        };
+        let weak = looked
+            .looks
+            .iter()
+            .filter(|look| tried.iter().all(|t| t.cause.id != look.cause.id));
         let weak = weak.filter_map(|look| {
             let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &looked.fitted)?;
             // The forms of a cause share its odds.
@@ -97,14 +137,17 @@ impl Found<'_> {
 
     /// The body by a model that was tried, with its odds.
     fn by(&self, t: &Tried, odds: f64, inclines: &[Option<Quantity>]) -> Option<Otherwise> {
-        let model = Model { causes: t.causes.clone(), ..self.model.clone() };
+        let model = Model {
+            causes: t.causes.clone(),
+            ..self.model.clone()
+        };
         let quantities = quantities(&model, t.fitted.at(), 1.0, inclines).ok()?;
         Some(Otherwise::new(odds, quantities))
     }
 }
 
-/// Before the data a session is as likely as not to have something that the simulation lacks, and that may be any of the causes alike: odds of
-/// each against none of them.
+/// Before the data a session is as likely as not to have something that the simulation lacks, and
+/// that may be any of the causes alike: odds of each against none of them.
 fn odds_before(looks: &[Look]) -> f64 {
     let names: BTreeSet<&str> = looks.iter().map(|look| look.cause.id).collect();
     (names.len().max(1) as f64).recip()
@@ -121,7 +164,11 @@ struct Weak<'a> {
 
 impl<'a> Weak<'a> {
     fn of(glimpse: &Glimpse, model: &Model<'a>, fitted: &Fitted) -> Option<Self> {
-        let Glimpse { cause, places, sums } = glimpse;
+        let Glimpse {
+            cause,
+            places,
+            sums,
+        } = glimpse;
         if fitted.matrix.nrows() != Places::of(model).all() {
             return None;
         }
@@ -141,19 +188,40 @@ impl<'a> Weak<'a> {
         }
         let swings = model.base.swings.len();
         let mut values = vec![0.0; cause.size(swings)];
-        places.iter().zip(strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
+        places
+            .iter()
+            .zip(strength.iter())
+            .for_each(|(place, strength)| values[*place] = *strength);
         let delta = laid_out(model, &beside.rest(&strength), &values);
         let mut at = fitted.point.clone();
         at.causes.push(cause.start(swings));
         let extended = model.with(cause);
         let point = extended.bounded(extended.moved(&at, &delta));
-        let u: Vec<f64> = cause.expanded(swings).iter().map(|(parameter, _)| parameter.prior.1).collect();
-        let matrix = with_strengths(model, fitted, &Sums { inner, ..sums.clone() }, (places, &u));
-        Some(Self { model: extended, point, matrix, gain })
+        let u: Vec<f64> = cause
+            .expanded(swings)
+            .iter()
+            .map(|(parameter, _)| parameter.prior.1)
+            .collect();
+        let matrix = with_strengths(
+            model,
+            fitted,
+            &Sums {
+                inner,
+                ..sums.clone()
+            },
+            (places, &u),
+        );
+        Some(Self {
+            model: extended,
+            point,
+            matrix,
+            gain,
+        })
     }
 }
 
-/// Information with that of a cause's values behind the other causes': of those that are no strengths, that of their priors.
+/// Information with that of a cause's values behind the other causes': of those that are no
+/// strengths, that of their priors.
 fn with_strengths(
     model: &Model,
     fitted: &Fitted,
@@ -162,7 +230,11 @@ fn with_strengths(
 ) -> DMatrix<f64> {
     let split = Places::of(model).first_own(0);
     let count = u.len();
-    let grown = fitted.matrix.clone().insert_rows(split, count, 0.0).insert_columns(split, count, 0.0);
+    let grown = fitted
+        .matrix
+        .clone()
+        .insert_rows(split, count, 0.0)
+        .insert_columns(split, count, 0.0);
     let outer = sums.beside_held(fitted).insert_rows(split, count, 0.0);
     let mut matrix = grown;
     (0..count).for_each(|k| matrix[(split + k, split + k)] = u[k].powi(-2));
@@ -170,14 +242,18 @@ fn with_strengths(
         let at = split + place;
         matrix.set_column(at, &outer.column(k));
         matrix.set_row(at, &outer.column(k).transpose());
-        places.iter().enumerate().for_each(|(l, other)| matrix[(at, split + other)] = sums.inner[(k, l)]);
+        places
+            .iter()
+            .enumerate()
+            .for_each(|(l, other)| matrix[(at, split + other)] = sums.inner[(k, l)]);
     }
     matrix
 }
 
-/// A strength that cannot be negative, by its score and its information, prior of a given width included: mean, information, and the gain
-/// of the logarithm of the evidence. (A normal variable cut at zero: N. L. Johnson, S. Kotz, N. Balakrishnan, *Continuous Univariate
-/// Distributions* 1, 2nd ed., sec. 13.10.1.)
+/// A strength that cannot be negative, by its score and its information, prior of a given width
+/// included: mean, information, and the gain of the logarithm of the evidence. (A normal variable
+/// cut at zero: N. L. Johnson, S. Kotz, N. Balakrishnan, *Continuous Univariate Distributions* 1,
+/// 2nd ed., sec. 13.10.1.)
 fn above_zero(score: f64, information: f64, prior_u: f64) -> Option<(f64, f64, f64)> {
     let normal = Normal::standard();
     let s = information.sqrt().recip();
@@ -193,11 +269,14 @@ fn above_zero(score: f64, information: f64, prior_u: f64) -> Option<(f64, f64, f
     Some((mean + s * ratio, variance.recip(), gain))
 }
 
-/// Widens intervals until they hold 95 % of all models together; the uncertainty is the half of one over that of a normal variable.
+/// Widens intervals until they hold 95 % of all models together; the uncertainty is the half of one
+/// over that of a normal variable.
 pub fn widen(quantities: &mut BTreeMap<String, QuantityResult>, otherwise: &[Otherwise]) {
     let number = |q: &QuantityResult| Some((q.value.as_f64()?, q.u.as_f64()?));
     for (name, quantity) in quantities {
-        let Some((value, u)) = number(quantity) else { continue };
+        let Some((value, u)) = number(quantity) else {
+            continue;
+        };
         let others = otherwise.iter().filter_map(|other| {
             let (elsewhere, other_u) = number(other.quantities.get(name)?)?;
             // What another model knows better is no doubt about this one.
@@ -210,20 +289,31 @@ pub fn widen(quantities: &mut BTreeMap<String, QuantityResult>, otherwise: &[Oth
     }
 }
 
-/// Half of the interval about zero that holds 95 % of normal variables of given odds, means and standard deviations.
+/// Half of the interval about zero that holds 95 % of normal variables of given odds, means and
+/// standard deviations.
 fn half_width_95(all: &[(f64, f64, f64)]) -> f64 {
-    let (normal, total) = (Normal::standard(), all.iter().map(|(odds, ..)| odds).sum::<f64>());
+    let (normal, total) = (
+        Normal::standard(),
+        all.iter().map(|(odds, ..)| odds).sum::<f64>(),
+    );
     let outside = |half: f64| {
         let one = |(odds, mean, u): &(f64, f64, f64)| {
             odds * (normal.sf((half - mean) / u) + normal.cdf((-half - mean) / u))
         };
         all.iter().map(one).sum::<f64>() / total
     };
-    let widest = all.iter().map(|(_, mean, u)| mean.abs() + COVERAGE_95 * u).fold(0.0, f64::max);
+    let widest = all
+        .iter()
+        .map(|(_, mean, u)| mean.abs() + COVERAGE_95 * u)
+        .fold(0.0, f64::max);
     let (mut low, mut high) = (0.0, widest);
     for _ in 0..HALVINGS {
         let half = 0.5 * (low + high);
-        if outside(half) > 0.05 { low = half } else { high = half }
+        if outside(half) > 0.05 {
+            low = half
+        } else {
+            high = half
+        }
     }
     high
 }
@@ -240,25 +330,35 @@ mod tests {
         assert!((two - 3.0947098415).abs() < 1e-9, "{two}");
     }
 
-    /// A rival whose evidence is beyond all numbers (it was passed over for what it leaves) once took all width from an interval.
+    /// A rival whose evidence is beyond all numbers (it was passed over for what it leaves) once
+    /// took all width from an interval.
     #[test]
     fn a_model_passed_over_counts_like_the_one_believed() {
         let body = |value: f64, u: f64| {
             let method = "joint_estimate".into();
-            let quantity = QuantityResult { value: value.into(), u: u.into(), interval_95: None, method };
+            let quantity = QuantityResult {
+                value: value.into(),
+                u: u.into(),
+                interval_95: None,
+                method,
+            };
             BTreeMap::from([("k_yaw_m".to_string(), quantity)])
         };
         let mut believed = body(1.0, 0.1);
-        widen(&mut believed, &[Otherwise::new(f64::INFINITY, body(4.0, 0.1))]);
-        // Half of all lies 30 of its widths away: of that one in ten beyond the end, at 1.2815515655 of them (scipy.stats.norm.isf(0.1)).
+        widen(
+            &mut believed,
+            &[Otherwise::new(f64::INFINITY, body(4.0, 0.1))],
+        );
+        // Half of all lies 30 of its widths away: of that one in ten beyond the end, at
+        // 1.2815515655 of them (scipy.stats.norm.isf(0.1)).
         let half = believed["k_yaw_m"].u.as_f64().unwrap() * COVERAGE_95;
         assert!((half - 3.12815515655).abs() < 1e-9, "{half}");
     }
 
     #[test]
     fn a_strength_above_zero_is_a_truncated_normal_variable() {
-        // scipy.stats.truncnorm(-mean / s, inf, mean, s) with mean -0.4, s 0.5; evidence by quad over a half normal prior of width 2
-        // times exp(score x - information_of_data x^2 / 2).
+        // scipy.stats.truncnorm(-mean / s, inf, mean, s) with mean -0.4, s 0.5; evidence by quad
+        // over a half normal prior of width 2 times exp(score x - information_of_data x^2 / 2).
         let (mean, information, gain) = above_zero(-0.4 / 0.25, 4.0, 2.0).unwrap();
         assert!(
             (mean - 0.2837011346).abs() < 1e-9 && (information.recip() - 0.0560332124).abs() < 1e-9,

@@ -50,37 +50,62 @@ fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepanc
         let rows = model.rows(point, s)?;
         let times: Vec<f64> = model.blocks(s).iter().map(|block| block.t_s).collect();
         let id = &swung.setup.swing.id;
-        let record = Record { id, rows: &rows, times_s: &times, duration_s: swung.samples.duration_s };
+        let record = Record {
+            id,
+            rows: &rows,
+            times_s: &times,
+            duration_s: swung.samples.duration_s,
+        };
         all.extend(structure_of(&record, 6, bands, &|channel| {
-            let key = if channel < 3 { "line_gyroscope" } else { "line_accelerometer" };
+            let key = if channel < 3 {
+                "line_gyroscope"
+            } else {
+                "line_accelerometer"
+            };
             words::said(key, [("axis", words::written(AXES[channel % 3]))])
         }));
     }
     Ok(all)
 }
 
-/// The strongest turns of a swing, each about its axis: period and decay against amplitude, what is left against phase.
+/// The strongest turns of a swing, each about its axis: period and decay against amplitude, what is
+/// left against phase.
 fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
     let swung = model.swing(s);
     let (evidence, streams) = (swung.evidence, &swung.samples.streams);
-    let Some(stream) = streams.iter().position(|stream| stream.sensor == Sensor::Gyroscope) else {
+    let Some(stream) = streams
+        .iter()
+        .position(|stream| stream.sensor == Sensor::Gyroscope)
+    else {
         return Ok(vec![]);
     };
     let (samples, readings) = (&streams[stream], model.readings(point, s)?);
     let poles: Vec<Pole> = evidence.found.modes.iter().map(pole).collect();
     let mut turns: Vec<(usize, [Complex64; 3])> = Vec::new();
     for (m, mode) in evidence.found.modes.iter().enumerate() {
-        turns.extend(evidence.map.gyroscope.and_then(|first| shape(mode, first)).map(|shape| (m, shape)));
+        turns.extend(
+            evidence
+                .map
+                .gyroscope
+                .and_then(|first| shape(mode, first))
+                .map(|shape| (m, shape)),
+        );
     }
     turns.sort_by(|a, b| energy(&b.1).total_cmp(&energy(&a.1)));
     let mut all = Vec::new();
     for (m, shape) in turns.into_iter().take(MOTIONS) {
         let axis = direction(&shape);
         let along = |values: &[Vec3]| values.iter().map(|v| v.dot(&axis)).collect::<Vec<f64>>();
-        let others: Vec<Pole> = (0..poles.len()).filter(|o| *o != m).map(|o| poles[o]).collect();
+        let others: Vec<Pole> = (0..poles.len())
+            .filter(|o| *o != m)
+            .map(|o| poles[o])
+            .collect();
         let seen = Seen {
             swing: &swung.setup.swing.id,
-            motion: evidence.named.get(m).map_or(ModeName::Other, |named| named.name),
+            motion: evidence
+                .named
+                .get(m)
+                .map_or(ModeName::Other, |named| named.name),
             t_s: &samples.t_s,
             measured_rad_s: &along(&samples.values),
             simulated_rad_s: &along(&readings[stream]),
@@ -95,7 +120,10 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
 }
 
 fn pole(mode: &FittedMode) -> Pole {
-    Pole { omega_rad_s: mode.omega_rad_s, alpha_per_s: mode.alpha_per_s }
+    Pole {
+        omega_rad_s: mode.omega_rad_s,
+        alpha_per_s: mode.alpha_per_s,
+    }
 }
 
 /// Residuals of a swing over their noise, so many rows at each time.
@@ -116,12 +144,24 @@ pub fn structure_of(
     let Record { id, rows, .. } = *record;
     let excess: f64 = bands.iter().map(|b| b.excess).sum();
     let rms = (rows.iter().map(|r| r * r).sum::<f64>() / rows.len().max(1) as f64).sqrt();
-    let said = words::said("structure", [("swing", words::id(id)), ("rms", words::number(rms, 2))]);
-    let mut all = vec![Discrepancy::of(id, "structure", (rms, "1"), excess.sqrt(), said)];
+    let said = words::said(
+        "structure",
+        [("swing", words::id(id)), ("rms", words::number(rms, 2))],
+    );
+    let mut all = vec![Discrepancy::of(
+        id,
+        "structure",
+        (rms, "1"),
+        excess.sqrt(),
+        said,
+    )];
     all.extend(against_time(record));
     bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));
     all.extend(
-        bands.iter().take(LINES).map(|band| line(id, band, rows.len() / channels, name(band.channel))),
+        bands
+            .iter()
+            .take(LINES)
+            .map(|band| line(id, band, rows.len() / channels, name(band.channel))),
     );
     all
 }
@@ -144,7 +184,12 @@ fn line(id: &str, band: &Band, rows_of_channel: usize, channel: Text) -> Discrep
 
 /// Whether more is left at the beginning or at the end: by the halves of the record.
 fn against_time(record: &Record) -> Option<Discrepancy> {
-    let Record { id, rows, times_s, duration_s } = *record;
+    let Record {
+        id,
+        rows,
+        times_s,
+        duration_s,
+    } = *record;
     let (half_s, size) = (0.5 * duration_s, rows.len() / times_s.len().max(1));
     let (mut sums, mut counts) = ([0.0; 2], [0.0; 2]);
     for (t_s, row) in times_s.iter().zip(rows.chunks_exact(size.max(1))) {
@@ -156,14 +201,24 @@ fn against_time(record: &Record) -> Option<Discrepancy> {
     let sigma = (early - late).abs() / (2.0 / counts[0].max(1.0) + 2.0 / counts[1].max(1.0)).sqrt();
     (sigma > 5.0).then(|| {
         let said = words::said(
-            if early > late { "first_half" } else { "second_half" },
+            if early > late {
+                "first_half"
+            } else {
+                "second_half"
+            },
             [
                 ("swing", words::id(id)),
                 ("more", words::number(early.max(late).sqrt(), 2)),
                 ("less", words::number(early.min(late).sqrt(), 2)),
             ],
         );
-        Discrepancy::of(id, "residual_vs_time", (early.sqrt() - late.sqrt(), "1"), sigma, said)
+        Discrepancy::of(
+            id,
+            "residual_vs_time",
+            (early.sqrt() - late.sqrt(), "1"),
+            sigma,
+            said,
+        )
     })
 }
 
@@ -181,12 +236,21 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
         let stated = parameter.prior.value;
         let times = ("sigma", words::number(sigma.abs(), 1));
         let said = if parameter.name == "phone_clock" {
-            words::said("clock", [("ppm", words::written(format!("{:+.0}", 1e6 * change))), times])
+            words::said(
+                "clock",
+                [
+                    ("ppm", words::written(format!("{:+.0}", 1e6 * change))),
+                    times,
+                ],
+            )
         } else {
             words::said(
                 "pulled",
                 [
-                    ("name", words::word(&format!("parameter.{}", parameter.name))),
+                    (
+                        "name",
+                        words::word(&format!("parameter.{}", parameter.name)),
+                    ),
                     ("stated", words::number(stated, 5)),
                     ("unit", Argument::Plain(unit.into())),
                     ("change", words::written(format!("{change:+.5}"))),
@@ -194,7 +258,13 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
                 ],
             )
         };
-        all.push(Discrepancy::of("", "dimension", (change, unit), sigma.abs(), said));
+        all.push(Discrepancy::of(
+            "",
+            "dimension",
+            (change, unit),
+            sigma.abs(),
+            said,
+        ));
     }
     all
 }
@@ -214,14 +284,34 @@ fn saturated(base: &Base) -> Vec<Discrepancy> {
     let mut all = Vec::new();
     for swung in &base.swings {
         let id = &swung.setup.swing.id;
-        let samples: usize = swung.samples.streams.iter().map(|s| s.t_s.len()).max().unwrap_or(0);
-        for repair in swung.evidence.repairs.iter().filter(|r| r.kind == RepairKind::Saturation) {
+        let samples: usize = swung
+            .samples
+            .streams
+            .iter()
+            .map(|s| s.t_s.len())
+            .max()
+            .unwrap_or(0);
+        for repair in swung
+            .evidence
+            .repairs
+            .iter()
+            .filter(|r| r.kind == RepairKind::Saturation)
+        {
             let size = repair.count as f64 / (samples + repair.count).max(1) as f64;
             let said = words::said(
                 "saturated",
-                [("swing", words::id(id)), ("repair", Argument::Plain(repair.text.clone()))],
+                [
+                    ("swing", words::id(id)),
+                    ("repair", Argument::Plain(repair.text.clone())),
+                ],
             );
-            all.push(Discrepancy::of(id, "saturated", (size, "1"), (repair.count as f64).sqrt(), said));
+            all.push(Discrepancy::of(
+                id,
+                "saturated",
+                (size, "1"),
+                (repair.count as f64).sqrt(),
+                said,
+            ));
         }
     }
     all

@@ -2,13 +2,19 @@
 
 /// Sentences by key; `{name}` stands for an argument.
 pub const GERMAN: &[(&str, &str)] = &[
-    ("adequate", "Die Simulation erklärt alles, was die Aufnahmen zeigen."),
+    (
+        "adequate",
+        "Die Simulation erklärt alles, was die Aufnahmen zeigen.",
+    ),
     ("explained", "Was die Simulation ausließ: {causes}."),
     (
         "ambiguous",
         "Was die Simulation ausließ: {causes}; diese Aufnahmen können das aber nicht unterscheiden von: {others}.",
     ),
-    ("unexplained", "Auf den Rumpf oder das Telefon wirkt etwas, das keine bekannte Ursache erklärt."),
+    (
+        "unexplained",
+        "Auf den Rumpf oder das Telefon wirkt etwas, das keine bekannte Ursache erklärt.",
+    ),
     (
         "many",
         "Es braucht {count} Ursachen zugleich, um zu erklären, was die Aufnahmen zeigen ({causes}): eher wirkt etwas, das nicht bekannt ist.",
@@ -39,7 +45,10 @@ pub const GERMAN: &[(&str, &str)] = &[
     ),
     ("next_leaves", " Offen bleibt: {causes}."),
     ("channel_turn", "Drehrate um die {axis}-Achse des Telefons"),
-    ("channel_force", "Beschleunigung längs der {axis}-Achse des Telefons"),
+    (
+        "channel_force",
+        "Beschleunigung längs der {axis}-Achse des Telefons",
+    ),
     ("channel_swing", "Drehrate um die Achse der Schwingung"),
     (
         "structure",
@@ -50,7 +59,10 @@ pub const GERMAN: &[(&str, &str)] = &[
         "{swing}: bei etwa {middle_hz} Hz bewegt sich {channel} um das {size}-Fache des Rauschens mehr als simuliert",
     ),
     ("line_gyroscope", "die {axis}-Achse des Drehratensensors"),
-    ("line_accelerometer", "die {axis}-Achse des Beschleunigungssensors"),
+    (
+        "line_accelerometer",
+        "die {axis}-Achse des Beschleunigungssensors",
+    ),
     ("line_swing", "die Drehung um die Achse der Schwingung"),
     (
         "first_half",
@@ -72,8 +84,14 @@ pub const GERMAN: &[(&str, &str)] = &[
         "growth",
         "{swing}: von {from_deg}° auf {to_deg}° wächst die Periode beim {motion} um {measured} ± {u} %, nach der Simulation um {simulated} %",
     ),
-    ("decay", "{swing}: beim {motion} verliert jede Schwingung {losses}"),
-    ("loss", "{measured} ± {u} % bei {amplitude_deg}° (simuliert {simulated} %)"),
+    (
+        "decay",
+        "{swing}: beim {motion} verliert jede Schwingung {losses}",
+    ),
+    (
+        "loss",
+        "{measured} ± {u} % bei {amplitude_deg}° (simuliert {simulated} %)",
+    ),
     (
         "across",
         "{swing}: quer zur Achse der Schwingung dreht sich das Telefon um {percent} % der Schwingung, am meisten bei {most_hz} Hz; eine Bewegung in einem Winkel hat nichts davon",
@@ -86,7 +104,10 @@ pub const GERMAN: &[(&str, &str)] = &[
         "pulled",
         "{name}: angegeben {stated} {unit}, die Schwingungen verlangen {change} {unit}: das {sigma}-Fache der angegebenen Unsicherheit",
     ),
-    ("saturated", "{swing}: Werte an der Grenze des Sensors, weggelassen ({repair})"),
+    (
+        "saturated",
+        "{swing}: Werte an der Grenze des Sensors, weggelassen ({repair})",
+    ),
     (
         "longer",
         "{^what} ist {percent} % länger, als der Rest der Messung ergibt: {sigma} Standardunsicherheiten{as_if}.",
@@ -123,9 +144,15 @@ pub const GERMAN: &[(&str, &str)] = &[
         " Ohne die Schwingung {swing}{with} wäre χ² {chi2} bei {dof} Freiheitsgraden: von {count} Schwingungen, der Reihe nach weggelassen, nimmt diese am meisten weg; das ist ein Hinweis und nicht mehr.",
     ),
     ("with_one", " und mit einer Ursache ({cause})"),
-    ("nothing_shown_inside", "{cause}: die Messung zeigt nichts davon"),
+    (
+        "nothing_shown_inside",
+        "{cause}: die Messung zeigt nichts davon",
+    ),
     ("with_figures_inside", "{cause}: {figures}"),
-    ("periods_adequate", "Perioden und Maße passen innerhalb ihrer Unsicherheiten zusammen: nichts fehlt."),
+    (
+        "periods_adequate",
+        "Perioden und Maße passen innerhalb ihrer Unsicherheiten zusammen: nichts fehlt.",
+    ),
     (
         "periods_explained",
         "Die Widersprüche verschwinden mit: {causes}; mit nichts anderem, was versucht wurde.",
@@ -134,12 +161,18 @@ pub const GERMAN: &[(&str, &str)] = &[
         "periods_ambiguous",
         "Die Widersprüche verschwinden mit: {causes}; diese Perioden können das nicht unterscheiden von: {others}.{hangs}",
     ),
-    ("periods_contradiction", "Die Messung widerspricht sich, und keine bekannte Ursache erklärt es."),
+    (
+        "periods_contradiction",
+        "Die Messung widerspricht sich, und keine bekannte Ursache erklärt es.",
+    ),
     (
         "periods_remain",
         "Die meisten Widersprüche verschwinden mit: {causes}{instead}; es bleiben aber mehr, als der Zufall lässt.{hangs}",
     ),
-    ("periods_instead", " (was diese Perioden nicht unterscheiden können von: {others})"),
+    (
+        "periods_instead",
+        " (was diese Perioden nicht unterscheiden können von: {others})",
+    ),
     (
         "periods_hang",
         " Der Trägheitsradius im Gieren hängt daran: {least} nach der einen, {most} nach einer anderen.",
@@ -156,7 +189,10 @@ pub const GERMAN: &[(&str, &str)] = &[
         "turns_alone",
         "Keine Schwingung an zwei Leinen wurde mit Drehraten- und Beschleunigungssensor aufgenommen: jede wurde nur in ihrer stärksten Bewegung beurteilt, nach ihrer Drehung.",
     ),
-    ("cause.added_mass", "Luft bewegt sich mit dem Rumpf mit und lässt ihn schwerer und träger erscheinen"),
+    (
+        "cause.added_mass",
+        "Luft bewegt sich mit dem Rumpf mit und lässt ihn schwerer und träger erscheinen",
+    ),
     (
         "cause.amplitude_added_mass",
         "je weiter der Ausschlag, desto mehr Luft bewegt sich mit: die Periode wächst mit der Amplitude",
@@ -166,17 +202,38 @@ pub const GERMAN: &[(&str, &str)] = &[
         "trockene Reibung in den Lagern nimmt jeder Schwingung denselben Winkel, ob weit oder eng",
     ),
     ("cause.buoyancy", "die Luft trägt einen Teil des Gewichts"),
-    ("cause.internal_motion", "im Rumpf bewegt sich etwas, etwa Wasser oder loses Zeug"),
-    ("cause.knock", "etwas stößt mitten in einer Schwingung an den Rumpf"),
+    (
+        "cause.internal_motion",
+        "im Rumpf bewegt sich etwas, etwa Wasser oder loses Zeug",
+    ),
+    (
+        "cause.knock",
+        "etwas stößt mitten in einer Schwingung an den Rumpf",
+    ),
     (
         "cause.learned_force",
         "auf den Rumpf wirkt eine Kraft ohne Namen, die von Lage und Geschwindigkeit abhängt",
     ),
-    ("cause.line_creep", "die Leinen werden unter der Last länger, erst schnell und dann immer langsamer"),
-    ("cause.line_mass", "die Leinen selbst wiegen etwas und schwingen mit"),
-    ("cause.line_slip", "eine Leine gibt mitten in einer Schwingung nach und bleibt länger"),
-    ("cause.line_stretch", "die Leinen dehnen sich wie Federn unter Gewicht und Schwingung"),
-    ("cause.line_torsion", "die Leinen wehren sich gegen das Verdrillen und machen das Gieren steifer"),
+    (
+        "cause.line_creep",
+        "die Leinen werden unter der Last länger, erst schnell und dann immer langsamer",
+    ),
+    (
+        "cause.line_mass",
+        "die Leinen selbst wiegen etwas und schwingen mit",
+    ),
+    (
+        "cause.line_slip",
+        "eine Leine gibt mitten in einer Schwingung nach und bleibt länger",
+    ),
+    (
+        "cause.line_stretch",
+        "die Leinen dehnen sich wie Federn unter Gewicht und Schwingung",
+    ),
+    (
+        "cause.line_torsion",
+        "die Leinen wehren sich gegen das Verdrillen und machen das Gieren steifer",
+    ),
     (
         "cause.linear_damping",
         "ein Widerstand im Verhältnis zur Geschwindigkeit lässt die Schwingung abklingen",
@@ -185,7 +242,10 @@ pub const GERMAN: &[(&str, &str)] = &[
         "cause.nonparallel_lines",
         "die Leinen sind nicht parallel: ihre oberen Enden liegen nicht so weit auseinander wie angegeben",
     ),
-    ("cause.off_centre_cm", "der Schwerpunkt liegt nicht mitten zwischen den Leinen"),
+    (
+        "cause.off_centre_cm",
+        "der Schwerpunkt liegt nicht mitten zwischen den Leinen",
+    ),
     (
         "cause.power_law_damping",
         "die Luft bremst mit einer Potenz der Geschwindigkeit, die zwischen der ersten und der zweiten liegt",
@@ -198,28 +258,76 @@ pub const GERMAN: &[(&str, &str)] = &[
         "cause.quadratic_drag",
         "die Luft bremst mit dem Quadrat der Geschwindigkeit: weite Schwingungen klingen schneller ab als enge",
     ),
-    ("cause.stated_length", "die Leinen sind nicht so lang, wie das Maßband sagte"),
-    ("cause.stated_spacing", "die Leinen liegen nicht so weit auseinander, wie das Maßband sagte"),
-    ("cause.support_compliance", "woran die Leinen hängen, bewegt sich mit der Schwingung"),
-    ("cause.unequal_lines", "eine Leine ist länger als die andere, und der Rumpf hängt schief"),
-    ("cause.wind", "Wind drückt auf den Rumpf, stetig oder in Böen"),
-    ("cause.bias_drift", "die Nullpunkte der Sensoren wandern, während das Telefon warm wird"),
-    ("cause.clock_scale", "die Uhr des Telefons geht vor oder nach"),
-    ("cause.coloured_noise", "die Nullpunkte der Sensoren wandern zufällig"),
-    ("cause.cross_axis", "eine Achse eines Sensors nimmt einen Teil einer anderen auf"),
-    ("cause.delay", "Werte sind später gestempelt, als sie genommen wurden"),
+    (
+        "cause.stated_length",
+        "die Leinen sind nicht so lang, wie das Maßband sagte",
+    ),
+    (
+        "cause.stated_spacing",
+        "die Leinen liegen nicht so weit auseinander, wie das Maßband sagte",
+    ),
+    (
+        "cause.support_compliance",
+        "woran die Leinen hängen, bewegt sich mit der Schwingung",
+    ),
+    (
+        "cause.unequal_lines",
+        "eine Leine ist länger als die andere, und der Rumpf hängt schief",
+    ),
+    (
+        "cause.wind",
+        "Wind drückt auf den Rumpf, stetig oder in Böen",
+    ),
+    (
+        "cause.bias_drift",
+        "die Nullpunkte der Sensoren wandern, während das Telefon warm wird",
+    ),
+    (
+        "cause.clock_scale",
+        "die Uhr des Telefons geht vor oder nach",
+    ),
+    (
+        "cause.coloured_noise",
+        "die Nullpunkte der Sensoren wandern zufällig",
+    ),
+    (
+        "cause.cross_axis",
+        "eine Achse eines Sensors nimmt einen Teil einer anderen auf",
+    ),
+    (
+        "cause.delay",
+        "Werte sind später gestempelt, als sie genommen wurden",
+    ),
     ("cause.drop_outs", "Werte fehlen"),
     ("cause.jitter", "die Zeitstempel streuen"),
-    ("cause.low_pass", "die Sensoren folgen schnellen Änderungen nur zum Teil"),
-    ("cause.phone_mount_resonance", "die Befestigung des Telefons gibt nach und schwingt"),
+    (
+        "cause.low_pass",
+        "die Sensoren folgen schnellen Änderungen nur zum Teil",
+    ),
+    (
+        "cause.phone_mount_resonance",
+        "die Befestigung des Telefons gibt nach und schwingt",
+    ),
     ("cause.phone_slip", "das Telefon ist am Rumpf verrutscht"),
     ("cause.quantisation", "die Werte kommen in groben Stufen"),
-    ("cause.saturation", "ein Wert liegt jenseits des Messbereichs"),
-    ("cause.gyro_scale", "der Maßstab des Drehratensensors stimmt nicht"),
-    ("cause.acc_scale", "der Maßstab des Beschleunigungssensors stimmt nicht"),
+    (
+        "cause.saturation",
+        "ein Wert liegt jenseits des Messbereichs",
+    ),
+    (
+        "cause.gyro_scale",
+        "der Maßstab des Drehratensensors stimmt nicht",
+    ),
+    (
+        "cause.acc_scale",
+        "der Maßstab des Beschleunigungssensors stimmt nicht",
+    ),
     ("cause.white_noise", "die Sensoren rauschen"),
     ("cause.unknown", "etwas, das keine bekannte Ursache erklärt"),
-    ("periods.stated_length", "die Leinen sind nicht so lang, wie das Maßband sagte, alle um gleich viel"),
+    (
+        "periods.stated_length",
+        "die Leinen sind nicht so lang, wie das Maßband sagte, alle um gleich viel",
+    ),
     (
         "periods.line_stretch",
         "die Leinen sind unter dem Gewicht länger als beim Messen, im Verhältnis zu ihrer Länge",
@@ -232,19 +340,40 @@ pub const GERMAN: &[(&str, &str)] = &[
         "periods.nonparallel_lines",
         "die Leinen sind nicht parallel: ihre oberen Enden liegen nicht so weit auseinander wie angegeben",
     ),
-    ("periods.line_torsion", "die Leinen wehren sich gegen das Verdrillen und machen das Gieren steifer"),
-    ("periods.support_compliance", "woran die Leinen hängen, bewegt sich mit der Schwingung"),
+    (
+        "periods.line_torsion",
+        "die Leinen wehren sich gegen das Verdrillen und machen das Gieren steifer",
+    ),
+    (
+        "periods.support_compliance",
+        "woran die Leinen hängen, bewegt sich mit der Schwingung",
+    ),
     (
         "periods.added_mass",
         "Luft bewegt sich beim Querschwingen mit dem Rumpf und lässt ihn schwerer erscheinen",
     ),
-    ("periods.amplitude_added_mass", "je weiter der Ausschlag, desto mehr Luft bewegt sich mit dem Rumpf"),
-    ("periods.off_centre_cm", "der Schwerpunkt liegt nicht mitten zwischen den Leinen"),
-    ("periods.unequal_lines", "eine Leine ist länger als die andere, und der Rumpf hängt schief"),
+    (
+        "periods.amplitude_added_mass",
+        "je weiter der Ausschlag, desto mehr Luft bewegt sich mit dem Rumpf",
+    ),
+    (
+        "periods.off_centre_cm",
+        "der Schwerpunkt liegt nicht mitten zwischen den Leinen",
+    ),
+    (
+        "periods.unequal_lines",
+        "eine Leine ist länger als die andere, und der Rumpf hängt schief",
+    ),
     ("periods.clock_scale", "die Uhr geht vor oder nach"),
-    ("periods.stated_gravity", "die Schwerkraft ist nicht die angegebene"),
+    (
+        "periods.stated_gravity",
+        "die Schwerkraft ist nicht die angegebene",
+    ),
     ("name.added_mass", "mitbewegte Luft"),
-    ("name.amplitude_added_mass", "mitbewegte Luft, die mit dem Ausschlag wächst"),
+    (
+        "name.amplitude_added_mass",
+        "mitbewegte Luft, die mit dem Ausschlag wächst",
+    ),
     ("name.bearing_friction", "trockene Lagerreibung"),
     ("name.buoyancy", "Auftrieb in der Luft"),
     ("name.internal_motion", "Bewegung im Rumpf"),
@@ -289,7 +418,10 @@ pub const GERMAN: &[(&str, &str)] = &[
     ("mode.pitch_out_of_phase", "Stampfen im Gegentakt"),
     ("mode.roll_in_phase", "Rollen im Gleichtakt"),
     ("mode.roll_out_of_phase", "Rollen im Gegentakt"),
-    ("mode.compound_pendulum", "Schwingen als physikalisches Pendel"),
+    (
+        "mode.compound_pendulum",
+        "Schwingen als physikalisches Pendel",
+    ),
     ("mode.unnamed_motion", "unbenannten Schwingen"),
     ("parameter.line_length", "Leinenlänge"),
     ("parameter.spacing", "Abstand der Leinen"),

@@ -1,5 +1,5 @@
-//! The missing force where no known cause accounts for it: learned inside the simulation, and the simplest closed form
-//! that does as well.
+//! The missing force where no known cause accounts for it: learned inside the simulation, and the
+//! simplest closed form that does as well.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,7 +15,11 @@ const COORDINATES: [&str; 4] = ["surge", "sway", "turn", "yaw"];
 
 /// The force that the last cause is, where it is one without a name.
 pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
-    let cause = found.model.causes.last().filter(|cause| cause.id == UNKNOWN)?;
+    let cause = found
+        .model
+        .causes
+        .last()
+        .filter(|cause| cause.id == UNKNOWN)?;
     match cause.form {
         Form::Force(coordinate) => force(found, coordinate, heldout_rms),
         Form::Knock(swing) => knock(found, swing, heldout_rms),
@@ -40,8 +44,13 @@ fn of_all(equation: String, text: String, heldout_rms: f64) -> LearnedForce {
 
 /// Something more that moves inside: a mass m on a spring along a level way in the hull.
 fn second(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
-    let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
-    let [mass, log_frequency, log_damping, ..] = values[..] else { return None };
+    let (cause, values) = (
+        found.model.causes.last()?,
+        found.fitted.point.causes.last()?,
+    );
+    let [mass, log_frequency, log_damping, ..] = values[..] else {
+        return None;
+    };
     let (mass_kg, frequency_hz) = (mass * cause.parameters.first()?.factor, log_frequency.exp());
     let equation = format!(
         "F(t) = −m s̈, s̈ + 2 ζ ω ṡ + ω² s = −a; m = {mass_kg:.3} kg, ω = 2π · {frequency_hz:.3} Hz, ζ = {:.3}",
@@ -77,14 +86,24 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
 
 /// Lines that are longer from a moment on: no force of its own, but the lines'.
 fn line_slip(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
-    let (cause, values) = (found.model.causes.last()?, found.fitted.point.causes.last()?);
-    let [positive, negative, at_s, ..] = values[..] else { return None };
+    let (cause, values) = (
+        found.model.causes.last()?,
+        found.fitted.point.causes.last()?,
+    );
+    let [positive, negative, at_s, ..] = values[..] else {
+        return None;
+    };
     let at_s = cause.parameters.get(2)?.told(at_s);
     let line_mm = 1e3 * cause.parameters.first()?.factor;
     let id = &found.model.swing(swing).setup.swing.id;
-    let more = format!("{:+.2} mm and {:+.2} mm", positive * line_mm, negative * line_mm);
-    let equation =
-        format!("l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)");
+    let more = format!(
+        "{:+.2} mm and {:+.2} mm",
+        positive * line_mm,
+        negative * line_mm
+    );
+    let equation = format!(
+        "l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)"
+    );
     let text = format!(
         "{id}: at {at_s:.2} s of the recording a line gave way: the lines are longer by {more} from then on"
     );
@@ -99,7 +118,11 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
     let unit = full.parameters.first()?.unit;
     let (position, rate) = reach(&scales, coordinate);
     let (chi2, rows) = Found::held_out(&closed.model, &closed.fitted).ok()?;
-    let symbol = if coordinate < 2 { ("x", "v") } else { ("θ", "ω") };
+    let symbol = if coordinate < 2 {
+        ("x", "v")
+    } else {
+        ("θ", "ω")
+    };
     let values = closed.fitted.point.causes.last()?;
     let factor = full.parameters.first()?.factor;
     let sum: Vec<String> = closed
@@ -111,8 +134,11 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
             format!("{:+.4e} {powers}", -q * factor / scale)
         })
         .collect();
-    let name =
-        if coordinate == 2 { if scales.pitches { "pitch" } else { "roll" } } else { COORDINATES[coordinate] };
+    let name = if coordinate == 2 {
+        if scales.pitches { "pitch" } else { "roll" }
+    } else {
+        COORDINATES[coordinate]
+    };
     let letter = if coordinate < 2 { "F" } else { "M" };
     Some(LearnedForce {
         coordinate: name.into(),
@@ -121,7 +147,12 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
         equation: format!("{letter}_{name} = {} {unit}", sum.join(" ")),
         text: format!(
             "What is missing acts on the {name} and looks most like {}",
-            closed.terms.iter().map(|t| in_words(TERMS[*t])).collect::<Vec<_>>().join(" and ")
+            closed
+                .terms
+                .iter()
+                .map(|t| in_words(TERMS[*t]))
+                .collect::<Vec<_>>()
+                .join(" and ")
         ),
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some((chi2 / rows.max(1) as f64).sqrt()),
@@ -157,7 +188,8 @@ pub fn in_words(term: &str) -> &'static str {
     }
 }
 
-/// The force with its standard uncertainty on a grid of positions and rates at the start and after 100 s.
+/// The force with its standard uncertainty on a grid of positions and rates at the start and after
+/// 100 s.
 fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
     let cause = found.model.causes.last()?;
     let values = found.fitted.point.causes.last()?;
@@ -169,8 +201,8 @@ fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
     Some(grid(&terms, (values, &own), factor, (position, rate)))
 }
 
-/// A force by terms with coefficients and their covariance, times a factor: rows of position, rate, time, force, its standard
-/// uncertainty.
+/// A force by terms with coefficients and their covariance, times a factor: rows of position, rate,
+/// time, force, its standard uncertainty.
 pub fn grid(
     terms: &[&str],
     (values, covariance): (&[f64], &DMatrix<f64>),

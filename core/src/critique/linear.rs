@@ -1,4 +1,5 @@
-//! How far a simulated swing is from its samples, and how the readings change with everything that is fitted.
+//! How far a simulated swing is from its samples, and how the readings change with everything that
+//! is fitted.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -19,8 +20,9 @@ const CLOCK_STEP: f64 = 1e-6;
 
 /// Derivatives by a cause of no more parameters than this are taken to both sides.
 const TWO_SIDED: usize = 2;
-/// Near the best fit steps to one side are so much shorter. What rings through a recording turns by radians along a long one: far from the
-/// best fit that leads past what is best only nearby, near it it leads astray.
+/// Near the best fit steps to one side are so much shorter. What rings through a recording turns by
+/// radians along a long one: far from the best fit that leads past what is best only nearby, near
+/// it it leads astray.
 const FINE: f64 = 1e-3;
 
 /// A block of samples that counts.
@@ -54,7 +56,8 @@ impl Model<'_> {
         let readings = self.readings(point, s)?;
         let of = |(stream, readings): (&Stream, Vec<Vec3>)| {
             let each = stream.values.iter().zip(readings);
-            each.map(|(value, reading)| (value - reading).component_div(&stream.noise)).collect()
+            each.map(|(value, reading)| (value - reading).component_div(&stream.noise))
+                .collect()
         };
         Ok(swung.samples.streams.iter().zip(readings).map(of).collect())
     }
@@ -62,7 +65,11 @@ impl Model<'_> {
     /// So far a swing is looked at, s.
     fn until_s(&self, s: usize) -> f64 {
         let duration_s = self.swing(s).samples.duration_s;
-        if let Part::First(horizon_s) = self.part { duration_s.min(horizon_s) } else { duration_s }
+        if let Part::First(horizon_s) = self.part {
+            duration_s.min(horizon_s)
+        } else {
+            duration_s
+        }
     }
 
     /// Readings at the time of every sample that is looked at, stream by stream.
@@ -72,8 +79,12 @@ impl Model<'_> {
         let until_s = self.until_s(s);
         let path = experiment.motion(self.fineness(), until_s)?;
         let seen = |stream: &Stream| stream.t_s.partition_point(|t| *t <= until_s);
-        let times: Vec<&[f64]> =
-            swung.samples.streams.iter().map(|stream| &stream.t_s[..seen(stream)]).collect();
+        let times: Vec<&[f64]> = swung
+            .samples
+            .streams
+            .iter()
+            .map(|stream| &stream.t_s[..seen(stream)])
+            .collect();
         let sensors = swung.samples.streams.iter().map(|stream| stream.sensor);
         let all = once_each(&times, |t_s| experiment.readings_on(&path, t_s))?;
         let part = |(readings, sensor): (Vec<Reading<f64>>, Sensor)| {
@@ -84,12 +95,14 @@ impl Model<'_> {
 
     /// The motion of a swing as far as it is looked at.
     pub fn path(&self, point: &Point, s: usize) -> Result<Path<f64>> {
-        self.experiment(point, s)?.motion(self.fineness(), self.until_s(s))
+        self.experiment(point, s)?
+            .motion(self.fineness(), self.until_s(s))
     }
 
     /// The same for derivatives.
     pub fn path_of_slopes(&self, point: &Point, s: usize) -> Result<Path<f64>> {
-        self.experiment(point, s)?.motion(self.fineness_of_slopes(), self.until_s(s))
+        self.experiment(point, s)?
+            .motion(self.fineness_of_slopes(), self.until_s(s))
     }
 
     /// Mean residual of each block over its standard deviation, block after block.
@@ -114,8 +127,8 @@ impl Model<'_> {
         blocks.iter().zip(readings).flat_map(row).collect()
     }
 
-    /// Derivatives of the readings, as rows: by the session's free parameters, the phone's place and turn (of the swing's
-    /// mount), the causes' parameters, the swing's own.
+    /// Derivatives of the readings, as rows: by the session's free parameters, the phone's place
+    /// and turn (of the swing's mount), the causes' parameters, the swing's own.
     pub fn jacobian(&self, point: &Point, s: usize) -> Result<DMatrix<f64>> {
         let blocks = self.blocks(s);
         let free = &self.base.free;
@@ -128,22 +141,33 @@ impl Model<'_> {
         let mut column = free.len();
         for k in 0..6 {
             let step = if k < 3 { PLACE_STEP_M } else { TURN_STEP_RAD };
-            let moved = |sign: f64| reader.reread(&moved_phone(point, self.swing(s).mount, k, sign * step));
+            let moved =
+                |sign: f64| reader.reread(&moved_phone(point, self.swing(s).mount, k, sign * step));
             set(&mut out, column, &moved(1.0)?, &moved(-1.0)?, 2.0 * step);
             column += 1;
         }
         for (c, cause) in self.causes.iter().enumerate() {
             for (k, (parameter, own)) in cause.expanded(self.base.swings.len()).iter().enumerate() {
                 if own.is_none_or(|own| own == s) {
-                    reader.fill_cause((c, k, parameter.step), (cause.on_phone, &here), column, &mut out)?;
+                    reader.fill_cause(
+                        (c, k, parameter.step),
+                        (cause.on_phone, &here),
+                        column,
+                        &mut out,
+                    )?;
                 }
                 column += 1;
             }
         }
         for k in 0..6 {
             let (sensor, axis) = (k / 3, k % 3);
-            let unit =
-                blocks.iter().map(|b| if b.stream == sensor { Vec3::ith(axis, 1.0) } else { Vec3::zeros() });
+            let unit = blocks.iter().map(|b| {
+                if b.stream == sensor {
+                    Vec3::ith(axis, 1.0)
+                } else {
+                    Vec3::zeros()
+                }
+            });
             let rows = self.as_rows(s, &blocks, &unit.collect::<Vec<_>>());
             out.column_mut(column + BIAS + k).copy_from_slice(&rows);
         }
@@ -152,21 +176,33 @@ impl Model<'_> {
 
     /// Of derivatives of the whole recordings, those of the part that this model looks at.
     pub fn of_part(&self, whole: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
-        let all = Model { part: Part::All, ..self.clone() };
+        let all = Model {
+            part: Part::All,
+            ..self.clone()
+        };
         let rows = |s: usize| {
             let duration_s = self.swing(s).samples.duration_s;
             let blocks = all.blocks(s).into_iter().enumerate();
             let seen = blocks.filter(|(_, block)| self.part.has(block.t_s, duration_s));
-            seen.flat_map(|(k, _)| 3 * k..3 * k + 3).collect::<Vec<usize>>()
+            seen.flat_map(|(k, _)| 3 * k..3 * k + 3)
+                .collect::<Vec<usize>>()
         };
-        whole.iter().enumerate().map(|(s, jacobian)| jacobian.select_rows(&rows(s))).collect()
+        whole
+            .iter()
+            .enumerate()
+            .map(|(s, jacobian)| jacobian.select_rows(&rows(s)))
+            .collect()
     }
 
-    /// Whether derivatives by a cause are taken to one side alone, over steps that are long near the best fit. (Where a phone's readings
-    /// are in proportion to all of a cause, no step is long.)
+    /// Whether derivatives by a cause are taken to one side alone, over steps that are long near
+    /// the best fit. (Where a phone's readings are in proportion to all of a cause, no step is
+    /// long.)
     pub fn is_coarse(&self) -> bool {
-        let in_proportion = |cause: &Cause| cause.on_phone && cause.parameters.iter().all(|p| p.is_strength);
-        self.causes.iter().any(|cause| !is_few(cause.size(self.base.swings.len())) && !in_proportion(cause))
+        let in_proportion =
+            |cause: &Cause| cause.on_phone && cause.parameters.iter().all(|p| p.is_strength);
+        self.causes
+            .iter()
+            .any(|cause| !is_few(cause.size(self.base.swings.len())) && !in_proportion(cause))
     }
 
     /// Derivatives of this model, the last of whose causes was just added, from those without it.
@@ -182,14 +218,25 @@ impl Model<'_> {
         let here = reader.reread(point)?;
         for (k, (parameter, own)) in expanded.iter().enumerate() {
             if own.is_none_or(|own| own == s) {
-                reader.fill_cause((last, k, parameter.step), (cause.on_phone, &here), first + k, &mut out)?;
+                reader.fill_cause(
+                    (last, k, parameter.step),
+                    (cause.on_phone, &here),
+                    first + k,
+                    &mut out,
+                )?;
             }
         }
         Ok(out)
     }
 
     /// By start, damping and the session's parameters as far as they move the hull.
-    fn fill_motion(&self, point: &Point, s: usize, blocks: &[Block], out: &mut DMatrix<f64>) -> Result<()> {
+    fn fill_motion(
+        &self,
+        point: &Point,
+        s: usize,
+        blocks: &[Block],
+        out: &mut DMatrix<f64>,
+    ) -> Result<()> {
         let swung = self.swing(s);
         let own = self.own(point, s);
         let free = &self.base.free;
@@ -199,19 +246,44 @@ impl Model<'_> {
         let damping = swung.setup.damping_slopes(&experiment.scene);
         let first_own = out.ncols() - OWN;
         let of_streams: Vec<(Vec<usize>, Vec<&Block>)> = (0..swung.samples.streams.len())
-            .map(|stream| blocks.iter().enumerate().filter(|(_, b)| b.stream == stream).unzip())
+            .map(|stream| {
+                blocks
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, b)| b.stream == stream)
+                    .unzip()
+            })
             .collect();
-        let times: Vec<Vec<f64>> =
-            of_streams.iter().map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect()).collect();
-        // Across kinks derivatives need no halved steps to lead the way; where a motion cannot be followed without, a fit ends, and is led
-        // on with them if it is worth it.
+        let times: Vec<Vec<f64>> = of_streams
+            .iter()
+            .map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect())
+            .collect();
+        // Across kinks derivatives need no halved steps to lead the way; where a motion cannot be
+        // followed without, a fit ends, and is led on with them if it is worth it.
         let fineness = self.fineness_of_slopes();
-        let straight = Fineness { most_halvings: 0, ..fineness };
-        let slopes = |fineness| once_each(&times, |t_s| experiment.slopes_of_motion(&LANES, fineness, t_s));
-        let all = slopes(straight).or_else(|error| if self.fine { slopes(fineness) } else { Err(error) })?;
+        let straight = Fineness {
+            most_halvings: 0,
+            ..fineness
+        };
+        let slopes = |fineness| {
+            once_each(&times, |t_s| {
+                experiment.slopes_of_motion(&LANES, fineness, t_s)
+            })
+        };
+        let all = slopes(straight).or_else(|error| {
+            if self.fine {
+                slopes(fineness)
+            } else {
+                Err(error)
+            }
+        })?;
         for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
             let sensor = &swung.samples.streams[stream];
-            let first = if sensor.sensor == Sensor::Gyroscope { 0 } else { 3 };
+            let first = if sensor.sensor == Sensor::Gyroscope {
+                0
+            } else {
+                3
+            };
             for (n, (place, block)) in places.iter().zip(of_stream).enumerate() {
                 let weight = (block.range.len() as f64).sqrt();
                 for axis in 0..3 {
@@ -219,7 +291,9 @@ impl Model<'_> {
                     let scale = weight / sensor.noise[axis];
                     let lanes = &slopes[(6 * n + first + axis) * LANES.len()..][..LANES.len()];
                     for column in 0..free.len() {
-                        let sum: f64 = (0..LANES.len()).map(|l| lanes[l] * by_lane[(l, column)]).sum();
+                        let sum: f64 = (0..LANES.len())
+                            .map(|l| lanes[l] * by_lane[(l, column)])
+                            .sum();
                         out[(row, column)] = scale * sum;
                     }
                     for k in 0..BIAS {
@@ -232,8 +306,14 @@ impl Model<'_> {
         Ok(())
     }
 
-    /// What the phone reads of the same motion with another clock, or lying otherwise: by the clocks, the pitch and the depth.
-    fn fill_clock_and_pose(&self, point: &Point, reader: &Reader, out: &mut DMatrix<f64>) -> Result<()> {
+    /// What the phone reads of the same motion with another clock, or lying otherwise: by the
+    /// clocks, the pitch and the depth.
+    fn fill_clock_and_pose(
+        &self,
+        point: &Point,
+        reader: &Reader,
+        out: &mut DMatrix<f64>,
+    ) -> Result<()> {
         let swung = self.swing(reader.s);
         let (layout, index) = (self.base.layout(), swung.setup.index);
         for (column, i) in self.base.free.iter().enumerate() {
@@ -250,7 +330,10 @@ impl Model<'_> {
                 reader.reread(&moved)
             };
             let change = difference(&moved(1.0)?, &moved(-1.0)?, 2.0 * step);
-            out.column_mut(column).iter_mut().zip(change).for_each(|(cell, more)| *cell += more);
+            out.column_mut(column)
+                .iter_mut()
+                .zip(change)
+                .for_each(|(cell, more)| *cell += more);
         }
         Ok(())
     }
@@ -266,8 +349,19 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(model: &'a Model<'a>, point: &'a Point, s: usize, blocks: &'a [Block<'a>]) -> Result<Self> {
-        Ok(Self { model, point, s, blocks, path: Cow::Owned(model.path_of_slopes(point, s)?) })
+    pub fn new(
+        model: &'a Model<'a>,
+        point: &'a Point,
+        s: usize,
+        blocks: &'a [Block<'a>],
+    ) -> Result<Self> {
+        Ok(Self {
+            model,
+            point,
+            s,
+            blocks,
+            path: Cow::Owned(model.path_of_slopes(point, s)?),
+        })
     }
 
     /// Where the motion at the point is known already.
@@ -277,7 +371,13 @@ impl<'a> Reader<'a> {
         (point, s): (&'a Point, usize),
         blocks: &'a [Block<'a>],
     ) -> Self {
-        Self { model, point, s, blocks, path: Cow::Borrowed(path) }
+        Self {
+            model,
+            point,
+            s,
+            blocks,
+            path: Cow::Borrowed(path),
+        }
     }
 
     /// Rows of the same motion with another phone.
@@ -287,19 +387,32 @@ impl<'a> Reader<'a> {
 
     /// Rows of another motion.
     pub fn moved(&self, point: &Point) -> Result<Vec<f64>> {
-        self.read(&self.model.experiment(point, self.s)?, &self.model.path_of_slopes(point, self.s)?)
+        self.read(
+            &self.model.experiment(point, self.s)?,
+            &self.model.path_of_slopes(point, self.s)?,
+        )
     }
 
     fn read(&self, experiment: &Experiment, path: &Path<f64>) -> Result<Vec<f64>> {
         let streams = &self.model.swing(self.s).samples.streams;
         // Block after block, stream after stream.
         let times: Vec<Vec<f64>> = (0..streams.len())
-            .map(|stream| self.blocks.iter().filter(|b| b.stream == stream).map(|b| b.t_s).collect())
+            .map(|stream| {
+                self.blocks
+                    .iter()
+                    .filter(|b| b.stream == stream)
+                    .map(|b| b.t_s)
+                    .collect()
+            })
             .collect();
         let all = once_each(&times, |t_s| experiment.readings_on(path, t_s))?;
-        let readings =
-            all.iter().zip(streams).flat_map(|(all, stream)| all.iter().map(|r| (stream.sensor, r)));
-        let values: Vec<Vec3> = readings.map(|(sensor, reading)| picked(sensor, reading)).collect();
+        let readings = all
+            .iter()
+            .zip(streams)
+            .flat_map(|(all, stream)| all.iter().map(|r| (stream.sensor, r)));
+        let values: Vec<Vec3> = readings
+            .map(|(sensor, reading)| picked(sensor, reading))
+            .collect();
         Ok(self.model.as_rows(self.s, self.blocks, &values))
     }
 
@@ -313,9 +426,14 @@ impl<'a> Reader<'a> {
         let moved = |by: f64| {
             let mut moved = self.point.clone();
             moved.causes[cause][k] += by;
-            if on_phone { self.reread(&moved) } else { self.moved(&moved) }
+            if on_phone {
+                self.reread(&moved)
+            } else {
+                self.moved(&moved)
+            }
         };
-        // What shifts a period must be known better than a step forwards tells; below zero some laws have no meaning.
+        // What shifts a period must be known better than a step forwards tells; below zero some
+        // laws have no meaning.
         let few = is_few(self.point.causes[cause].len());
         if let Some(Ok(down)) = few.then(|| moved(-step)) {
             set(out, column, &moved(step)?, &down, 2.0 * step);
@@ -333,7 +451,8 @@ fn is_few(values: usize) -> bool {
 }
 
 fn set(out: &mut DMatrix<f64>, column: usize, up: &[f64], down: &[f64], by: f64) {
-    out.column_mut(column).copy_from_slice(&difference(up, down, by));
+    out.column_mut(column)
+        .copy_from_slice(&difference(up, down, by));
 }
 
 fn difference(up: &[f64], down: &[f64], by: f64) -> Vec<f64> {
@@ -342,8 +461,13 @@ fn difference(up: &[f64], down: &[f64], by: f64) -> Vec<f64> {
 
 fn moved_phone(point: &Point, mount: usize, k: usize, by: f64) -> Point {
     let mut moved = point.clone();
-    let along =
-        |first: usize| if (first..first + 3).contains(&k) { Vec3::ith(k - first, by) } else { Vec3::zeros() };
+    let along = |first: usize| {
+        if (first..first + 3).contains(&k) {
+            Vec3::ith(k - first, by)
+        } else {
+            Vec3::zeros()
+        }
+    };
     moved.mounts[mount] = moved.mounts[mount].moved(along(0), along(3));
     moved
 }
@@ -356,10 +480,15 @@ fn picked(sensor: Sensor, reading: &Reading<f64>) -> Vec3 {
 }
 
 /// What is found at each of several lists of times; lists that are alike are looked at once.
-fn once_each<L: AsRef<[f64]>, T: Clone>(times: &[L], find: impl Fn(&[f64]) -> Result<T>) -> Result<Vec<T>> {
+fn once_each<L: AsRef<[f64]>, T: Clone>(
+    times: &[L],
+    find: impl Fn(&[f64]) -> Result<T>,
+) -> Result<Vec<T>> {
     let mut all: Vec<T> = Vec::new();
     for (n, list) in times.iter().enumerate() {
-        let known = times[..n].iter().position(|other| other.as_ref() == list.as_ref());
+        let known = times[..n]
+            .iter()
+            .position(|other| other.as_ref() == list.as_ref());
         all.push(known.map_or_else(|| find(list.as_ref()), |k| Ok(all[k].clone()))?);
     }
     Ok(all)

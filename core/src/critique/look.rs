@@ -1,7 +1,7 @@
 //! A first look at every cause: what it would gain, were everything linear about the fitted base.
 //!
-//! The sensitivity to a cause's strengths is made orthogonal to everything that is fitted; its product with the residual
-//! is the score. One simulation for each strength and swing.
+//! The sensitivity to a cause's strengths is made orthogonal to everything that is fitted; its
+//! product with the residual is the score. One simulation for each strength and swing.
 
 use std::cell::OnceCell;
 
@@ -29,17 +29,32 @@ pub struct Standing<'a> {
 }
 
 impl<'a> Standing<'a> {
-    /// Derivatives are taken anew: what one cause leaves of another is a small difference of large things, and those that led a fit are too
-    /// rough for it.
+    /// Derivatives are taken anew: what one cause leaves of another is a small difference of large
+    /// things, and those that led a fit are too rough for it.
     pub fn of(model: &Model<'a>, point: &Point) -> Result<Self> {
-        let model = Model { of_many: true, ..model.precise() };
+        let model = Model {
+            of_many: true,
+            ..model.precise()
+        };
         let (pliant, there) = model.pliant(point, model.causes.len());
         let seen = in_parallel(model.base.swings.len(), |s| {
-            Ok((DVector::from_vec(model.rows(point, s)?), pliant.path_of_slopes(&there, s)?))
+            Ok((
+                DVector::from_vec(model.rows(point, s)?),
+                pliant.path_of_slopes(&there, s)?,
+            ))
         });
-        let (residuals, paths) = seen.into_iter().collect::<Result<Vec<_>>>()?.into_iter().unzip();
+        let (residuals, paths) = seen
+            .into_iter()
+            .collect::<Result<Vec<_>>>()?
+            .into_iter()
+            .unzip();
         let fitted = model.unmoved(point)?;
-        Ok(Self { model, fitted, residuals, paths })
+        Ok(Self {
+            model,
+            fitted,
+            residuals,
+            paths,
+        })
     }
 }
 
@@ -49,7 +64,8 @@ pub struct Look {
     pub cause: Cause,
     /// Expected gain of the logarithm of the evidence.
     pub gain: f64,
-    /// Change of everything that is fitted, the cause's values (from its start) behind the other causes'.
+    /// Change of everything that is fitted, the cause's values (from its start) behind the other
+    /// causes'.
     pub delta: DVector<f64>,
     /// Other forms of the same cause that promise nearly as much.
     pub others: Vec<Look>,
@@ -70,23 +86,44 @@ pub struct Glimpse {
 impl Look {
     /// Looks at a cause beside what is fitted; none where it has no parameters like what is seen.
     pub fn at(standing: &Standing, cause: &Cause) -> Result<Option<Self>> {
-        let Some(alike) = &cause.look else { return Self::straight(standing, cause).map(Some) };
+        let Some(alike) = &cause.look else {
+            return Self::straight(standing, cause).map(Some);
+        };
         let look = Self::straight(standing, &alike.cause)?;
         let model = &standing.model;
         let swings = model.base.swings.len();
         let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
-        let beside = look.glimpse.as_ref().and_then(|glimpse| Beside::of(&standing.fitted, &glimpse.sums));
-        let Some(beside) = beside else { return Ok(None) };
+        let beside = look
+            .glimpse
+            .as_ref()
+            .and_then(|glimpse| Beside::of(&standing.fitted, &glimpse.sums));
+        let Some(beside) = beside else {
+            return Ok(None);
+        };
         let strengths = look.delta.rows(split, size).into_owned();
-        let seen = Seen { strengths, information: beside.schur.clone(), score: beside.score.clone() };
-        let Some(nearest) = (alike.nearest)(&seen) else { return Ok(None) };
+        let seen = Seen {
+            strengths,
+            information: beside.schur.clone(),
+            score: beside.score.clone(),
+        };
+        let Some(nearest) = (alike.nearest)(&seen) else {
+            return Ok(None);
+        };
         let values: Vec<f64> = (cause.start(swings).iter().enumerate())
             .map(|(k, from)| {
-                nearest.parameters.get(k).filter(|value| value.is_finite()).map_or(0.0, |value| value - from)
+                nearest
+                    .parameters
+                    .get(k)
+                    .filter(|value| value.is_finite())
+                    .map_or(0.0, |value| value - from)
             })
             .collect();
         let delta = laid_out(model, &beside.rest(&nearest.strengths), &values);
-        Ok(Some(Self { cause: cause.clone(), delta, ..look }))
+        Ok(Some(Self {
+            cause: cause.clone(),
+            delta,
+            ..look
+        }))
     }
 
     fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
@@ -95,26 +132,52 @@ impl Look {
         let extended = model.with(cause);
         let mut at = fitted.point.clone();
         at.causes.push(cause.start(swings));
-        let strengths: Vec<usize> =
-            (0..cause.size(swings)).filter(|k| cause.expanded(swings)[*k].0.is_strength).collect();
+        let strengths: Vec<usize> = (0..cause.size(swings))
+            .filter(|k| cause.expanded(swings)[*k].0.is_strength)
+            .collect();
         let parts = model.each(|s| columns(standing, &extended, &at, s, &strengths));
         let parts = parts.into_iter().collect::<Result<Vec<_>>>()?;
-        let u = DVector::from_fn(strengths.len(), |k, _| cause.expanded(swings)[strengths[k]].0.prior.1);
+        let u = DVector::from_fn(strengths.len(), |k, _| {
+            cause.expanded(swings)[strengths[k]].0.prior.1
+        });
         let mut equations = Equations::new(standing, u);
-        parts.into_iter().enumerate().for_each(|(s, part)| equations.add(s, &part));
+        parts
+            .into_iter()
+            .enumerate()
+            .for_each(|(s, part)| equations.add(s, &part));
         let Some(solved) = equations.solved(cause.one_sided) else {
             let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
             let (cause, gain) = (cause.clone(), f64::NEG_INFINITY);
-            return Ok(Self { cause, gain, delta, others: vec![], glimpse: None });
+            return Ok(Self {
+                cause,
+                gain,
+                delta,
+                others: vec![],
+                glimpse: None,
+            });
         };
         let mut values = vec![0.0; cause.size(swings)];
-        strengths.iter().zip(solved.strength.iter()).for_each(|(place, strength)| values[*place] = *strength);
+        strengths
+            .iter()
+            .zip(solved.strength.iter())
+            .for_each(|(place, strength)| values[*place] = *strength);
         let delta = laid_out(model, &solved.rest, &values);
-        let glimpse = Glimpse { cause: cause.clone(), places: strengths, sums: equations.sums };
-        Ok(Self { cause: cause.clone(), gain: solved.gain, delta, others: vec![], glimpse: Some(glimpse) })
+        let glimpse = Glimpse {
+            cause: cause.clone(),
+            places: strengths,
+            sums: equations.sums,
+        };
+        Ok(Self {
+            cause: cause.clone(),
+            gain: solved.gain,
+            delta,
+            others: vec![],
+            glimpse: Some(glimpse),
+        })
     }
 
-    /// Whether another form of the same cause promises just the same: a length is a share of the spacing where there is but one.
+    /// Whether another form of the same cause promises just the same: a length is a share of the
+    /// spacing where there is but one.
     pub fn is_seen_as(&self, other: &Self) -> bool {
         let mut looks = [self].into_iter().chain(&self.others);
         looks.any(|known| (known.gain - other.gain).abs() < SAME * known.gain.abs())
@@ -130,7 +193,8 @@ impl Look {
     }
 }
 
-/// A change of everything that is fitted, with the values of one more cause behind the other causes'.
+/// A change of everything that is fitted, with the values of one more cause behind the other
+/// causes'.
 pub fn laid_out(model: &Model, rest: &DVector<f64>, values: &[f64]) -> DVector<f64> {
     let split = Places::of(model).first_own(0);
     let mut delta = rest.clone().insert_rows(split, values.len(), 0.0);
@@ -138,13 +202,15 @@ pub fn laid_out(model: &Model, rest: &DVector<f64>, values: &[f64]) -> DVector<f
     delta
 }
 
-/// Strengths beside everything that is fitted: the equations that all swings together make for them.
+/// Strengths beside everything that is fitted: the equations that all swings together make for
+/// them.
 pub struct Equations<'a> {
     standing: &'a Standing<'a>,
     sums: Sums,
 }
 
-/// Products of derivatives by strengths with those by what is fitted, with each other and with what is left.
+/// Products of derivatives by strengths with those by what is fitted, with each other and with what
+/// is left.
 #[derive(Clone)]
 pub struct Sums {
     /// Of the strengths' priors.
@@ -167,7 +233,15 @@ impl<'a> Equations<'a> {
         let outer = DMatrix::zeros(Places::of(&standing.model).all(), u.len());
         let inner = DMatrix::from_diagonal(&u.map(|u: f64| u.powi(-2)));
         let score = DVector::zeros(u.len());
-        Self { standing, sums: Sums { u, outer, inner, score } }
+        Self {
+            standing,
+            sums: Sums {
+                u,
+                outer,
+                inner,
+                score,
+            },
+        }
     }
 
     /// Adds what a swing says.
@@ -186,7 +260,11 @@ impl<'a> Equations<'a> {
         let beside = Beside::of(&self.standing.fitted, &self.sums)?;
         let (strength, gain) = strengths(&beside.schur, &beside.score, &self.sums.u, one_sided)?;
         let rest = beside.rest(&strength);
-        Some(Solved { strength, rest, gain })
+        Some(Solved {
+            strength,
+            rest,
+            gain,
+        })
     }
 }
 
@@ -208,7 +286,12 @@ impl Beside {
         let absorbed = base.solve(&sums.beside_held(fitted));
         let schur = &sums.inner - sums.outer.tr_mul(&absorbed);
         let score = &sums.score - absorbed.tr_mul(&fitted.gradient);
-        Some(Self { absorbed, moved: base.solve(&fitted.gradient), schur, score })
+        Some(Self {
+            absorbed,
+            moved: base.solve(&fitted.gradient),
+            schur,
+            score,
+        })
     }
 
     /// The change of everything that is fitted beside given strengths.
@@ -221,12 +304,16 @@ impl Sums {
     /// Products with derivatives by what is fitted, none with what is held.
     pub fn beside_held(&self, fitted: &Fitted) -> DMatrix<f64> {
         let mut free = self.outer.clone();
-        fitted.held.iter().for_each(|place| free.row_mut(*place).fill(0.0));
+        fitted
+            .held
+            .iter()
+            .for_each(|place| free.row_mut(*place).fill(0.0));
         free
     }
 }
 
-/// The strengths with the gain of evidence; where they are one-sided, those that would be negative are zero.
+/// The strengths with the gain of evidence; where they are one-sided, those that would be negative
+/// are zero.
 pub fn strengths(
     schur: &DMatrix<f64>,
     score: &DVector<f64>,
@@ -241,13 +328,16 @@ pub fn strengths(
         let found = factor.solve(&wanted);
         let worst = (0..open.len()).filter(|i| one_sided && found[*i] < 0.0);
         // In standard deviations of their priors: their units differ.
-        let worst = worst.min_by(|a, b| (found[*a] / u[open[*a]]).total_cmp(&(found[*b] / u[open[*b]])));
+        let worst =
+            worst.min_by(|a, b| (found[*a] / u[open[*a]]).total_cmp(&(found[*b] / u[open[*b]])));
         if let Some(worst) = worst {
             open.remove(worst);
             continue;
         }
         let mut strength = DVector::zeros(score.len());
-        open.iter().zip(found.iter()).for_each(|(k, x)| strength[*k] = *x);
+        open.iter()
+            .zip(found.iter())
+            .for_each(|(k, x)| strength[*k] = *x);
         let log_determinant: f64 = factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
         let occam = log_determinant + open.iter().map(|k| u[*k].ln()).sum::<f64>();
         return Some((strength, 0.5 * wanted.dot(&found) - occam));
@@ -263,7 +353,11 @@ pub struct Part {
 
 impl Part {
     /// From derivatives by what is fitted and by the strengths, and the residual, row by row.
-    pub fn of(jacobian: &DMatrix<f64>, sensitivity: &DMatrix<f64>, residual: &DVector<f64>) -> Self {
+    pub fn of(
+        jacobian: &DMatrix<f64>,
+        sensitivity: &DMatrix<f64>,
+        residual: &DVector<f64>,
+    ) -> Self {
         Self {
             outer: (sensitivity.transpose() * jacobian).transpose(),
             inner: sensitivity.tr_mul(sensitivity),
@@ -272,8 +366,8 @@ impl Part {
     }
 }
 
-/// Of a swing, by the strengths of the last cause of a model that has one more, at a point where they are zero: what is left there
-/// is what the model without it leaves.
+/// Of a swing, by the strengths of the last cause of a model that has one more, at a point where
+/// they are zero: what is left there is what the model without it leaves.
 pub fn columns(
     standing: &Standing,
     extended: &Model,
@@ -287,7 +381,13 @@ pub fn columns(
     let cause = &extended.causes[last];
     let expanded = cause.expanded(extended.base.swings.len());
     let reader = Reader::along(&standing.paths[s], extended, (at, s), &blocks);
-    let read = |at: &Point| if cause.on_phone { reader.reread(at) } else { reader.moved(at) };
+    let read = |at: &Point| {
+        if cause.on_phone {
+            reader.reread(at)
+        } else {
+            reader.moved(at)
+        }
+    };
     let residual = &standing.residuals[s];
     let here = OnceCell::new();
     let mut sensitivity = DMatrix::zeros(residual.len(), strengths.len());
@@ -302,33 +402,59 @@ pub fn columns(
             read(&moved)
         };
         let up = moved(parameter.step)?;
-        // The base absorbs nearly all of what shifts a period: the little that is left must not be an error of the step.
-        let down = if cause.stiff { None } else { moved(-parameter.step).ok() };
+        // The base absorbs nearly all of what shifts a period: the little that is left must not be
+        // an error of the step.
+        let down = if cause.stiff {
+            None
+        } else {
+            moved(-parameter.step).ok()
+        };
         let (down, by) = match &down {
             Some(down) => (down, 2.0 * parameter.step),
-            None => (here.get_or_init(|| read(at)).as_ref().map_err(Clone::clone)?, parameter.step),
+            None => (
+                here.get_or_init(|| read(at))
+                    .as_ref()
+                    .map_err(Clone::clone)?,
+                parameter.step,
+            ),
         };
         let change = up.iter().zip(down).map(|(u, d)| (u - d) / by);
-        sensitivity.column_mut(column).iter_mut().zip(change).for_each(|(cell, c)| *cell = c);
+        sensitivity
+            .column_mut(column)
+            .iter_mut()
+            .zip(change)
+            .for_each(|(cell, c)| *cell = c);
     }
-    Ok(Part::of(&standing.fitted.jacobians[s], &sensitivity, residual))
+    Ok(Part::of(
+        &standing.fitted.jacobians[s],
+        &sensitivity,
+        residual,
+    ))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// One strength of three that are fitted is held at zero. What the others leave of a fourth is what a projection leaves (QR): with
-    /// the held one counted as if it could follow, less than nothing was left, and no look found anything.
+    /// One strength of three that are fitted is held at zero. What the others leave of a fourth is
+    /// what a projection leaves (QR): with the held one counted as if it could follow, less than
+    /// nothing was left, and no look found anything.
     #[test]
     fn what_is_held_makes_up_for_nothing() {
         let jacobian = DMatrix::from_fn(40, 3, |i, k| (0.3 * (i * (k + 1)) as f64).sin());
-        let sensitivity = DMatrix::from_fn(40, 1, |i, _| 2.0 * jacobian[(i, 1)] + (0.02 * i as f64).exp());
+        let sensitivity = DMatrix::from_fn(40, 1, |i, _| {
+            2.0 * jacobian[(i, 1)] + (0.02 * i as f64).exp()
+        });
         let mut matrix = jacobian.tr_mul(&jacobian);
         matrix.row_mut(1).fill(0.0);
         matrix.column_mut(1).fill(0.0);
         matrix[(1, 1)] = 1e-2;
-        let point = Point { x: vec![], mounts: vec![], causes: vec![], owns: vec![] };
+        let point = Point {
+            x: vec![],
+            mounts: vec![],
+            causes: vec![],
+            owns: vec![],
+        };
         let (gradient, jacobians) = (DVector::zeros(3), vec![]);
         let held = vec![1];
         let fitted = Fitted {
@@ -345,11 +471,23 @@ mod tests {
         };
         let outer = jacobian.tr_mul(&sensitivity);
         let (inner, score) = (sensitivity.tr_mul(&sensitivity), DVector::zeros(1));
-        let beside = Beside::of(&fitted, &Sums { u: DVector::zeros(1), outer, inner, score }).unwrap();
+        let beside = Beside::of(
+            &fitted,
+            &Sums {
+                u: DVector::zeros(1),
+                outer,
+                inner,
+                score,
+            },
+        )
+        .unwrap();
         let left = beside.schur[(0, 0)];
         let q = jacobian.remove_column(1).qr().q();
         let expected = (&sensitivity - &q * q.tr_mul(&sensitivity)).norm_squared();
-        assert!((left - expected).abs() < 1e-9 * expected, "{left} for {expected}");
+        assert!(
+            (left - expected).abs() < 1e-9 * expected,
+            "{left} for {expected}"
+        );
         assert_eq!(beside.absorbed[(1, 0)], 0.0);
     }
 }

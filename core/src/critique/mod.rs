@@ -32,8 +32,8 @@ mod words;
 
 pub use by_periods::criticise_periods;
 pub use result::{
-    CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
-    ParameterResult, Progress, SwingTrace,
+    CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult,
+    NextSwing, ParameterResult, Progress, SwingTrace,
 };
 pub use tell_apart::tell_apart;
 pub(crate) use words::sentence;
@@ -65,14 +65,24 @@ pub const FORMAT: &str = "gyradius-critique/1";
 /// Criticises a session.
 pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
     tell(progress, 0.0, "reading the swings")?;
-    let by_periods_alone = || criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
-    if !loaded.data.iter().any(|data| matches!(data.data, LoadedData::Recording(_))) {
+    let by_periods_alone =
+        || criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+    if !loaded
+        .data
+        .iter()
+        .any(|data| matches!(data.data, LoadedData::Recording(_)))
+    {
         return by_periods_alone();
     }
     let mut prepared = prepare(loaded)?;
     let x = by_periods(&mut prepared);
     tell(progress, 0.05, "fitting each swing")?;
-    let Prepared { works, system, inclines, warnings } = prepared;
+    let Prepared {
+        works,
+        system,
+        inclines,
+        warnings,
+    } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
         let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, progress)?;
         return turning.map_or_else(by_periods_alone, Ok);
@@ -110,18 +120,30 @@ fn conclude(
     let mut extended = ModelResult {
         rms_over_noise: Some(found.fitted.rms()),
         heldout_rms_over_noise: Some(rms(after)),
-        quantities: quantities(&found.model, found.fitted.at(), found.left.inflation(), inclines)?,
+        quantities: quantities(
+            &found.model,
+            found.fitted.at(),
+            found.left.inflation(),
+            inclines,
+        )?,
     };
     let otherwise = found.otherwise(inclines);
     widen(&mut extended.quantities, &otherwise);
-    let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|t| would_tell(found, t));
+    let next = found
+        .rivals()
+        .first()
+        .filter(|_| !found.is_unexplained())
+        .and_then(|t| would_tell(found, t));
     let gain = gain((before, after), rows, &baseline, &extended);
     let critique = Critique {
         format: FORMAT.into(),
         title: title(&loaded.session),
         discrepancies: findings(base, &found.base, &found.base_left)?,
         causes: found.causes(),
-        verdict: CauseVerdict { next_swing: next, ..found.verdict() },
+        verdict: CauseVerdict {
+            next_swing: next,
+            ..found.verdict()
+        },
         baseline,
         extended,
         gain,
@@ -129,20 +151,40 @@ fn conclude(
         warnings: english(&warnings),
         warnings_said: warnings,
     };
-    Ok(Criticism { critique, traces: traces(base, found)? })
+    Ok(Criticism {
+        critique,
+        traces: traces(base, found)?,
+    })
 }
 
 /// The swing that would tell the cause taken last from a rival.
 fn would_tell(found: &Found, rival: &Tried) -> Option<NextSwing> {
-    let other = Model { causes: rival.causes.clone(), ..found.model.clone() };
+    let other = Model {
+        causes: rival.causes.clone(),
+        ..found.model.clone()
+    };
     next_swing(
-        &Explained { model: &found.model, point: &found.fitted.point, id: found.model.causes.last()?.id },
-        &Explained { model: &other, point: &rival.fitted.point, id: rival.cause.id },
+        &Explained {
+            model: &found.model,
+            point: &found.fitted.point,
+            id: found.model.causes.last()?.id,
+        },
+        &Explained {
+            model: &other,
+            point: &rival.fitted.point,
+            id: rival.cause.id,
+        },
     )
 }
 
-/// What the extended model gains: χ² of so many samples held out before and after, and how the figures moved.
-fn gain((before, after): (f64, f64), rows: usize, baseline: &ModelResult, extended: &ModelResult) -> Gain {
+/// What the extended model gains: χ² of so many samples held out before and after, and how the
+/// figures moved.
+fn gain(
+    (before, after): (f64, f64),
+    rows: usize,
+    baseline: &ModelResult,
+    extended: &ModelResult,
+) -> Gain {
     let shifts = shifts(&baseline.quantities, &extended.quantities);
     Gain {
         heldout_rms_ratio: Some((before / after).sqrt()),

@@ -1,6 +1,7 @@
-//! Things that happen at a moment: the phone slips, the hull is knocked, a line gives way. What a session shows of the first two is the
-//! response to a change of pose or of motion from that moment on, so no simulation is needed to look for the moment. A line that
-//! gives way turns the hull for good as a phone slips: it is simulated about the moments at which a slip is seen.
+//! Things that happen at a moment: the phone slips, the hull is knocked, a line gives way. What a
+//! session shows of the first two is the response to a change of pose or of motion from that moment
+//! on, so no simulation is needed to look for the moment. A line that gives way turns the hull for
+//! good as a phone slips: it is simulated about the moments at which a slip is seen.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -14,8 +15,9 @@ use super::point::{Cause, OWN};
 /// Moments tried in each swing, first coarse, then about the best.
 const COARSE: usize = 24;
 const FINE: usize = 9;
-/// What a slip itself turns and jolts shows best when it was: so far to both sides of where the lasting change puts it, and of where
-/// most is left, it is looked for in steps of [`STEP_S`], s, then with other lengths, s.
+/// What a slip itself turns and jolts shows best when it was: so far to both sides of where the
+/// lasting change puts it, and of where most is left, it is looked for in steps of [`STEP_S`], s,
+/// then with other lengths, s.
 const REACH_S: f64 = 0.4;
 const STEP_S: f64 = 0.05;
 const OTHER_LENGTHS_S: [f64; 2] = [0.05, 0.5];
@@ -33,19 +35,34 @@ enum Event {
 /// First looks at what may have happened, each at its best moment.
 pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
     let model = &standing.model;
-    let times: Vec<Vec<f64>> =
-        (0..standing.residuals.len()).map(|s| model.blocks(s).iter().map(|b| b.t_s).collect()).collect();
+    let times: Vec<Vec<f64>> = (0..standing.residuals.len())
+        .map(|s| model.blocks(s).iter().map(|b| b.t_s).collect())
+        .collect();
     let scales = Scales::of(model.base, &standing.fitted.point)?;
-    let scan = Scan { standing, times, scales };
+    let scan = Scan {
+        standing,
+        times,
+        scales,
+    };
     let slips = scan.best_of_each(Event::Slip);
-    let closer = |event, slip: &Seen| (slip.gain > WORTH_IT).then(|| scan.closer(event, slip)).flatten();
-    // Where a line gave way early, the base has taken most swings as they were after it, and a phone seems to slip in one of these.
-    let gives = best(slips.iter().filter_map(|slip| closer(Event::LineSlip, slip)));
+    let closer = |event, slip: &Seen| {
+        (slip.gain > WORTH_IT)
+            .then(|| scan.closer(event, slip))
+            .flatten()
+    };
+    // Where a line gave way early, the base has taken most swings as they were after it, and a
+    // phone seems to slip in one of these.
+    let gives = best(
+        slips
+            .iter()
+            .filter_map(|slip| closer(Event::LineSlip, slip)),
+    );
     let gives = gives.map(|seen| scan.look(Event::LineSlip, seen));
     let slip = best(slips.into_iter());
     let slips = slip.map(|slip| closer(Event::Slip, &slip).unwrap_or(slip));
     let slips = slips.map(|seen| scan.look(Event::Slip, seen));
-    let knock = best(scan.best_of_each(Event::Knock).into_iter()).map(|seen| scan.look(Event::Knock, seen));
+    let knock =
+        best(scan.best_of_each(Event::Knock).into_iter()).map(|seen| scan.look(Event::Knock, seen));
     Ok(slips.into_iter().chain(knock).chain(gives).collect())
 }
 
@@ -64,12 +81,14 @@ impl Scan<'_> {
             let coarse = (1..COARSE).map(|k| k as f64 * step_s);
             let roughly = best(coarse.filter_map(|t| self.seen(event, s, t)))?;
             // Twice finer about the best.
-            [step_s / 5.0, step_s / 40.0].into_iter().try_fold(roughly, |roughly, step_s| {
-                let half = (FINE / 2) as f64;
-                let from_s = roughly.t_s - half * step_s;
-                let near = (0..FINE).map(|k| from_s + k as f64 * step_s);
-                best(near.filter_map(|t| self.seen(event, s, t)).chain([roughly]))
-            })
+            [step_s / 5.0, step_s / 40.0]
+                .into_iter()
+                .try_fold(roughly, |roughly, step_s| {
+                    let half = (FINE / 2) as f64;
+                    let from_s = roughly.t_s - half * step_s;
+                    let near = (0..FINE).map(|k| from_s + k as f64 * step_s);
+                    best(near.filter_map(|t| self.seen(event, s, t)).chain([roughly]))
+                })
         });
         tried.into_iter().flatten().collect()
     }
@@ -80,11 +99,20 @@ impl Scan<'_> {
         let later = self.later(event, roughly)?;
         let steps = (REACH_S / STEP_S) as i32;
         let near = |t_s: f64| (-steps..=steps).map(move |k| t_s + STEP_S * f64::from(k));
-        let moments: Vec<f64> =
-            near(roughly.t_s).chain(self.loudest_s(s).into_iter().flat_map(near)).collect();
+        let moments: Vec<f64> = near(roughly.t_s)
+            .chain(self.loudest_s(s).into_iter().flat_map(near))
+            .collect();
         let at = |t_s: f64, over_s: f64| self.slip(event, &later, (s, t_s), over_s);
-        let over_s = if event == Event::Slip { SLIP_S } else { GIVES_S };
-        let usual = best(in_parallel(moments.len(), |k| at(moments[k], over_s)).into_iter().flatten())?;
+        let over_s = if event == Event::Slip {
+            SLIP_S
+        } else {
+            GIVES_S
+        };
+        let usual = best(
+            in_parallel(moments.len(), |k| at(moments[k], over_s))
+                .into_iter()
+                .flatten(),
+        )?;
         let others = OTHER_LENGTHS_S.map(|over_s| at(usual.t_s, over_s));
         best(others.into_iter().flatten().chain([usual]))
     }
@@ -102,7 +130,13 @@ impl Scan<'_> {
     }
 
     /// What a swing adds for a slip of a length in that or an earlier one, by simulations.
-    fn simulated(&self, event: Event, (s, t_s): (usize, f64), over_s: f64, swing: usize) -> Option<Part> {
+    fn simulated(
+        &self,
+        event: Event,
+        (s, t_s): (usize, f64),
+        over_s: f64,
+        swing: usize,
+    ) -> Option<Part> {
         let cause = self.cause(event, (s, t_s));
         let mut at = self.standing.fitted.point.clone();
         at.causes.push(cause.start(self.times.len()));
@@ -122,16 +156,30 @@ impl Scan<'_> {
     ) -> Option<Seen> {
         let mut equations = Equations::new(self.standing, self.strength_u(event));
         equations.add(s, &self.simulated(event, (s, t_s), over_s, s)?);
-        later.iter().for_each(|(later, part)| equations.add(*later, part));
-        let Solved { strength, rest, gain } = equations.solved(false)?;
-        Some(Seen { s, t_s, over_s, gain, strength, rest })
+        later
+            .iter()
+            .for_each(|(later, part)| equations.add(*later, part));
+        let Solved {
+            strength,
+            rest,
+            gain,
+        } = equations.solved(false)?;
+        Some(Seen {
+            s,
+            t_s,
+            over_s,
+            gain,
+            strength,
+            rest,
+        })
     }
 
     /// When most is left of a swing, s.
     fn loudest_s(&self, s: usize) -> Option<f64> {
         let left = &self.standing.residuals[s];
         let loudness = |block: &usize| left.rows(3 * block, 3).norm_squared();
-        let loudest = (0..self.times[s].len()).max_by(|a, b| loudness(a).total_cmp(&loudness(b)))?;
+        let loudest =
+            (0..self.times[s].len()).max_by(|a, b| loudness(a).total_cmp(&loudness(b)))?;
         Some(self.times[s][loudest])
     }
 
@@ -141,21 +189,43 @@ impl Scan<'_> {
     }
 
     fn part(&self, s: usize, columns: &DMatrix<f64>) -> Part {
-        Part::of(&self.standing.fitted.jacobians[s], columns, &self.standing.residuals[s])
+        Part::of(
+            &self.standing.fitted.jacobians[s],
+            columns,
+            &self.standing.residuals[s],
+        )
     }
 
     /// The evidence for an event at a moment of a swing.
     fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
         let mut equations = Equations::new(self.standing, self.strength_u(event));
-        let last = if event == Event::Slip { self.standing.residuals.len() } else { s + 1 };
+        let last = if event == Event::Slip {
+            self.standing.residuals.len()
+        } else {
+            s + 1
+        };
         for swing in s..last {
             let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
             if self.has_phone_of(s, swing) {
-                equations.add(swing, &self.part(swing, &self.columns(event, swing, from_s)));
+                equations.add(
+                    swing,
+                    &self.part(swing, &self.columns(event, swing, from_s)),
+                );
             }
         }
-        let Solved { strength, rest, gain } = equations.solved(false)?;
-        Some(Seen { s, t_s, over_s: SLIP_S, gain, strength, rest })
+        let Solved {
+            strength,
+            rest,
+            gain,
+        } = equations.solved(false)?;
+        Some(Seen {
+            s,
+            t_s,
+            over_s: SLIP_S,
+            gain,
+            strength,
+            rest,
+        })
     }
 
     /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
@@ -177,7 +247,8 @@ impl Scan<'_> {
         columns
     }
 
-    /// Standard deviations of what is sought before anything is seen. Of a knock the change of motion is, not its impulses.
+    /// Standard deviations of what is sought before anything is seen. Of a knock the change of
+    /// motion is, not its impulses.
     fn strength_u(&self, event: Event) -> DVector<f64> {
         if event == Event::Knock {
             return DVector::repeat(8, 0.03);
@@ -194,21 +265,32 @@ impl Scan<'_> {
             Event::LineSlip => line_slip_at(&self.scales, s, t_s),
         };
         let start_s = self.standing.model.swing(s).samples.start_s;
-        cause.parameters.iter_mut().filter(|p| p.name == "at_s").for_each(|p| p.zero = start_s);
+        cause
+            .parameters
+            .iter_mut()
+            .filter(|p| p.name == "at_s")
+            .for_each(|p| p.zero = start_s);
         cause
     }
 
     fn look(&self, event: Event, seen: Seen) -> Look {
         let cause = self.cause(event, (seen.s, seen.t_s));
         let mut values = vec![0.0; cause.size(self.standing.residuals.len())];
-        // Strengths first, then the moment and the logarithm of the length. A knock's are not those that were seen.
+        // Strengths first, then the moment and the logarithm of the length. A knock's are not those
+        // that were seen.
         if event != Event::Knock {
             let count = seen.strength.len();
             values[..count].copy_from_slice(seen.strength.as_slice());
             values[count + 1] = seen.over_s.ln() - cause.start(self.times.len())[count + 1];
         }
         let delta = laid_out(&self.standing.model, &seen.rest, &values);
-        Look { cause, gain: seen.gain, delta, others: vec![], glimpse: None }
+        Look {
+            cause,
+            gain: seen.gain,
+            delta,
+            others: vec![],
+            glimpse: None,
+        }
     }
 }
 

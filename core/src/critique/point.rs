@@ -14,7 +14,8 @@ use crate::inertia::samples::Own;
 use super::base::{Base, Swung};
 use super::result::ParameterResult;
 
-/// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and accelerometer (6).
+/// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and
+/// accelerometer (6).
 pub const OWN: usize = 19;
 /// Where the damping rates begin.
 pub const DAMPING: usize = 8;
@@ -24,14 +25,16 @@ pub const BIAS: usize = 13;
 /// Where a phone sits, hull axes.
 #[derive(Debug, Clone)]
 pub struct Mount {
-    /// From the hull's centre of mass, m: the suspension points move along the deck where a hull hangs tilted.
+    /// From the hull's centre of mass, m: the suspension points move along the deck where a hull
+    /// hangs tilted.
     pub place: Vec3,
     pub hull_from_phone: Rotation,
 }
 
 impl Mount {
-    /// Shifted, and turned in its own axes. Its place turns with it: swings in yaw do not tell where a phone's top points, and do tell
-    /// how far it lies from the centre of mass, and along which of its axes.
+    /// Shifted, and turned in its own axes. Its place turns with it: swings in yaw do not tell
+    /// where a phone's top points, and do tell how far it lies from the centre of mass, and along
+    /// which of its axes.
     pub fn moved(&self, shift: Vec3, turn: Vec3) -> Self {
         let turned = self.hull_from_phone * Rotation::from_scaled_axis(turn);
         Self {
@@ -56,7 +59,8 @@ pub struct Point {
 #[derive(Debug, Clone)]
 pub struct CauseParameter {
     pub name: &'static str,
-    /// Unit of the rig, and how much of it is one of the parameter; logarithms are reported as what they are of.
+    /// Unit of the rig, and how much of it is one of the parameter; logarithms are reported as what
+    /// they are of.
     pub unit: &'static str,
     pub factor: f64,
     /// Where its zero is, in that unit: a time in the samples begins when they do.
@@ -66,7 +70,8 @@ pub struct CauseParameter {
     pub prior: (f64, f64),
     /// Step for numerical derivatives, small against the prior.
     pub step: f64,
-    /// The effect is in proportion to it: the first look fits it. Others are held at the mean there.
+    /// The effect is in proportion to it: the first look fits it. Others are held at the mean
+    /// there.
     pub is_strength: bool,
     /// Each swing has its own.
     pub of_swing: bool,
@@ -77,21 +82,30 @@ pub struct CauseParameter {
 impl CauseParameter {
     /// A value as it is told, in its unit.
     pub fn told(&self, value: f64) -> f64 {
-        if self.is_log { value.exp() } else { value * self.factor + self.zero }
+        if self.is_log {
+            value.exp()
+        } else {
+            value * self.factor + self.zero
+        }
     }
 
     /// The same with its standard uncertainty.
     pub fn result(&self, value: f64, u: f64) -> ParameterResult {
         let told = self.told(value);
         let scale = if self.is_log { told } else { self.factor };
-        ParameterResult { value: told, u: u * scale, unit: self.unit.into() }
+        ParameterResult {
+            value: told,
+            u: u * scale,
+            unit: self.unit.into(),
+        }
     }
 }
 
 /// Where any value has a meaning.
 pub const NO_LIMITS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// Puts a cause of given parameters (the session's, then the swing's own) into the experiment of a swing.
+/// Puts a cause of given parameters (the session's, then the swing's own) into the experiment of a
+/// swing.
 pub type Put = Arc<dyn Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync>;
 
 /// Something that the base simulation leaves out.
@@ -105,9 +119,11 @@ pub struct Cause {
     pub on_phone: bool,
     /// Whether its law has a kink.
     pub kinked: bool,
-    /// Whether it makes the motion stiff, so that a simulation takes long, or has no meaning below zero: first looks step to one side.
+    /// Whether it makes the motion stiff, so that a simulation takes long, or has no meaning below
+    /// zero: first looks step to one side.
     pub stiff: bool,
-    /// Whether derivatives by everything else are taken without it, since with it they take long and differ little.
+    /// Whether derivatives by everything else are taken without it, since with it they take long
+    /// and differ little.
     pub apart: bool,
     /// Strengths below zero have no physical meaning.
     pub one_sided: bool,
@@ -146,8 +162,8 @@ impl Form {
     }
 }
 
-/// A linear form of a cause: strengths without regard to how they hang together, and what comes nearest to them of all that the cause can
-/// be; none where nothing does.
+/// A linear form of a cause: strengths without regard to how they hang together, and what comes
+/// nearest to them of all that the cause can be; none where nothing does.
 pub struct LookAlike {
     pub cause: Cause,
     pub nearest: FindNearest,
@@ -155,7 +171,8 @@ pub struct LookAlike {
 
 pub type FindNearest = Box<dyn Fn(&Seen) -> Option<Nearest> + Send + Sync>;
 
-/// Strengths that a first look saw, with what the data say of them beside everything that is fitted: information and score.
+/// Strengths that a first look saw, with what the data say of them beside everything that is
+/// fitted: information and score.
 pub struct Seen {
     pub strengths: DVector<f64>,
     pub information: DMatrix<f64>,
@@ -163,7 +180,8 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// How far to go along strengths, not backwards, and what that gains of the logarithm of the likelihood.
+    /// How far to go along strengths, not backwards, and what that gains of the logarithm of the
+    /// likelihood.
     pub fn along(&self, way: &DVector<f64>) -> (f64, f64) {
         let pull = self.score.dot(way).max(0.0);
         let amount = pull / way.dot(&(&self.information * way));
@@ -171,7 +189,8 @@ impl Seen {
     }
 }
 
-/// What a cause can be that is nearest to strengths that were seen: its own strengths, and its parameters (not a number: where they begin).
+/// What a cause can be that is nearest to strengths that were seen: its own strengths, and its
+/// parameters (not a number: where they begin).
 pub struct Nearest {
     pub strengths: DVector<f64>,
     pub parameters: Vec<f64>,
@@ -180,34 +199,63 @@ pub struct Nearest {
 impl Cause {
     /// How many values its parameters have in a session of so many swings.
     pub fn size(&self, swings: usize) -> usize {
-        self.parameters.iter().map(|p| if p.of_swing { swings } else { 1 }).sum()
+        self.parameters
+            .iter()
+            .map(|p| if p.of_swing { swings } else { 1 })
+            .sum()
     }
 
     /// Its parameters value by value, each with the swing that it belongs to.
     pub fn expanded(&self, swings: usize) -> Vec<(&CauseParameter, Option<usize>)> {
-        let of_session = self.parameters.iter().filter(|p| !p.of_swing).map(|p| (p, None));
-        let of_swing = (0..swings)
-            .flat_map(|s| self.parameters.iter().filter(|p| p.of_swing).map(move |p| (p, Some(s))));
+        let of_session = self
+            .parameters
+            .iter()
+            .filter(|p| !p.of_swing)
+            .map(|p| (p, None));
+        let of_swing = (0..swings).flat_map(|s| {
+            self.parameters
+                .iter()
+                .filter(|p| p.of_swing)
+                .map(move |p| (p, Some(s)))
+        });
         of_session.chain(of_swing).collect()
     }
 
-    /// Limits of its parameters, value by value; those of strengths that cannot be below zero among them.
+    /// Limits of its parameters, value by value; those of strengths that cannot be below zero among
+    /// them.
     pub fn limits(&self, swings: usize) -> Vec<(f64, f64)> {
         let above_zero = |p: &CauseParameter| self.one_sided && p.is_strength;
-        let of = |p: &CauseParameter| if above_zero(p) { (0.0, p.limits.1) } else { p.limits };
-        self.expanded(swings).into_iter().map(|(p, _)| of(p)).collect()
+        let of = |p: &CauseParameter| {
+            if above_zero(p) {
+                (0.0, p.limits.1)
+            } else {
+                p.limits
+            }
+        };
+        self.expanded(swings)
+            .into_iter()
+            .map(|(p, _)| of(p))
+            .collect()
     }
 
     /// Where its priors have their mean.
     pub fn start(&self, swings: usize) -> Vec<f64> {
-        self.expanded(swings).iter().map(|(p, _)| p.prior.0).collect()
+        self.expanded(swings)
+            .iter()
+            .map(|(p, _)| p.prior.0)
+            .collect()
     }
 
     /// What concerns a swing.
     fn of_swing(&self, values: &[f64], swings: usize, swing: usize) -> Vec<f64> {
         let expanded = self.expanded(swings);
         let concerns = |own: &Option<usize>| own.is_none_or(|s| s == swing);
-        expanded.iter().zip(values).filter(|((_, own), _)| concerns(own)).map(|(_, v)| *v).collect()
+        expanded
+            .iter()
+            .zip(values)
+            .filter(|((_, own), _)| concerns(own))
+            .map(|(_, v)| *v)
+            .collect()
     }
 }
 
@@ -220,7 +268,8 @@ pub struct Model<'a> {
     pub part: Part,
     /// One of many that are fitted side by side.
     pub of_many: bool,
-    /// Near the best fit: derivatives by causes are taken over short steps, and of motions as fine as those that are compared.
+    /// Near the best fit: derivatives by causes are taken over short steps, and of motions as fine
+    /// as those that are compared.
     pub fine: bool,
 }
 
@@ -238,7 +287,8 @@ pub enum Part {
 const STRETCHES: f64 = 12.0;
 /// … of which the second of every three is held out.
 const OUT_OF: usize = 3;
-/// What fast parts of an effect were doing before the recording began is not known: so much is not compared, s.
+/// What fast parts of an effect were doing before the recording began is not known: so much is not
+/// compared, s.
 pub const SETTLING_S: f64 = 0.5;
 
 /// Place of the first time that is compared.
@@ -264,14 +314,23 @@ impl Part {
 impl<'a> Model<'a> {
     /// The base simulation, for all of the recordings.
     pub fn of(base: &'a Base<'a>) -> Self {
-        Self { base, causes: vec![], part: Part::All, of_many: false, fine: false }
+        Self {
+            base,
+            causes: vec![],
+            part: Part::All,
+            of_many: false,
+            fine: false,
+        }
     }
 }
 
 impl Model<'_> {
     /// The same model, as it is fitted near its best.
     pub fn precise(&self) -> Self {
-        Self { fine: true, ..self.clone() }
+        Self {
+            fine: true,
+            ..self.clone()
+        }
     }
 
     pub fn swing(&self, s: usize) -> &Swung<'_> {
@@ -295,39 +354,67 @@ impl Model<'_> {
         model
     }
 
-    /// The model and its point without those of the first so many causes that derivatives are taken apart from.
+    /// The model and its point without those of the first so many causes that derivatives are taken
+    /// apart from.
     pub fn pliant(&self, point: &Point, count: usize) -> (Self, Point) {
         let all = self.causes.iter().zip(&point.causes).enumerate();
         let stays = all.filter(|(k, (cause, _))| *k >= count || !cause.apart);
-        let (causes, values) = stays.map(|(_, (cause, values))| (cause.clone(), values.clone())).unzip();
-        (Self { causes, ..self.clone() }, Point { causes: values, ..point.clone() })
+        let (causes, values) = stays
+            .map(|(_, (cause, values))| (cause.clone(), values.clone()))
+            .unzip();
+        (
+            Self {
+                causes,
+                ..self.clone()
+            },
+            Point {
+                causes: values,
+                ..point.clone()
+            },
+        )
     }
 
     /// The same model, its derivatives taken of all at once.
     pub fn whole(&self) -> Self {
         let mut model = self.clone();
-        model.causes.iter_mut().for_each(|cause| cause.apart = false);
+        model
+            .causes
+            .iter_mut()
+            .for_each(|cause| cause.apart = false);
         model
     }
 
     pub fn fineness(&self) -> Fineness {
         let kinked = self.causes.iter().any(|c| c.kinked);
-        if kinked { Fineness::OF_KINKED_FITS } else { Fineness::OF_FITS }
+        if kinked {
+            Fineness::OF_KINKED_FITS
+        } else {
+            Fineness::OF_FITS
+        }
     }
 
-    /// The same for derivatives that lead on the way: those of smooth motions over longer steps. (A step over a kink differs more from its
-    /// neighbours than a motion does from that of shorter steps.)
+    /// The same for derivatives that lead on the way: those of smooth motions over longer steps. (A
+    /// step over a kink differs more from its neighbours than a motion does from that of shorter
+    /// steps.)
     pub fn fineness_of_slopes(&self) -> Fineness {
         let fineness = self.fineness();
         let is_smooth = fineness == Fineness::OF_FITS;
-        if is_smooth && !self.fine { Fineness::OF_SLOPES_OF_FITS } else { fineness }
+        if is_smooth && !self.fine {
+            Fineness::OF_SLOPES_OF_FITS
+        } else {
+            fineness
+        }
     }
 
     /// The experiment of a swing.
     pub fn experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
         let mut experiment = self.plain_experiment(point, s)?;
         for (cause, values) in self.causes.iter().zip(&point.causes) {
-            (cause.put)(&cause.of_swing(values, self.base.swings.len(), s), s, &mut experiment)?;
+            (cause.put)(
+                &cause.of_swing(values, self.base.swings.len(), s),
+                s,
+                &mut experiment,
+            )?;
         }
         Ok(experiment)
     }

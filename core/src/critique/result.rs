@@ -22,7 +22,8 @@ pub struct Critique {
     pub baseline: ModelResult,
     /// What it gets wrong, the most significant first.
     pub discrepancies: Vec<Discrepancy>,
-    /// Causes that were tried in full, the most probable first. `unknown` among them is what no known cause accounts for.
+    /// Causes that were tried in full, the most probable first. `unknown` among them is what no
+    /// known cause accounts for.
     pub causes: Vec<CauseResult>,
     /// What follows.
     pub verdict: CauseVerdict,
@@ -51,16 +52,26 @@ impl Critique {
     /// A criticism from its `gyradius-critique/1` text.
     pub fn from_json(text: &str) -> Result<Self> {
         let read: serde_json::Result<Self> = serde_json::from_str(text);
-        Ok(read.map_err(|error| Error::argument("critique", "its JSON", error))?.with_words())
+        Ok(read
+            .map_err(|error| Error::argument("critique", "its JSON", error))?
+            .with_words())
     }
 
-    /// As read from a file: sentences that it has in English alone are those that are told in every language.
+    /// As read from a file: sentences that it has in English alone are those that are told in every
+    /// language.
     pub(crate) fn with_words(mut self) -> Self {
         let verdict = &mut self.verdict;
         verdict.said.or_english(&verdict.text);
-        verdict.next_swing.iter_mut().for_each(|next| next.said.or_english(&next.text));
-        self.causes.iter_mut().for_each(|cause| cause.said.or_english(&cause.text));
-        self.discrepancies.iter_mut().for_each(|found| found.said.or_english(&found.text));
+        verdict
+            .next_swing
+            .iter_mut()
+            .for_each(|next| next.said.or_english(&next.text));
+        self.causes
+            .iter_mut()
+            .for_each(|cause| cause.said.or_english(&cause.text));
+        self.discrepancies
+            .iter_mut()
+            .for_each(|found| found.said.or_english(&found.text));
         or_english(&mut self.warnings_said, &self.warnings);
         self
     }
@@ -82,8 +93,9 @@ pub struct ModelResult {
 pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
-    /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time`, `residual_vs_phase`,
-    /// `line_in_spectrum`, `across_the_axis`, `saturated`, `between_swings`, `dimension`.
+    /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time`,
+    /// `residual_vs_phase`, `line_in_spectrum`, `across_the_axis`, `saturated`, `between_swings`,
+    /// `dimension`.
     pub what: String,
     /// How large it is.
     pub size: f64,
@@ -100,16 +112,34 @@ pub struct Discrepancy {
 
 impl Discrepancy {
     /// One of a swing: what it is, its size with the unit, its significance, and in words.
-    pub(super) fn of(swing: &str, what: &str, (size, unit): (f64, &str), sigma: f64, said: Text) -> Self {
+    pub(super) fn of(
+        swing: &str,
+        what: &str,
+        (size, unit): (f64, &str),
+        sigma: f64,
+        said: Text,
+    ) -> Self {
         let text = said.english.clone();
-        Self { swing: swing.into(), what: what.into(), size, unit: unit.into(), sigma, text, said }
+        Self {
+            swing: swing.into(),
+            what: what.into(),
+            size,
+            unit: unit.into(),
+            sigma,
+            text,
+            said,
+        }
     }
 }
 
 impl NextSwing {
     /// With its words.
     pub(super) fn told(self, said: Text) -> Self {
-        Self { text: said.english.clone(), said, ..self }
+        Self {
+            text: said.english.clone(),
+            said,
+            ..self
+        }
     }
 }
 
@@ -213,7 +243,8 @@ pub struct LearnedForce {
     pub coordinate: String,
     /// Unit of the force.
     pub unit: String,
-    /// The force at places, rates and times: rows of position, rate, time, force, its standard uncertainty.
+    /// The force at places, rates and times: rows of position, rate, time, force, its standard
+    /// uncertainty.
     pub points: Vec<[f64; 5]>,
     /// The simplest closed form that does as well.
     pub equation: String,

@@ -1,4 +1,5 @@
-//! One motion of a swing as a sensor saw it, measured and simulated: period and decay against amplitude, what is left against phase.
+//! One motion of a swing as a sensor saw it, measured and simulated: period and decay against
+//! amplitude, what is left against phase.
 //!
 //! # Conventions
 //! The channel is a turn rate about one axis, rad/s. Amplitudes are those of the angle.
@@ -13,9 +14,11 @@ use crate::signal::{ChannelGroup, Pole, WindowPoint, WindowedMode, against_ampli
 
 /// Differences of more standard uncertainties are told of.
 const TOLD: f64 = 4.0;
-/// A rate above this share of the highest within a swing is that of its middle: half of the time is spent there, 1/√2.
+/// A rate above this share of the highest within a swing is that of its middle: half of the time is
+/// spent there, 1/√2.
 const MIDDLE: f64 = std::f64::consts::FRAC_1_SQRT_2;
-/// Amplitudes nearer to each other than by this factor say nothing of how the period goes with them.
+/// Amplitudes nearer to each other than by this factor say nothing of how the period goes with
+/// them.
 const GROWN: f64 = 1.1;
 /// Fewer samples at either place say nothing of how much is left there.
 const FEWEST: f64 = 30.0;
@@ -51,20 +54,33 @@ impl Seen<'_> {
         pairs.sort_by(|a, b| b.0.amplitude.total_cmp(&a.0.amplitude));
         let period = thirds(&pairs, |p| (p.period_s, p.period_se_s)).and_then(|t| self.period(&t));
         let decay = thirds(&pairs, |p| (100.0 * p.decrement, 100.0 * p.decrement_se));
-        period.into_iter().chain(decay.and_then(|t| self.decay(&t))).chain(self.against_phase()).collect()
+        period
+            .into_iter()
+            .chain(decay.and_then(|t| self.decay(&t)))
+            .chain(self.against_phase())
+            .collect()
     }
 
     /// Windows through the record, measured and simulated.
     fn pairs(&self) -> Vec<Pair> {
         let simulated = self.windows(self.simulated_rad_s);
         let same = |m: &WindowPoint| {
-            simulated.iter().copied().find(|s| (s.t_s - m.t_s).abs() < 1e-6 * self.duration_s)
+            simulated
+                .iter()
+                .copied()
+                .find(|s| (s.t_s - m.t_s).abs() < 1e-6 * self.duration_s)
         };
-        self.windows(self.measured_rad_s).into_iter().filter_map(|m| Some((m, same(&m)?))).collect()
+        self.windows(self.measured_rad_s)
+            .into_iter()
+            .filter_map(|m| Some((m, same(&m)?)))
+            .collect()
     }
 
     fn windows(&self, rates_rad_s: &[f64]) -> Vec<WindowPoint> {
-        let group = ChannelGroup { t_s: self.t_s.to_vec(), channels: vec![rates_rad_s.to_vec()] };
+        let group = ChannelGroup {
+            t_s: self.t_s.to_vec(),
+            channels: vec![rates_rad_s.to_vec()],
+        };
         let wanted = WindowedMode {
             span_s: (0.0, self.duration_s),
             mode: self.mode,
@@ -95,7 +111,13 @@ impl Seen<'_> {
                 ("simulated", other),
             ],
         );
-        Some(Discrepancy::of(self.swing, "period_vs_amplitude", (measured - simulated, "%"), sigma, said))
+        Some(Discrepancy::of(
+            self.swing,
+            "period_vs_amplitude",
+            (measured - simulated, "%"),
+            sigma,
+            said,
+        ))
     }
 
     fn decay(&self, thirds: &[Third; 3]) -> Option<Discrepancy> {
@@ -123,7 +145,13 @@ impl Seen<'_> {
                 ("losses", Argument::Texts(thirds.iter().map(loss).collect())),
             ],
         );
-        Some(Discrepancy::of(self.swing, "decay_vs_amplitude", (size, "%"), sigma, said))
+        Some(Discrepancy::of(
+            self.swing,
+            "decay_vs_amplitude",
+            (size, "%"),
+            sigma,
+            said,
+        ))
     }
 
     /// Whether more is left where the body passes its middle, or where it turns round.
@@ -132,11 +160,17 @@ impl Seen<'_> {
         let (mut sums, mut counts) = ([0.0; 2], [0.0; 2]);
         let mut from = 0;
         while from < self.t_s.len() {
-            let to = self.t_s.partition_point(|t| *t < self.t_s[from] + half_s).max(from + 1);
-            let highest = self.simulated_rad_s[from..to].iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+            let to = self
+                .t_s
+                .partition_point(|t| *t < self.t_s[from] + half_s)
+                .max(from + 1);
+            let highest = self.simulated_rad_s[from..to]
+                .iter()
+                .fold(0.0, |most: f64, r| most.max(r.abs()));
             for i in from..to {
                 let k = usize::from(self.simulated_rad_s[i].abs() > MIDDLE * highest);
-                sums[k] += ((self.measured_rad_s[i] - self.simulated_rad_s[i]) / self.noise_rad_s).powi(2);
+                sums[k] +=
+                    ((self.measured_rad_s[i] - self.simulated_rad_s[i]) / self.noise_rad_s).powi(2);
                 counts[k] += 1.0;
             }
             from = to;
@@ -150,7 +184,11 @@ impl Seen<'_> {
         let sigma = (ends - middle).abs() / u[0].hypot(u[1]);
         (sigma > TOLD).then(|| {
             let said = words::said(
-                if ends > middle { "at_ends" } else { "at_middle" },
+                if ends > middle {
+                    "at_ends"
+                } else {
+                    "at_middle"
+                },
                 [
                     ("swing", words::id(self.swing)),
                     ("motion", words::motion(self.motion)),
@@ -158,7 +196,13 @@ impl Seen<'_> {
                     ("less", words::number(ends.min(middle).sqrt(), 2)),
                 ],
             );
-            Discrepancy::of(self.swing, "residual_vs_phase", (ends.sqrt() - middle.sqrt(), "1"), sigma, said)
+            Discrepancy::of(
+                self.swing,
+                "residual_vs_phase",
+                (ends.sqrt() - middle.sqrt(), "1"),
+                sigma,
+                said,
+            )
         })
     }
 }
@@ -172,8 +216,9 @@ fn thirds(pairs: &[Pair], figure: impl Fn(&WindowPoint) -> (f64, f64)) -> Option
     let third = |part: &[Pair]| {
         let weight = |pair: &Pair| figure(&pair.0).1.max(f64::MIN_POSITIVE).powi(-2);
         let sum: f64 = part.iter().map(weight).sum();
-        let mean =
-            |of: &dyn Fn(&Pair) -> f64| part.iter().map(|pair| of(pair) * weight(pair)).sum::<f64>() / sum;
+        let mean = |of: &dyn Fn(&Pair) -> f64| {
+            part.iter().map(|pair| of(pair) * weight(pair)).sum::<f64>() / sum
+        };
         Third {
             amplitude_deg: mean(&|(m, _)| m.amplitude_over_omega().to_degrees()),
             measured: mean(&|(m, _)| figure(m).0),
@@ -181,16 +226,26 @@ fn thirds(pairs: &[Pair], figure: impl Fn(&WindowPoint) -> (f64, f64)) -> Option
             u: sum.sqrt().recip(),
         }
     };
-    Some([&pairs[..size], &pairs[size..pairs.len() - size], &pairs[pairs.len() - size..]].map(third))
+    Some(
+        [
+            &pairs[..size],
+            &pairs[size..pairs.len() - size],
+            &pairs[pairs.len() - size..],
+        ]
+        .map(third),
+    )
 }
 
-/// The two thirds, the wider first, between which measured less simulated changes most, and by how many standard uncertainties; `None` where
-/// that is chance.
+/// The two thirds, the wider first, between which measured less simulated changes most, and by how
+/// many standard uncertainties; `None` where that is chance.
 fn most_unlike(thirds: &[Third; 3]) -> Option<(&Third, &Third, f64)> {
     let off = |t: &Third| t.measured - t.simulated;
     let pairs = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| (&thirds[i], &thirds[j]));
     let unlike = pairs.map(|(a, b)| (a, b, (off(a) - off(b)).abs() / a.u.hypot(b.u)));
-    unlike.into_iter().max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., sigma)| *sigma > TOLD)
+    unlike
+        .into_iter()
+        .max_by(|a, b| a.2.total_cmp(&b.2))
+        .filter(|(.., sigma)| *sigma > TOLD)
 }
 
 /// Figures with two digits of an uncertainty.
@@ -208,11 +263,13 @@ mod tests {
     const START_RAD: f64 = 0.3;
     const NOISE: f64 = 1e-4;
 
-    /// Rates of an oscillation that decays as e^{−αt} while ω = ω₀ (1 − softening A²), noise of a fixed pattern on top.
+    /// Rates of an oscillation that decays as e^{−αt} while ω = ω₀ (1 − softening A²), noise of a
+    /// fixed pattern on top.
     fn rates(softening: f64, noise: f64, t_s: &[f64]) -> Vec<f64> {
         let rate = |(i, t): (usize, &f64)| {
             let left = (-2.0 * ALPHA * t).exp();
-            let phase = OMEGA * t - OMEGA * softening * START_RAD.powi(2) * (1.0 - left) / (2.0 * ALPHA);
+            let phase =
+                OMEGA * t - OMEGA * softening * START_RAD.powi(2) * (1.0 - left) / (2.0 * ALPHA);
             // Hashed by a product with the golden ratio: uniform, variance 1/12.
             let chance = ((i as f64 * 0.618_033_988_749_895).fract() * 7919.0).fract() - 0.5;
             OMEGA * START_RAD * left.sqrt() * phase.cos() + noise * 12f64.sqrt() * chance
@@ -230,7 +287,10 @@ mod tests {
             simulated_rad_s: &rates(simulated, 0.0, &t_s),
             noise_rad_s: NOISE,
             duration_s: 120.0,
-            mode: Pole { omega_rad_s: OMEGA, alpha_per_s: ALPHA },
+            mode: Pole {
+                omega_rad_s: OMEGA,
+                alpha_per_s: ALPHA,
+            },
             others: &[],
         };
         seen.findings()
@@ -239,7 +299,10 @@ mod tests {
     #[test]
     fn the_period_s_growth_is_told_at_its_amplitudes() {
         let all = findings(1.0 / 16.0, 0.0);
-        let told = all.iter().find(|d| d.what == "period_vs_amplitude").unwrap();
+        let told = all
+            .iter()
+            .find(|d| d.what == "period_vs_amplitude")
+            .unwrap();
         let amplitudes: Vec<f64> = told
             .text
             .split_whitespace()
@@ -249,7 +312,11 @@ mod tests {
         // T = T₀ (1 + A²/16 + …).
         let expected = 100.0 * (amplitudes[1].powi(2) - amplitudes[0].powi(2)) / 16.0;
         assert!(amplitudes[1] > 2.0 * amplitudes[0], "{}", told.text);
-        assert!((told.size / expected - 1.0).abs() < 0.05, "{} against {expected}", told.text);
+        assert!(
+            (told.size / expected - 1.0).abs() < 0.05,
+            "{} against {expected}",
+            told.text
+        );
     }
 
     #[test]
@@ -262,7 +329,9 @@ mod tests {
     #[test]
     fn nothing_is_told_of_a_place_that_no_sample_shows() {
         let t_s: Vec<f64> = (0..1000).map(|i| 0.01 * f64::from(i)).collect();
-        let measured: Vec<f64> = (0..1000).map(|i| if i % 2 == 0 { NOISE } else { -NOISE }).collect();
+        let measured: Vec<f64> = (0..1000)
+            .map(|i| if i % 2 == 0 { NOISE } else { -NOISE })
+            .collect();
         let seen = Seen {
             swing: "s",
             motion: ModeName::PitchInPhase,
@@ -271,7 +340,10 @@ mod tests {
             simulated_rad_s: &vec![1.0; 1000],
             noise_rad_s: NOISE,
             duration_s: 10.0,
-            mode: Pole { omega_rad_s: 500.0, alpha_per_s: ALPHA },
+            mode: Pole {
+                omega_rad_s: 500.0,
+                alpha_per_s: ALPHA,
+            },
             others: &[],
         };
         assert!(seen.against_phase().is_none());

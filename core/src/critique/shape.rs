@@ -18,7 +18,10 @@ pub fn energy(shape: &[Complex64; 3]) -> f64 {
 
 /// The direction along which a shape moves most.
 pub fn direction(shape: &[Complex64; 3]) -> Vec3 {
-    let (re, im) = (Vec3::from_fn(|k, _| shape[k].re), Vec3::from_fn(|k, _| shape[k].im));
+    let (re, im) = (
+        Vec3::from_fn(|k, _| shape[k].re),
+        Vec3::from_fn(|k, _| shape[k].im),
+    );
     let matrix: Matrix3<f64> = re * re.transpose() + im * im.transpose();
     let eigen = matrix.symmetric_eigen();
     let most = eigen.eigenvalues.imax();

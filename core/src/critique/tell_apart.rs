@@ -1,4 +1,5 @@
-//! The swing that would tell two causes apart which somebody names, whether the criticism would have named them or not.
+//! The swing that would tell two causes apart which somebody names, whether the criticism would
+//! have named them or not.
 
 use crate::error::{Error, Result};
 use crate::inertia::measure::{Prepared, prepare};
@@ -14,25 +15,46 @@ use super::result::{NextSwing, Progress};
 use super::search::Found;
 use super::trial::Tried;
 
-/// The swing, among those thought of, in which the two causes, each fitted to the session beside nothing else, differ most:
-/// that of the criticism's verdict, for causes of one's own choice.
+/// The swing, among those thought of, in which the two causes, each fitted to the session beside
+/// nothing else, differ most: that of the criticism's verdict, for causes of one's own choice.
 ///
 /// # Errors
-/// [`Error::Argument`] for a name that is no cause of this kind of session; [`Error::NoResult`] where the session cannot be
-/// simulated, or no swing tells the two.
-pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress) -> Result<NextSwing> {
+/// [`Error::Argument`] for a name that is no cause of this kind of session; [`Error::NoResult`]
+/// where the session cannot be simulated, or no swing tells the two.
+pub fn tell_apart(
+    loaded: &LoadedSession,
+    causes: [&str; 2],
+    progress: &Progress,
+) -> Result<NextSwing> {
     if causes[0] == causes[1] {
-        return Err(Error::argument("tell_apart", "two different causes", causes[0]));
+        return Err(Error::argument(
+            "tell_apart",
+            "two different causes",
+            causes[0],
+        ));
     }
     tell(progress, 0.0, "reading the swings")?;
-    if !loaded.data.iter().any(|data| matches!(data.data, LoadedData::Recording(_))) {
-        let found = tell_apart_by_periods(loaded, &analyse(loaded, &MeasureOptions::default())?, causes)?;
+    if !loaded
+        .data
+        .iter()
+        .any(|data| matches!(data.data, LoadedData::Recording(_)))
+    {
+        let found = tell_apart_by_periods(
+            loaded,
+            &analyse(loaded, &MeasureOptions::default())?,
+            causes,
+        )?;
         return found.ok_or_else(|| not_told(causes));
     }
     let mut prepared = prepare(loaded)?;
     let x = by_periods(&mut prepared);
     tell(progress, 0.05, "fitting each swing")?;
-    let Prepared { works, system, inclines, .. } = prepared;
+    let Prepared {
+        works,
+        system,
+        inclines,
+        ..
+    } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
         let reason = "no swing on two lines that a simulation can be fitted to";
         return Err(Error::no_result("telling causes apart", reason));
@@ -46,12 +68,23 @@ pub fn tell_apart(loaded: &LoadedSession, causes: [&str; 2], progress: &Progress
     let models = [&one, &other].map(|tried: &Tried| found.model.with(&tried.cause));
     tell(progress, 0.7, "looking for the swing")?;
     let next = next_swing(
-        &Explained { model: &models[0], point: &one.fitted.point, id: one.cause.id },
-        &Explained { model: &models[1], point: &other.fitted.point, id: other.cause.id },
+        &Explained {
+            model: &models[0],
+            point: &one.fitted.point,
+            id: one.cause.id,
+        },
+        &Explained {
+            model: &models[1],
+            point: &other.fitted.point,
+            id: other.cause.id,
+        },
     );
     next.ok_or_else(|| not_told(causes))
 }
 
 fn not_told([one, other]: [&str; 2]) -> Error {
-    Error::no_result("telling causes apart", format!("no swing thought of tells {one} from {other}"))
+    Error::no_result(
+        "telling causes apart",
+        format!("no swing thought of tells {one} from {other}"),
+    )
 }

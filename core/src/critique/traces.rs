@@ -11,7 +11,8 @@ use super::words;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// For each swing the channel that moves most against its noise, by both simulations, from where they are compared.
+/// For each swing the channel that moves most against its noise, by both simulations, from where
+/// they are compared.
 pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
     let one = |s: usize| -> Result<SwingTrace> {
         let swung = base.swing(s);
@@ -48,7 +49,11 @@ fn strongest(base: &Model, s: usize) -> (usize, usize) {
         let count = samples.values.len().max(1) as f64;
         let mean = samples.values.iter().sum::<Vec3>() / count;
         for axis in 0..3 {
-            let square: f64 = samples.values.iter().map(|v| (v[axis] - mean[axis]).powi(2)).sum();
+            let square: f64 = samples
+                .values
+                .iter()
+                .map(|v| (v[axis] - mean[axis]).powi(2))
+                .sum();
             let size = (square / count).sqrt() / samples.noise[axis];
             if size > best.2 {
                 best = (stream, axis, size);

@@ -1,8 +1,8 @@
 //! Whether anything is left in residuals: their spectrum against that of white noise.
 //!
-//! Each channel's residual over its noise is transformed; bands of neighbouring frequencies are judged together, at low
-//! frequencies one by one, so that a line and a hump show alike. White noise gives each frequency a power that follows
-//! χ² of two degrees of freedom.
+//! Each channel's residual over its noise is transformed; bands of neighbouring frequencies are
+//! judged together, at low frequencies one by one, so that a line and a hump show alike. White
+//! noise gives each frequency a power that follows χ² of two degrees of freedom.
 
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex64;
@@ -20,8 +20,9 @@ const BAND: f64 = 0.06;
 const LINE: f64 = 0.15;
 /// The white level of a channel is known to this, relative: broad bands must exceed it to count.
 const LEVEL_U: f64 = 0.01;
-/// What a model leaves is next to nothing up to this share of what another left: laws differ a little from nature's. (A law that bends to
-/// much leaves a hundredth of a great effect, and an inertia that is off by many standard deviations.)
+/// What a model leaves is next to nothing up to this share of what another left: laws differ a
+/// little from nature's. (A law that bends to much leaves a hundredth of a great effect, and an
+/// inertia that is off by many standard deviations.)
 const NEXT_TO_NOTHING: f64 = 1e-3;
 
 /// A band of a channel in which more is left than noise.
@@ -52,8 +53,8 @@ impl Left {
         self.bands.iter().map(|b| b.excess).sum()
     }
 
-    /// Factor on the variance of what samples say: what is left moves the estimates as noise would that were as strong
-    /// where it is.
+    /// Factor on the variance of what samples say: what is left moves the estimates as noise would
+    /// that were as strong where it is.
     pub fn inflation(&self) -> f64 {
         let strongest = |band: &Band| 1.0 + band.excess / band.expected;
         self.bands.iter().map(strongest).fold(1.0, f64::max)
@@ -68,7 +69,8 @@ impl Left {
         self.excess() <= NEXT_TO_NOTHING * beside.excess()
     }
 
-    /// Frequencies where most is left, Hz, so many of them and no nearer to each other than what is one line.
+    /// Frequencies where most is left, Hz, so many of them and no nearer to each other than what is
+    /// one line.
     pub fn peaks_hz(&self, most: usize) -> Vec<f64> {
         let mut bands: Vec<&Band> = self.bands.iter().collect();
         bands.sort_by(|a, b| b.excess.total_cmp(&a.excess));
@@ -79,7 +81,12 @@ impl Left {
             let of_line = |band: &&Band| (centre_hz(band) / middle_hz).ln().abs() < LINE;
             let (line, others): (Vec<&Band>, Vec<&Band>) = bands.into_iter().partition(of_line);
             let excess: f64 = line.iter().map(|band| band.excess).sum();
-            peaks_hz.push(line.iter().map(|band| band.excess * centre_hz(band)).sum::<f64>() / excess);
+            peaks_hz.push(
+                line.iter()
+                    .map(|band| band.excess * centre_hz(band))
+                    .sum::<f64>()
+                    / excess,
+            );
             bands = others;
         }
         peaks_hz
@@ -106,14 +113,29 @@ impl Left {
 }
 
 /// Bands of one channel's residuals, over their noise, in a session of so many channels.
-pub fn in_record(place: (usize, usize), t_s: &[f64], residuals: &[f64], channels: usize) -> Vec<Band> {
+pub fn in_record(
+    place: (usize, usize),
+    t_s: &[f64],
+    residuals: &[f64],
+    channels: usize,
+) -> Vec<Band> {
     let first = first_settled(t_s);
     let span_s = t_s.last().unwrap_or(&0.0) - t_s.get(first).unwrap_or(&0.0);
-    in_channel(place, &residuals[first..], span_s, FALSE_ALARM / channels as f64)
+    in_channel(
+        place,
+        &residuals[first..],
+        span_s,
+        FALSE_ALARM / channels as f64,
+    )
 }
 
 /// Bands of one channel's residual, over its noise, that hold more than chance gives them.
-fn in_channel((swing, channel): (usize, usize), values: &[f64], span_s: f64, chance: f64) -> Vec<Band> {
+fn in_channel(
+    (swing, channel): (usize, usize),
+    values: &[f64],
+    span_s: f64,
+    chance: f64,
+) -> Vec<Band> {
     let power = spectrum(values);
     let edges = edges(power.len());
     let each = chance / edges.len().max(1) as f64;
@@ -122,27 +144,45 @@ fn in_channel((swing, channel): (usize, usize), values: &[f64], span_s: f64, cha
         let count = (pair[1] - pair[0]) as f64;
         let sum = 2.0 * power[pair[0]..pair[1]].iter().sum::<f64>();
         let expected = 2.0 * count * (1.0 + LEVEL_U * (count / power.len() as f64).sqrt().min(1.0));
-        let Ok(law) = ChiSquared::new(2.0 * count) else { continue };
+        let Ok(law) = ChiSquared::new(2.0 * count) else {
+            continue;
+        };
         // A broad band is known no better than the level of the noise.
         let level = 1.0 + 4.0 * LEVEL_U;
         let tail = law.sf(if count > 30.0 { sum / level } else { sum });
         if tail < each {
             let excess = sum - expected;
-            let sigma = if tail > 0.0 { normal_sigma(tail) } else { excess / (4.0 * count).sqrt() };
+            let sigma = if tail > 0.0 {
+                normal_sigma(tail)
+            } else {
+                excess / (4.0 * count).sqrt()
+            };
             let (from_hz, to_hz) = (pair[0] as f64 / span_s, pair[1] as f64 / span_s);
-            found.push(Band { swing, channel, from_hz, to_hz, excess, expected, sigma });
+            found.push(Band {
+                swing,
+                channel,
+                from_hz,
+                to_hz,
+                excess,
+                expected,
+                sigma,
+            });
         }
     }
     found
 }
 
-/// Standard deviations that a normal variable exceeds with this chance: √(−2 ln p) less its slow terms.
+/// Standard deviations that a normal variable exceeds with this chance: √(−2 ln p) less its slow
+/// terms.
 fn normal_sigma(tail: f64) -> f64 {
     let x = (-2.0 * tail.ln()).max(0.0);
-    (x - (x.max(1.0)).ln() - (2.0 * std::f64::consts::PI).ln()).max(0.0).sqrt()
+    (x - (x.max(1.0)).ln() - (2.0 * std::f64::consts::PI).ln())
+        .max(0.0)
+        .sqrt()
 }
 
-/// Power of each frequency up to the highest, 1 on average for white noise of unit variance; the mean is left out.
+/// Power of each frequency up to the highest, 1 on average for white noise of unit variance; the
+/// mean is left out.
 pub fn spectrum(values: &[f64]) -> Vec<f64> {
     let mut buffer: Vec<Complex64> = values.iter().map(|v| Complex64::new(*v, 0.0)).collect();
     let n = buffer.len();
@@ -150,10 +190,14 @@ pub fn spectrum(values: &[f64]) -> Vec<f64> {
         return vec![];
     }
     FftPlanner::new().plan_fft_forward(n).process(&mut buffer);
-    buffer[..n / 2].iter().map(|c| c.norm_sqr() / n as f64).collect()
+    buffer[..n / 2]
+        .iter()
+        .map(|c| c.norm_sqr() / n as f64)
+        .collect()
 }
 
-/// Where bands begin: from the first frequency on, each as wide as a share of its frequency, at least one.
+/// Where bands begin: from the first frequency on, each as wide as a share of its frequency, at
+/// least one.
 fn edges(count: usize) -> Vec<usize> {
     let mut edges = vec![1];
     let mut at = 1;

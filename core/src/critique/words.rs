@@ -1,8 +1,8 @@
-//! The sentences of the criticism in English: the one place where they stand, but for what the catalogues say of causes. Other
-//! languages have the same keys.
+//! The sentences of the criticism in English: the one place where they stand, but for what the
+//! catalogues say of causes. Other languages have the same keys.
 //!
-//! A cause has a sentence (`cause.…`; where periods alone were judged, `periods.…`) and a short name (`name.…`); `id.…` is its
-//! name as the format spells it.
+//! A cause has a sentence (`cause.…`; where periods alone were judged, `periods.…`) and a short
+//! name (`name.…`); `id.…` is its name as the format spells it.
 
 use super::by_periods::CAUSES;
 use super::causes::UNKNOWN;
@@ -17,13 +17,19 @@ const OF_CRITIQUE: &str = "critique.";
 
 /// Sentences by key; `{name}` stands for an argument.
 const ENGLISH: [(&str, &str); 64] = [
-    ("adequate", "The simulation accounts for everything that the recordings show."),
+    (
+        "adequate",
+        "The simulation accounts for everything that the recordings show.",
+    ),
     ("explained", "What the simulation left out: {causes}."),
     (
         "ambiguous",
         "What the simulation left out: {causes}; but these recordings cannot tell that from: {others}.",
     ),
-    ("unexplained", "Something acts on the hull or the phone that no known cause accounts for."),
+    (
+        "unexplained",
+        "Something acts on the hull or the phone that no known cause accounts for.",
+    ),
     (
         "many",
         "It takes {count} causes together to account for what the recordings show ({causes}): more likely something acts that is not known.",
@@ -56,8 +62,14 @@ const ENGLISH: [(&str, &str); 64] = [
     ("channel_turn", "turn rate about the phone's {axis}"),
     ("channel_force", "acceleration along the phone's {axis}"),
     ("channel_swing", "turn rate about the axis of the swing"),
-    ("structure", "{swing}: the simulation leaves {rms} times the noise, and what it leaves is not noise"),
-    ("line", "{swing}: about {middle_hz} Hz {channel} moves by {size} times its noise more than simulated"),
+    (
+        "structure",
+        "{swing}: the simulation leaves {rms} times the noise, and what it leaves is not noise",
+    ),
+    (
+        "line",
+        "{swing}: about {middle_hz} Hz {channel} moves by {size} times its noise more than simulated",
+    ),
     ("line_gyroscope", "the gyroscope's {axis} axis"),
     ("line_accelerometer", "the accelerometer's {axis} axis"),
     ("line_swing", "the turn about the swing's axis"),
@@ -82,12 +94,18 @@ const ENGLISH: [(&str, &str); 64] = [
         "{swing}: from {from_deg}° to {to_deg}° the {motion} period grows by {measured} ± {u} %, the simulation says {simulated} %",
     ),
     ("decay", "{swing}: in {motion} each swing loses {losses}"),
-    ("loss", "{measured} ± {u} % at {amplitude_deg}° (simulated {simulated} %)"),
+    (
+        "loss",
+        "{measured} ± {u} % at {amplitude_deg}° (simulated {simulated} %)",
+    ),
     (
         "across",
         "{swing}: across the axis of the swing the phone turns by {percent} % of the swing, most at {most_hz} Hz; a motion in one angle has none of it",
     ),
-    ("clock", "the swings want the phone's clock {ppm} ppm off: {sigma} times its stated uncertainty"),
+    (
+        "clock",
+        "the swings want the phone's clock {ppm} ppm off: {sigma} times its stated uncertainty",
+    ),
     (
         "pulled",
         "{name}: stated as {stated} {unit}, the swings want {change} {unit}: {sigma} times its stated uncertainty",
@@ -117,7 +135,10 @@ const ENGLISH: [(&str, &str); 64] = [
         "The {name}{swings} is stated as {stated}; the rest of the session implies {implied}: {sigma} standard uncertainties.",
     ),
     ("of_swings", " of {swings}"),
-    ("nothing_shown", "{^cause}: the session shows nothing of it."),
+    (
+        "nothing_shown",
+        "{^cause}: the session shows nothing of it.",
+    ),
     ("with_figures", "{^cause}: {figures}."),
     ("figure", "{name} {figure}"),
     (
@@ -129,21 +150,39 @@ const ENGLISH: [(&str, &str); 64] = [
         " Without the swing {swing}{with} χ² would be {chi2} with {dof} degrees of freedom: of {count} swings left out in turn this one takes off the most, which is a hint and no more.",
     ),
     ("with_one", " and with one cause ({cause})"),
-    ("nothing_shown_inside", "{cause}: the session shows nothing of it"),
+    (
+        "nothing_shown_inside",
+        "{cause}: the session shows nothing of it",
+    ),
     ("with_figures_inside", "{cause}: {figures}"),
-    ("periods_adequate", "Periods and dimensions agree within their uncertainties: nothing is missing."),
-    ("periods_explained", "The contradictions go away with {causes}, and with nothing else that was tried."),
+    (
+        "periods_adequate",
+        "Periods and dimensions agree within their uncertainties: nothing is missing.",
+    ),
+    (
+        "periods_explained",
+        "The contradictions go away with {causes}, and with nothing else that was tried.",
+    ),
     (
         "periods_ambiguous",
         "The contradictions go away with {causes}; these periods cannot tell it from {others}.{hangs}",
     ),
-    ("periods_contradiction", "The session contradicts itself, and no known cause accounts for it."),
+    (
+        "periods_contradiction",
+        "The session contradicts itself, and no known cause accounts for it.",
+    ),
     (
         "periods_remain",
         "Most of the contradictions go away with {causes}{instead}, but more remain than chance leaves.{hangs}",
     ),
-    ("periods_instead", ", which these periods cannot tell from {others}"),
-    ("periods_hang", " The yaw gyradius hangs on it: {least} by one, {most} by another."),
+    (
+        "periods_instead",
+        ", which these periods cannot tell from {others}",
+    ),
+    (
+        "periods_hang",
+        " The yaw gyradius hangs on it: {least} by one, {most} by another.",
+    ),
     (
         "periods_alone",
         "The session holds periods alone: what shows within a swing (damping, drift, a loose phone) was not looked for.",
@@ -160,7 +199,10 @@ const ENGLISH: [(&str, &str); 64] = [
 
 /// A sentence of the criticism with what it names.
 pub fn said<'a>(key: &str, arguments: impl IntoIterator<Item = (&'a str, Argument)>) -> Text {
-    let arguments = arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    let arguments = arguments
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect();
     Text::of(format!("{OF_CRITIQUE}{key}"), arguments, sentence)
 }
 
@@ -194,13 +236,19 @@ pub fn motion(mode: ModeName) -> Argument {
     word(&format!("mode.{}", mode_text(mode).replace(' ', "_")))
 }
 
-/// A row of arguments, two joined by `last` in the end and all before by `between`: keys of sentences of `one` and `other`.
+/// A row of arguments, two joined by `last` in the end and all before by `between`: keys of
+/// sentences of `one` and `other`.
 pub fn row(mut all: Vec<Argument>, between: &str, last: &str) -> Argument {
-    let Some(end) = all.pop() else { return Argument::Texts(vec![]) };
+    let Some(end) = all.pop() else {
+        return Argument::Texts(vec![]);
+    };
     let joined = |key: &str, one: Argument, other: Argument| {
         Argument::Texts(vec![said(key, [("one", one), ("other", other)])])
     };
-    match all.into_iter().reduce(|row, next| joined(between, row, next)) {
+    match all
+        .into_iter()
+        .reduce(|row, next| joined(between, row, next))
+    {
         None => end,
         Some(row) => joined(last, row, end),
     }
@@ -208,10 +256,17 @@ pub fn row(mut all: Vec<Argument>, between: &str, last: &str) -> Argument {
 
 /// Short names of causes, in a row.
 pub fn names<'a>(ids: impl IntoIterator<Item = &'a str>, last: &str) -> Argument {
-    row(ids.into_iter().map(|id| word(&format!("name.{id}"))).collect(), "row", last)
+    row(
+        ids.into_iter()
+            .map(|id| word(&format!("name.{id}")))
+            .collect(),
+        "row",
+        last,
+    )
 }
 
-/// The sentence of a key of the criticism in a language; absent where the key is another room's, or unknown.
+/// The sentence of a key of the criticism in a language; absent where the key is another room's, or
+/// unknown.
 pub fn sentence(key: &str, language: Language) -> Option<String> {
     let key = key.strip_prefix(OF_CRITIQUE)?;
     match language {
@@ -227,12 +282,19 @@ pub fn cause_name(id: &str, language: Language) -> String {
 
 fn english(key: &str) -> Option<String> {
     let Some((kind, id)) = key.split_once('.') else {
-        return ENGLISH.iter().find(|(known, _)| *known == key).map(|(_, text)| (*text).to_owned());
+        return ENGLISH
+            .iter()
+            .find(|(known, _)| *known == key)
+            .map(|(_, text)| (*text).to_owned());
     };
     Some(match (kind, id) {
         ("id", _) => id.to_owned(),
         ("cause", _) => described(id).to_owned(),
-        ("periods", _) => CAUSES.iter().find(|cause| cause.id == id)?.sentence.to_owned(),
+        ("periods", _) => CAUSES
+            .iter()
+            .find(|cause| cause.id == id)?
+            .sentence
+            .to_owned(),
         ("name", UNKNOWN) => "nothing known".to_owned(),
         ("name", "bearing_friction") => "dry bearing friction".to_owned(),
         ("name", "off_centre_cm") => "off-centre centre of mass".to_owned(),
@@ -241,7 +303,12 @@ fn english(key: &str) -> Option<String> {
 }
 
 fn german(key: &str) -> Option<String> {
-    let of = |key: &str| GERMAN.iter().find(|(known, _)| *known == key).map(|(_, text)| (*text).to_owned());
+    let of = |key: &str| {
+        GERMAN
+            .iter()
+            .find(|(known, _)| *known == key)
+            .map(|(_, text)| (*text).to_owned())
+    };
     match key.split_once('.') {
         Some(("id", id)) => of(&format!("name.{id}")),
         _ => of(key),
@@ -253,13 +320,21 @@ fn described(id: &str) -> &'static str {
     if id == UNKNOWN {
         return "something that no known cause accounts for";
     }
-    let known = effects::catalogue().into_iter().chain(sensors::catalogue()).find(|kind| kind.id == id);
+    let known = effects::catalogue()
+        .into_iter()
+        .chain(sensors::catalogue())
+        .find(|kind| kind.id == id);
     known.map_or("a cause without a description", |kind| kind.sentence)
 }
 
 /// Every sentence and word of the criticism by its key in a language.
 pub fn sentences(language: Language) -> Vec<(String, String)> {
-    let catalogue = || effects::catalogue().into_iter().chain(sensors::catalogue()).map(|kind| kind.id);
+    let catalogue = || {
+        effects::catalogue()
+            .into_iter()
+            .chain(sensors::catalogue())
+            .map(|kind| kind.id)
+    };
     let causes = || catalogue().chain([UNKNOWN]);
     let sentences = ENGLISH.iter().map(|(key, _)| (*key).to_owned());
     let keys = sentences

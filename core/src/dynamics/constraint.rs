@@ -1,9 +1,9 @@
 //! The lengths of the lines as constraints, to second order in a displacement of the body.
 //!
 //! # Conventions
-//! The constraint of line i is c = (|q|² − l²)/2 with q from its upper to its lower end. A displacement is
-//! `[δr; θ]`: δr of the centre of mass, θ a rotation vector, both in world axes, applied as
-//! `R ← exp([θ]×) R`. The line's force on the body is −λ q, so that the tension is λ l.
+//! The constraint of line i is c = (|q|² − l²)/2 with q from its upper to its lower end. A
+//! displacement is `[δr; θ]`: δr of the centre of mass, θ a rotation vector, both in world axes,
+//! applied as `R ← exp([θ]×) R`. The line's force on the body is −λ q, so that the tension is λ l.
 
 use nalgebra::{Matrix2x6, Matrix6, SMatrix, Vector2, Vector6};
 
@@ -24,7 +24,11 @@ pub(super) struct Reach {
 pub(super) fn reaches(rig: &Rig, body: &RigidBody, pose: &Pose) -> [Reach; 2] {
     rig.lines.map(|line| {
         let b = pose.world_from_body * (line.hull_point_m - body.cm_m);
-        Reach { q: pose.position_m + b - line.top_m, b, length_m: line.length_m }
+        Reach {
+            q: pose.position_m + b - line.top_m,
+            b,
+            length_m: line.length_m,
+        }
     })
 }
 
@@ -43,8 +47,12 @@ impl Reach {
     /// Second derivative, the second-order part ½ θ×(θ×b) of the rotation included.
     pub fn hessian(&self) -> Matrix6<f64> {
         let mut point = SMatrix::<f64, 3, 6>::zeros();
-        point.fixed_view_mut::<3, 3>(0, 0).copy_from(&Mat3::identity());
-        point.fixed_view_mut::<3, 3>(0, 3).copy_from(&-self.b.cross_matrix());
+        point
+            .fixed_view_mut::<3, 3>(0, 0)
+            .copy_from(&Mat3::identity());
+        point
+            .fixed_view_mut::<3, 3>(0, 3)
+            .copy_from(&-self.b.cross_matrix());
         let mut hessian = point.transpose() * point;
         let outer = self.q * self.b.transpose();
         let turning = (outer + outer.transpose()) * 0.5 - Mat3::identity() * self.q.dot(&self.b);
@@ -56,7 +64,10 @@ impl Reach {
 
 /// Gradients of both constraints, one per row.
 pub(super) fn jacobian(reaches: &[Reach; 2]) -> Matrix2x6<f64> {
-    Matrix2x6::from_rows(&[reaches[0].gradient().transpose(), reaches[1].gradient().transpose()])
+    Matrix2x6::from_rows(&[
+        reaches[0].gradient().transpose(),
+        reaches[1].gradient().transpose(),
+    ])
 }
 
 /// Values of both constraints, m².
@@ -73,15 +84,20 @@ pub(super) fn mass_matrix(body: &RigidBody, pose: &Pose) -> Matrix6<f64> {
     mass
 }
 
-/// Orthonormal basis of the displacements that stretch no line: Gram–Schmidt, always on the unit vector that
-/// has most left, twice for orthogonality to rounding.
+/// Orthonormal basis of the displacements that stretch no line: Gram–Schmidt, always on the unit
+/// vector that has most left, twice for orthogonality to rounding.
 pub(super) fn free_directions(jacobian: &Matrix2x6<f64>) -> Option<SMatrix<f64, 6, 4>> {
     let mut basis = Vec::with_capacity(6);
     for row in jacobian.row_iter() {
         basis.push(perpendicular(row.transpose(), &basis)?);
     }
     while basis.len() < 6 {
-        let left = |k: usize| 1.0 - basis.iter().map(|b: &Vector6<f64>| b[k] * b[k]).sum::<f64>();
+        let left = |k: usize| {
+            1.0 - basis
+                .iter()
+                .map(|b: &Vector6<f64>| b[k] * b[k])
+                .sum::<f64>()
+        };
         let best = (0..6).max_by(|&i, &j| left(i).total_cmp(&left(j)))?;
         basis.push(perpendicular(Vector6::ith(best, 1.0), &basis)?);
     }

@@ -1,8 +1,9 @@
 //! Runge–Kutta of order 8 with output of order 7 between steps (Dormand and Prince; DOP853).
 //!
-//! Coefficients: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
-//! (Springer 1993), section II.5 and its code DOP853; section II.6 for the output between steps; section II.10 for
-//! the estimate of the error. The equations are autonomous (time is a part of the state).
+//! Coefficients: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*,
+//! 2nd ed. (Springer 1993), section II.5 and its code DOP853; section II.6 for the output between
+//! steps; section II.10 for the estimate of the error. The equations are autonomous (time is a part
+//! of the state).
 
 use std::ops::Range;
 
@@ -26,7 +27,11 @@ pub(super) struct Stepper<S> {
 impl<S: Real> Stepper<S> {
     pub fn new(size: usize) -> Self {
         let zeros = || vec![S::zero(); size];
-        Self { slopes: vec![zeros(); EXTENDED], inside: zeros(), estimates: [zeros(), zeros()] }
+        Self {
+            slopes: vec![zeros(); EXTENDED],
+            inside: zeros(),
+            estimates: [zeros(), zeros()],
+        }
     }
 
     /// Where the derivative at the start of the next step goes.
@@ -34,8 +39,15 @@ impl<S: Real> Stepper<S> {
         &mut self.slopes[0]
     }
 
-    /// Writes the state after a step of `h` from `start` to `end`; the derivative at `start` is in `first_slope`.
-    pub fn advance(&mut self, f: &mut impl FnMut(&[S], &mut [S]), start: &[S], h: f64, end: &mut [S]) {
+    /// Writes the state after a step of `h` from `start` to `end`; the derivative at `start` is in
+    /// `first_slope`.
+    pub fn advance(
+        &mut self,
+        f: &mut impl FnMut(&[S], &mut [S]),
+        start: &[S],
+        h: f64,
+        end: &mut [S],
+    ) {
         for stage in 1..STAGES {
             self.stage(f, stage, start, h);
         }
@@ -47,20 +59,31 @@ impl<S: Real> Stepper<S> {
         for (row, estimates) in [FIFTH, THIRD].into_iter().zip(&mut self.estimates) {
             estimates.fill(S::zero());
             for &(stage, weight) in row {
-                estimates.iter_mut().zip(&self.slopes[stage]).for_each(|(e, s)| e.add_scaled(weight, *s));
+                estimates
+                    .iter_mut()
+                    .zip(&self.slopes[stage])
+                    .for_each(|(e, s)| e.add_scaled(weight, *s));
             }
         }
     }
 
-    /// Estimate of the error of the step of `h` that was estimated last, of what `part` reads off a number, the largest
-    /// among the parts `watched` of the state: the estimate of order 5, damped where that of order 3 is larger
-    /// (eq. II.10.17).
+    /// Estimate of the error of the step of `h` that was estimated last, of what `part` reads off a
+    /// number, the largest among the parts `watched` of the state: the estimate of order 5, damped
+    /// where that of order 3 is larger (eq. II.10.17).
     pub fn error(&self, h: f64, watched: Range<usize>, part: impl Fn(&S) -> f64) -> f64 {
-        let largest =
-            |of: &[S]| of[watched.clone()].iter().map(|x| part(x).abs()).fold(0.0f64, |most, x| most.max(x));
+        let largest = |of: &[S]| {
+            of[watched.clone()]
+                .iter()
+                .map(|x| part(x).abs())
+                .fold(0.0f64, |most, x| most.max(x))
+        };
         let [fifth, third] = [largest(&self.estimates[0]), largest(&self.estimates[1])];
         let size = fifth.hypot(0.1 * third);
-        if size == 0.0 { 0.0 } else { h * fifth * fifth / size }
+        if size == 0.0 {
+            0.0
+        } else {
+            h * fifth * fifth / size
+        }
     }
 
     fn stage(&mut self, f: &mut impl FnMut(&[S], &mut [S]), stage: usize, start: &[S], h: f64) {
@@ -68,9 +91,11 @@ impl<S: Real> Stepper<S> {
         f(&self.inside, &mut self.slopes[stage]);
     }
 
-    /// Coefficients of the output between the ends for the first `KEPT` parts of the state: [`COEFFICIENTS`] rows of all parts.
+    /// Coefficients of the output between the ends for the first `KEPT` parts of the state:
+    /// [`COEFFICIENTS`] rows of all parts.
     ///
-    /// `end` and `end_slope` may already be projected. `end_slope` becomes the next step's `first_slope`.
+    /// `end` and `end_slope` may already be projected. `end_slope` becomes the next step's
+    /// `first_slope`.
     pub fn between<const KEPT: usize>(
         &mut self,
         f: &mut impl FnMut(&[S], &mut [S]),
@@ -96,22 +121,28 @@ impl<S: Real> Stepper<S> {
         }
         for (row, stages) in rows[4..].iter_mut().zip(D) {
             for &(stage, weight) in stages {
-                row.iter_mut().zip(&self.slopes[stage]).for_each(|(sum, s)| sum.add_scaled(weight * h, *s));
+                row.iter_mut()
+                    .zip(&self.slopes[stage])
+                    .for_each(|(sum, s)| sum.add_scaled(weight * h, *s));
             }
         }
         self.slopes[0].copy_from_slice(end_slope);
     }
 }
 
-/// The parts of a state, and derivatives by `x` of those from `SLOPED` on, at the fraction `x` of a step, 0 … 1, from its
-/// rows of coefficients.
+/// The parts of a state, and derivatives by `x` of those from `SLOPED` on, at the fraction `x` of a
+/// step, 0 … 1, from its rows of coefficients.
 pub(super) fn between<S: Real, const KEPT: usize, const SLOPED: usize>(
     rows: &[[S; KEPT]],
     x: f64,
 ) -> ([S; KEPT], [S; KEPT]) {
     let (mut parts, mut slopes) = ([S::zero(); KEPT], [S::zero(); KEPT]);
     for (i, row) in rows[1..].iter().enumerate().rev() {
-        let (factor, by_x) = if i % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
+        let (factor, by_x) = if i % 2 == 0 {
+            (x, 1.0)
+        } else {
+            (1.0 - x, -1.0)
+        };
         for k in 0..KEPT {
             let part = parts[k] + row[k];
             if k >= SLOPED {
@@ -121,7 +152,10 @@ pub(super) fn between<S: Real, const KEPT: usize, const SLOPED: usize>(
             parts[k] = part.scale(factor);
         }
     }
-    parts.iter_mut().zip(&rows[0]).for_each(|(part, start)| *part += *start);
+    parts
+        .iter_mut()
+        .zip(&rows[0])
+        .for_each(|(part, start)| *part += *start);
     (parts, slopes)
 }
 
@@ -132,7 +166,11 @@ pub(super) fn between_moving<S: Real, const KEPT: usize, const SLOPED: usize>(
 ) -> ([S; KEPT], [S; KEPT]) {
     let (mut parts, mut slopes) = ([S::zero(); KEPT], [S::zero(); KEPT]);
     for (i, row) in rows[1..].iter().enumerate().rev() {
-        let (factor, by_x) = if i % 2 == 0 { (x, 1.0) } else { (S::one() - x, -1.0) };
+        let (factor, by_x) = if i % 2 == 0 {
+            (x, 1.0)
+        } else {
+            (S::one() - x, -1.0)
+        };
         for k in 0..KEPT {
             let part = parts[k] + row[k];
             if k >= SLOPED {
@@ -142,7 +180,10 @@ pub(super) fn between_moving<S: Real, const KEPT: usize, const SLOPED: usize>(
             parts[k] = part * factor;
         }
     }
-    parts.iter_mut().zip(&rows[0]).for_each(|(part, start)| *part += *start);
+    parts
+        .iter_mut()
+        .zip(&rows[0])
+        .for_each(|(part, start)| *part += *start);
     (parts, slopes)
 }
 

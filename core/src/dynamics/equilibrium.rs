@@ -38,14 +38,17 @@ pub struct Equilibrium {
 
 /// Finds the rest pose below the lines.
 ///
-/// Where both lines and both halves are alike, the first guess is already the closed form (centre of mass
-/// vertically below the mid-point of the suspension) and the iteration only confirms it.
+/// Where both lines and both halves are alike, the first guess is already the closed form (centre
+/// of mass vertically below the mid-point of the suspension) and the iteration only confirms it.
 pub fn equilibrium(rig: &Rig, body: &RigidBody) -> Result<Equilibrium> {
     body.check()?;
     let mut pose = first_guess(rig, body);
     for _ in 0..MAX_ITERATIONS {
-        let newton = Newton::at(rig, body, &pose).ok_or_else(|| failed("the lines do not hold the body"))?;
-        let step = newton.step().ok_or_else(|| failed("the body is not stable on the lines"))?;
+        let newton =
+            Newton::at(rig, body, &pose).ok_or_else(|| failed("the lines do not hold the body"))?;
+        let step = newton
+            .step()
+            .ok_or_else(|| failed("the body is not stable on the lines"))?;
         pose = pose.displaced(&(step * (MAX_STEP / step.norm()).min(1.0)));
         if step.norm() < CONVERGED {
             return rest(rig, body, pose);
@@ -65,8 +68,13 @@ fn failed(reason: &str) -> Error {
 }
 
 fn rest(rig: &Rig, body: &RigidBody, pose: Pose) -> Result<Equilibrium> {
-    let lambda = Newton::at(rig, body, &pose).ok_or_else(|| failed("the lines do not hold the body"))?.lambda;
-    let tension_n = [lambda[0] * rig.lines[0].length_m, lambda[1] * rig.lines[1].length_m];
+    let lambda = Newton::at(rig, body, &pose)
+        .ok_or_else(|| failed("the lines do not hold the body"))?
+        .lambda;
+    let tension_n = [
+        lambda[0] * rig.lines[0].length_m,
+        lambda[1] * rig.lines[1].length_m,
+    ];
     if tension_n.iter().all(|&t| t > 0.0) {
         Ok(Equilibrium { pose, tension_n })
     } else {
@@ -78,7 +86,9 @@ fn rest(rig: &Rig, body: &RigidBody, pose: Pose) -> Result<Equilibrium> {
 fn first_guess(rig: &Rig, body: &RigidBody) -> Pose {
     let [one, two] = rig.lines;
     let axis = rig.axis();
-    let body_axis = (two.hull_point_m - one.hull_point_m).try_normalize(0.0).unwrap_or(axis);
+    let body_axis = (two.hull_point_m - one.hull_point_m)
+        .try_normalize(0.0)
+        .unwrap_or(axis);
     let align = Rotation::rotation_between(&body_axis, &axis).unwrap_or_default();
     let cm = align * body.cm_m;
     let across = cm - axis * cm.dot(&axis);
@@ -88,8 +98,13 @@ fn first_guess(rig: &Rig, body: &RigidBody) -> Pose {
     let middle = (one.top_m + two.top_m) * 0.5;
     let gap = 0.5 * ((two.top_m - one.top_m).norm() - (two.hull_point_m - one.hull_point_m).norm());
     let length = 0.5 * (one.length_m + two.length_m);
-    let drop = (length * length - gap * gap).max(1e-6 * length * length).sqrt();
-    Pose { position_m: middle - Vec3::z() * drop + world_from_body * body.cm_m, world_from_body }
+    let drop = (length * length - gap * gap)
+        .max(1e-6 * length * length)
+        .sqrt();
+    Pose {
+        position_m: middle - Vec3::z() * drop + world_from_body * body.cm_m,
+        world_from_body,
+    }
 }
 
 /// Newton's method for a stationary height under the constraints.
@@ -114,7 +129,14 @@ impl Newton {
         let lambda = (jacobian * jacobian.transpose()).try_inverse()? * (jacobian * -slope);
         let stiffness = lines[0].hessian() * lambda[0] + lines[1].hessian() * lambda[1];
         let free = free_directions(&jacobian)?;
-        Some(Self { jacobian, excess: excesses(&lines), slope, lambda, stiffness, free })
+        Some(Self {
+            jacobian,
+            excess: excesses(&lines),
+            slope,
+            lambda,
+            stiffness,
+            free,
+        })
     }
 
     fn step(&self) -> Option<Vector6<f64>> {

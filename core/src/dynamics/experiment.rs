@@ -25,8 +25,8 @@ pub struct Experiment {
     pub held_s: f64,
 }
 
-/// Standard normal numbers for each effect of the sensors, so many for each sample as it takes, sample after sample.
-/// Without any, the sensors are what they are on average.
+/// Standard normal numbers for each effect of the sensors, so many for each sample as it takes,
+/// sample after sample. Without any, the sensors are what they are on average.
 pub type Draws = Vec<Vec<f64>>;
 
 /// The motion and what the phone says of it. Lost samples are left out.
@@ -53,8 +53,8 @@ struct Sampled<S: Real> {
 type Laws<S> = Vec<Box<dyn SensorEffect<S>>>;
 
 impl Experiment {
-    /// Names and units of all its numbers: those of the scene, those of the phone as `phone.position_x_m`, those of the
-    /// sensors' effects as the scene's.
+    /// Names and units of all its numbers: those of the scene, those of the phone as
+    /// `phone.position_x_m`, those of the sensors' effects as the scene's.
     pub fn names(&self) -> Vec<(String, &'static str)> {
         let of_phone = <Phone as Numbers<f64>>::NUMBERS.iter();
         let mut names = self.scene.names();
@@ -72,9 +72,14 @@ impl Experiment {
     /// The experiment with other numbers, in the order of [`Experiment::names`].
     pub fn with_values(&self, values: &[f64]) -> Result<Self> {
         let few = || too_few(values.len());
-        let (of_scene, rest) = values.split_at_checked(self.scene.values().len()).ok_or_else(few)?;
+        let (of_scene, rest) = values
+            .split_at_checked(self.scene.values().len())
+            .ok_or_else(few)?;
         let mut rest = rest.iter().copied();
-        let mut other = Self { scene: self.scene.with_values(of_scene)?, ..self.clone() };
+        let mut other = Self {
+            scene: self.scene.with_values(of_scene)?,
+            ..self.clone()
+        };
         other.phone = Phone::from_numbers(&mut rest).ok_or_else(few)?;
         for value in other.sensors.iter_mut().flat_map(|e| &mut e.values) {
             *value = rest.next().ok_or_else(few)?;
@@ -90,20 +95,36 @@ impl Experiment {
 
     /// How many standard normal numbers each effect of the sensors takes for a sample.
     pub fn draws_per_sample(&self) -> Result<Vec<usize>> {
-        Ok(self.laws::<f64>(&mut self.sensor_values())?.iter().map(|law| law.draws()).collect())
+        Ok(self
+            .laws::<f64>(&mut self.sensor_values())?
+            .iter()
+            .map(|law| law.draws())
+            .collect())
     }
 
     /// The record of samples taken at these times on the phone's clock, s.
     pub fn record(&self, t_s: &[f64], draws: &Draws) -> Result<Record> {
         let (path, sampled) = self.run(self.values(), Fineness::FULL, t_s, draws)?;
-        let moments = sampled.true_s.iter().map(|t_s| self.hull_at(&path, false, *t_s)).collect();
-        Ok(Record { path, t_s: sampled.stamps_s, moments, readings: sampled.readings })
+        let moments = sampled
+            .true_s
+            .iter()
+            .map(|t_s| self.hull_at(&path, false, *t_s))
+            .collect();
+        Ok(Record {
+            path,
+            t_s: sampled.stamps_s,
+            moments,
+            readings: sampled.readings,
+        })
     }
 
-    /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`: those of each sample of
-    /// [`Experiment::record`] after the other, in it those of each reading, in it one by each number.
+    /// Derivatives of gyroscope x, y, z and specific force x, y, z by the numbers at `wanted`:
+    /// those of each sample of [`Experiment::record`] after the other, in it those of each reading,
+    /// in it one by each number.
     pub fn derivatives(&self, wanted: &[usize], t_s: &[f64], draws: &Draws) -> Result<Vec<f64>> {
-        let count = self.kept(&self.laws(&mut self.sensor_values())?, t_s, draws).len();
+        let count = self
+            .kept(&self.laws(&mut self.sensor_values())?, t_s, draws)
+            .len();
         let mut out = vec![0.0; count * 6 * wanted.len()];
         for (chunk, lanes) in wanted.chunks(LANES).enumerate() {
             let values: Vec<Dual<LANES>> = seeded(&self.values(), lanes)?;
@@ -121,26 +142,39 @@ impl Experiment {
         let step_s = self.scene.step_s(fineness.steps_per_period)?;
         let laws: Laws<f64> = self.laws(&mut self.sensor_values())?;
         let duration_s = self.duration_s(&laws, &[last_s], &Draws::new(), step_s);
-        self.scene.run(self.scene.values(), duration_s, step_s, fineness)
+        self.scene
+            .run(self.scene.values(), duration_s, step_s, fineness)
     }
 
-    /// So long the hull moves until the last of these times on the phone's clock, and a step beyond.
+    /// So long the hull moves until the last of these times on the phone's clock, and a step
+    /// beyond.
     fn duration_s<S: Real>(&self, laws: &Laws<S>, t_s: &[f64], draws: &Draws, step_s: f64) -> f64 {
         let drawn = Drawn::new(laws, draws);
-        let true_s = t_s.iter().enumerate().map(|(n, t_s)| drawn.true_s(laws, n, *t_s).value());
+        let true_s = t_s
+            .iter()
+            .enumerate()
+            .map(|(n, t_s)| drawn.true_s(laws, n, *t_s).value());
         (true_s.fold(0.0, f64::max) + step_s - self.held_s).max(step_s)
     }
 
-    /// What phone and sensors, without chance, make of a motion at these times: a reading for each, none is lost.
+    /// What phone and sensors, without chance, make of a motion at these times: a reading for each,
+    /// none is lost.
     pub fn readings_on(&self, path: &Path<f64>, t_s: &[f64]) -> Result<Vec<Reading<f64>>> {
         let laws = self.laws(&mut self.sensor_values())?;
-        let mounted = self.phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
+        let mounted = self
+            .phone
+            .mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
         self.read(&laws, path, &mounted, t_s)
     }
 
-    /// Derivatives of those readings by the numbers of the scene at `wanted`: for each time six rows, for each of them one
-    /// figure by number.
-    pub fn slopes_of_motion(&self, wanted: &[usize], fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
+    /// Derivatives of those readings by the numbers of the scene at `wanted`: for each time six
+    /// rows, for each of them one figure by number.
+    pub fn slopes_of_motion(
+        &self,
+        wanted: &[usize],
+        fineness: Fineness,
+        t_s: &[f64],
+    ) -> Result<Vec<f64>> {
         let mut out = vec![0.0; t_s.len() * 6 * wanted.len()];
         let step_s = self.scene.step_s(fineness.steps_per_period)?;
         let laws: Laws<f64> = self.laws(&mut self.sensor_values())?;
@@ -169,14 +203,19 @@ impl Experiment {
     ) -> Result<Vec<Reading<S>>> {
         let bends = laws.iter().any(|law| law.bends_time());
         let hull = |t_s: S| self.hull_at(path, bends, t_s);
-        let ride = Ride { hull: &hull, mounted, from_s: self.held_s, to_s: self.held_s + path.duration_s() };
+        let ride = Ride {
+            hull: &hull,
+            mounted,
+            from_s: self.held_s,
+            to_s: self.held_s + path.duration_s(),
+        };
         let all: Vec<(usize, f64)> = t_s.iter().copied().enumerate().collect();
         let none = Draws::new();
         Ok(Sampler::new(laws, &ride, &none)?.sample(&all).readings)
     }
 
-    /// The effects of the sensors differentiate the motion by time, or drive something with it: they need more than the
-    /// derivatives themselves.
+    /// The effects of the sensors differentiate the motion by time, or drive something with it:
+    /// they need more than the derivatives themselves.
     fn fineness_of_derivatives(&self) -> Fineness {
         if self.scene.effects.iter().any(|effect| effect.kind.kinked) {
             Fineness::OF_KINKED_DERIVATIVES
@@ -216,8 +255,12 @@ impl Experiment {
         let bends = laws.iter().any(|law| law.bends_time());
         let sampled = {
             let hull = |t_s: S| self.hull_at(&path, bends, t_s);
-            let ride =
-                Ride { hull: &hull, mounted: &mounted, from_s: self.held_s, to_s: self.held_s + duration_s };
+            let ride = Ride {
+                hull: &hull,
+                mounted: &mounted,
+                from_s: self.held_s,
+                to_s: self.held_s + duration_s,
+            };
             Sampler::new(&laws, &ride, draws)?.sample(&self.kept(&laws, t_s, draws))
         };
         Ok((path, sampled))
@@ -226,13 +269,20 @@ impl Experiment {
     /// The samples that are not lost, with their places among all.
     fn kept<S: Real>(&self, laws: &Laws<S>, t_s: &[f64], draws: &Draws) -> Vec<(usize, f64)> {
         let drawn = Drawn::new(laws, draws);
-        let lost =
-            |&(n, t_s): &(usize, f64)| laws.iter().enumerate().any(|(i, law)| law.loses(t_s, drawn.of(i, n)));
-        t_s.iter().copied().enumerate().filter(|sample| !lost(sample)).collect()
+        let lost = |&(n, t_s): &(usize, f64)| {
+            laws.iter()
+                .enumerate()
+                .any(|(i, law)| law.loses(t_s, drawn.of(i, n)))
+        };
+        t_s.iter()
+            .copied()
+            .enumerate()
+            .filter(|sample| !lost(sample))
+            .collect()
     }
 
-    /// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving already: one piece of
-    /// the path is continued backwards, and there it stays.
+    /// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving
+    /// already: one piece of the path is continued backwards, and there it stays.
     fn hull_at<S: Real>(&self, path: &Path<S>, bends: bool, t_s: S) -> Moment<S> {
         let since_s = t_s.value() - self.held_s;
         if since_s < 0.0 && self.held_s > 0.0 {
@@ -262,19 +312,28 @@ impl<'a> Drawn<'a> {
     fn new<S: Real>(laws: &Laws<S>, draws: &'a Draws) -> Self {
         let per_sample: Vec<usize> = laws.iter().map(|law| law.draws()).collect();
         let none = vec![0.0; per_sample.iter().copied().max().unwrap_or(0)];
-        Self { draws, per_sample, none }
+        Self {
+            draws,
+            per_sample,
+            none,
+        }
     }
 
     fn of(&self, law: usize, sample: usize) -> &[f64] {
         let count = self.per_sample[law];
-        let drawn = self.draws.get(law).and_then(|all| all.get(sample * count..(sample + 1) * count));
+        let drawn = self
+            .draws
+            .get(law)
+            .and_then(|all| all.get(sample * count..(sample + 1) * count));
         drawn.unwrap_or(&self.none[..count])
     }
 
     /// When a sample was really taken.
     fn true_s<S: Real>(&self, laws: &Laws<S>, sample: usize, clock_s: f64) -> S {
         let mut true_s = S::constant(clock_s);
-        laws.iter().enumerate().for_each(|(i, law)| law.bend(&mut true_s, self.of(i, sample)));
+        laws.iter()
+            .enumerate()
+            .for_each(|(i, law)| law.bend(&mut true_s, self.of(i, sample)));
         true_s
     }
 }
@@ -295,14 +354,28 @@ impl<'a, S: Real> Sampler<'a, S> {
         for law in laws {
             own_motions.extend(law.own_motion(ride)?);
         }
-        let memories = [Sensor::Gyroscope, Sensor::Accelerometer].map(|sensor| memory(laws, sensor));
-        Ok(Self { laws, ride, own_motions, memories, drawn: Drawn::new(laws, draws) })
+        let memories =
+            [Sensor::Gyroscope, Sensor::Accelerometer].map(|sensor| memory(laws, sensor));
+        Ok(Self {
+            laws,
+            ride,
+            own_motions,
+            memories,
+            drawn: Drawn::new(laws, draws),
+        })
     }
 
     fn sample(&self, samples: &[(usize, f64)]) -> Sampled<S> {
-        let mut states: Vec<Vec<S>> =
-            self.laws.iter().map(|law| vec![S::zero(); law.noise_states()]).collect();
-        let mut sampled = Sampled { stamps_s: Vec::new(), true_s: Vec::new(), readings: Vec::new() };
+        let mut states: Vec<Vec<S>> = self
+            .laws
+            .iter()
+            .map(|law| vec![S::zero(); law.noise_states()])
+            .collect();
+        let mut sampled = Sampled {
+            stamps_s: Vec::new(),
+            true_s: Vec::new(),
+            readings: Vec::new(),
+        };
         let mut before_s = None;
         for &(n, clock_s) in samples {
             let mut stamp_s = clock_s;
@@ -328,7 +401,9 @@ impl<'a, S: Real> Sampler<'a, S> {
         states: &mut [Vec<S>],
         reading: &mut Reading<S>,
     ) {
-        self.laws.iter().for_each(|law| law.distort(S::constant(clock_s), reading));
+        self.laws
+            .iter()
+            .for_each(|law| law.distort(S::constant(clock_s), reading));
         for (i, (law, states)) in self.laws.iter().zip(states).enumerate() {
             law.add_noise(since_s, self.drawn.of(i, n), states, reading);
         }
@@ -339,7 +414,10 @@ impl<'a, S: Real> Sampler<'a, S> {
     fn remembered(&self, t_s: S) -> Reading<S> {
         let [gyro, acc] = &self.memories;
         let sum = |memory: &[(S, f64)]| {
-            let mut sum = Reading { gyro: V3::zeros(), force: V3::zeros() };
+            let mut sum = Reading {
+                gyro: V3::zeros(),
+                force: V3::zeros(),
+            };
             for (ago_s, weight) in memory {
                 let felt = self.felt(t_s - *ago_s);
                 sum.gyro += felt.gyro.map(|x| x.scale(*weight));
@@ -348,7 +426,14 @@ impl<'a, S: Real> Sampler<'a, S> {
             sum
         };
         let heard = sum(gyro);
-        if gyro == acc { heard } else { Reading { force: sum(acc).force, ..heard } }
+        if gyro == acc {
+            heard
+        } else {
+            Reading {
+                force: sum(acc).force,
+                ..heard
+            }
+        }
     }
 
     fn felt(&self, t_s: S) -> Reading<S> {
@@ -366,9 +451,13 @@ impl<'a, S: Real> Sampler<'a, S> {
 fn memory<S: Real>(laws: &Laws<S>, sensor: Sensor) -> Vec<(S, f64)> {
     let through = |before: Vec<(S, f64)>, more: Vec<(S, f64)>| {
         let later = |(ago_s, weight): (S, f64)| {
-            more.iter().map(|(more_s, share)| (ago_s + *more_s, weight * share)).collect::<Vec<_>>()
+            more.iter()
+                .map(|(more_s, share)| (ago_s + *more_s, weight * share))
+                .collect::<Vec<_>>()
         };
         before.into_iter().flat_map(later).collect()
     };
-    laws.iter().map(|law| law.memory_of(sensor)).fold(vec![(S::zero(), 1.0)], through)
+    laws.iter()
+        .map(|law| law.memory_of(sensor))
+        .fold(vec![(S::zero(), 1.0)], through)
 }

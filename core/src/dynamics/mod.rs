@@ -1,13 +1,13 @@
 //! The body on its lines: small oscillations and full motion.
 //!
-//! May know `error`, `constants`, `frames`. Must never know `modes` or `signal`: a simulation that knows the
-//! estimator makes every simulated test circular.
+//! May know `error`, `constants`, `frames`. Must never know `modes` or `signal`: a simulation that
+//! knows the estimator makes every simulated test circular.
 //!
 //! # Conventions
-//! **World axes**: z up; gravity is −z. **Hanging axes** are fixed in the body and agree with the world axes
-//! when the body hangs level: the suspension points lie where the [`Rig`] says. A hull hung level has hanging
-//! axes = hull axes; a pitched hull enters by [`RigidBody::rotated`]. Body points count from the mid-point of
-//! the two suspension points.
+//! **World axes**: z up; gravity is −z. **Hanging axes** are fixed in the body and agree with the
+//! world axes when the body hangs level: the suspension points lie where the [`Rig`] says. A hull
+//! hung level has hanging axes = hull axes; a pitched hull enters by [`RigidBody::rotated`]. Body
+//! points count from the mid-point of the two suspension points.
 
 mod constraint;
 mod dop853;
@@ -36,6 +36,10 @@ pub use real::{Dual, M3, Real, V3};
 pub use rig::{Line, Rig, RigidBody, SuspensionAxis};
 pub use scene::{Body, Dimensions, Hanging, LANES, Scene, Start};
 pub use sensor::{IdealPhone, ideal_phone};
-pub use small::{ModeKind, SmallEffects, SmallModes, compound_pendulum_period_s, mode_kind, small_modes};
+pub use small::{
+    ModeKind, SmallEffects, SmallModes, compound_pendulum_period_s, mode_kind, small_modes,
+};
 pub use suspended::{Cord, MOST_LINES, Spring, Suspended};
-pub use trajectory::{Damping, ModalPart, Sampling, State, Trajectory, initial_state, placed, simulate};
+pub use trajectory::{
+    Damping, ModalPart, Sampling, State, Trajectory, initial_state, placed, simulate,
+};

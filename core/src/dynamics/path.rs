@@ -6,8 +6,8 @@ use super::real::{M3, Real, V3};
 use super::suspended::{ATTITUDE, Equations, MEMORY, MOST_LINES, PLACE, RATE, VELOCITY};
 use crate::error::{Error, Result};
 
-/// A line that went slack: lines of given length then go on as rods, and what follows is not to be used; elastic lines
-/// go on as they should.
+/// A line that went slack: lines of given length then go on as rods, and what follows is not to be
+/// used; elastic lines go on as they should.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slack {
     /// When its tension first vanished, s.
@@ -80,11 +80,18 @@ impl<S: Real> Moment<S> {
     pub fn stopped(&self) -> Self {
         let still = V3::zeros();
         let (velocity, rate, acceleration, angular_acceleration) = (still, still, still, still);
-        Self { velocity, rate, acceleration, angular_acceleration, ..*self }
+        Self {
+            velocity,
+            rate,
+            acceleration,
+            angular_acceleration,
+            ..*self
+        }
     }
 }
 
-/// Newton steps onto the constraints after each step of the integration: it leaves them by rounding or a little more.
+/// Newton steps onto the constraints after each step of the integration: it leaves them by rounding
+/// or a little more.
 const PROJECTIONS: usize = 1;
 /// Pieces that what happens once is made of at least, a push of half a sine as any.
 const PIECES_OF_EVENTS: f64 = 4.0;
@@ -92,8 +99,8 @@ const PIECES_OF_EVENTS: f64 = 4.0;
 const QUICKEST_S: f64 = 1e-6;
 /// A piece that ends so near to where it begins or ends, shares of its length, ends there.
 const AT_AN_END: f64 = 1e-6;
-/// What rounding makes of a step at most (m, m/s, 1, rad/s), and of a derivative times the number differentiated by:
-/// some fifty times the last digit of a metre. No halving mends it.
+/// What rounding makes of a step at most (m, m/s, 1, rad/s), and of a derivative times the number
+/// differentiated by: some fifty times the last digit of a metre. No halving mends it.
 const ROUNDING: f64 = 1e-14;
 
 /// How finely a motion is computed.
@@ -101,9 +108,10 @@ const ROUNDING: f64 = 1e-14;
 pub struct Fineness {
     /// Steps per period of the fastest mode.
     pub steps_per_period: f64,
-    /// A step with a larger error (m, m/s, 1, rad/s, units of the effects' memories; of derivatives, as a part of the
-    /// largest by the same parameter, unless it is rounding) is halved: those that cross the kink of a drag or of a
-    /// friction. On the smooth motions of a swing the error is smaller than this by itself.
+    /// A step with a larger error (m, m/s, 1, rad/s, units of the effects' memories; of
+    /// derivatives, as a part of the largest by the same parameter, unless it is rounding) is
+    /// halved: those that cross the kink of a drag or of a friction. On the smooth motions of a
+    /// swing the error is smaller than this by itself.
     pub largest_error: f64,
     /// A step is halved no oftener than this.
     pub most_halvings: u32,
@@ -113,24 +121,50 @@ pub struct Fineness {
 
 impl Fineness {
     /// Leaves the energy of wide swings to 1e-10 over ten minutes, the periods to better than 1e-9
-    /// (`tests/simulation`). A path of more pieces would take hundreds of megabytes, with derivatives gigabytes.
-    pub const FULL: Self =
-        Self { steps_per_period: 30.0, largest_error: 1e-9, most_halvings: 20, most_pieces: 200_000 };
-    /// Leaves derivatives of smooth motions to 1e-7 of their largest value (`tests/simulation/derivatives`).
-    pub const OF_DERIVATIVES: Self = Self { steps_per_period: 20.0, largest_error: 1e-8, ..Self::FULL };
-    /// The same across kinks: larger steps now and then go over one unseen.
-    pub const OF_KINKED_DERIVATIVES: Self =
-        Self { steps_per_period: 60.0, largest_error: 1e-11, most_halvings: 30, ..Self::FULL };
-    /// For the comparison of smooth motions with samples: headings are right to 1e-6 rad after two minutes (`tests/simulation/damping`), far
-    /// below the noise of any phone, and trial bodies on which no motion of that length can be computed are refused at once.
-    pub const OF_FITS: Self =
-        Self { steps_per_period: 8.0, most_halvings: 0, most_pieces: 60_000, ..Self::FULL };
-    /// For derivatives that lead a fit of smooth motions on its way: right to 3 % of their largest value over two minutes, most to 1e-3
+    /// (`tests/simulation`). A path of more pieces would take hundreds of megabytes, with
+    /// derivatives gigabytes.
+    pub const FULL: Self = Self {
+        steps_per_period: 30.0,
+        largest_error: 1e-9,
+        most_halvings: 20,
+        most_pieces: 200_000,
+    };
+    /// Leaves derivatives of smooth motions to 1e-7 of their largest value
     /// (`tests/simulation/derivatives`).
-    pub const OF_SLOPES_OF_FITS: Self = Self { steps_per_period: 5.0, ..Self::OF_FITS };
+    pub const OF_DERIVATIVES: Self = Self {
+        steps_per_period: 20.0,
+        largest_error: 1e-8,
+        ..Self::FULL
+    };
+    /// The same across kinks: larger steps now and then go over one unseen.
+    pub const OF_KINKED_DERIVATIVES: Self = Self {
+        steps_per_period: 60.0,
+        largest_error: 1e-11,
+        most_halvings: 30,
+        ..Self::FULL
+    };
+    /// For the comparison of smooth motions with samples: headings are right to 1e-6 rad after two
+    /// minutes (`tests/simulation/damping`), far below the noise of any phone, and trial bodies on
+    /// which no motion of that length can be computed are refused at once.
+    pub const OF_FITS: Self = Self {
+        steps_per_period: 8.0,
+        most_halvings: 0,
+        most_pieces: 60_000,
+        ..Self::FULL
+    };
+    /// For derivatives that lead a fit of smooth motions on its way: right to 3 % of their largest
+    /// value over two minutes, most to 1e-3 (`tests/simulation/derivatives`).
+    pub const OF_SLOPES_OF_FITS: Self = Self {
+        steps_per_period: 5.0,
+        ..Self::OF_FITS
+    };
     /// The same across kinks.
-    pub const OF_KINKED_FITS: Self =
-        Self { steps_per_period: 12.0, largest_error: 1e-6, most_halvings: 5, ..Self::OF_FITS };
+    pub const OF_KINKED_FITS: Self = Self {
+        steps_per_period: 12.0,
+        largest_error: 1e-6,
+        most_halvings: 5,
+        ..Self::OF_FITS
+    };
 }
 
 /// An integration under way.
@@ -159,7 +193,10 @@ impl<'a, S: Real> Integration<'a, S> {
     ) -> Self {
         let size = equations.size();
         let mut stepper = Stepper::new(size);
-        let tension_n = equations.slope(&start, stepper.first_slope()).tension_n.map(Real::value);
+        let tension_n = equations
+            .slope(&start, stepper.first_slope())
+            .tension_n
+            .map(Real::value);
         let path = Path {
             step_s,
             pieces: Vec::new(),
@@ -172,7 +209,18 @@ impl<'a, S: Real> Integration<'a, S> {
         let zeros = || vec![S::zero(); size];
         let (state, end, end_slope) = (start, zeros(), zeros());
         let events_s = equations.events_s();
-        Self { equations, stepper, state, end, end_slope, tension_n, path, fineness, events_s, sizes }
+        Self {
+            equations,
+            stepper,
+            state,
+            end,
+            end_slope,
+            tension_n,
+            path,
+            fineness,
+            events_s,
+            sizes,
+        }
     }
 
     /// One piece, or two of half its length, and so on.
@@ -184,7 +232,8 @@ impl<'a, S: Real> Integration<'a, S> {
         let mut f = |y: &[S], out: &mut [S]| {
             equations.slope(y, out);
         };
-        self.stepper.advance(&mut f, &self.state, piece.length_s, &mut self.end);
+        self.stepper
+            .advance(&mut f, &self.state, piece.length_s, &mut self.end);
         if halvings < self.fineness.most_halvings && self.is_rough(piece.length_s) {
             return self.advance_parts(piece, 0.5 * piece.length_s, halvings + 1);
         }
@@ -192,13 +241,19 @@ impl<'a, S: Real> Integration<'a, S> {
     }
 
     fn advance_parts(&mut self, piece: Piece, first_s: f64, halvings: u32) -> Result<()> {
-        self.advance(Piece { length_s: first_s, ..piece }, halvings)?;
+        self.advance(
+            Piece {
+                length_s: first_s,
+                ..piece
+            },
+            halvings,
+        )?;
         let (from_s, length_s) = (piece.from_s + first_s, piece.length_s - first_s);
         self.advance(Piece { from_s, length_s }, halvings)
     }
 
-    /// Length of the first part of a piece that meets something that happens once: it ends where that begins or ends, or is a half where
-    /// the piece is long against it.
+    /// Length of the first part of a piece that meets something that happens once: it ends where
+    /// that begins or ends, or is a half where the piece is long against it.
     fn parted_by_events(&self, piece: Piece) -> Option<f64> {
         self.events_s.iter().find_map(|[begins_s, over_s]| {
             let (begins_s, ends_s) = (begins_s - piece.from_s, begins_s + over_s - piece.from_s);
@@ -212,7 +267,8 @@ impl<'a, S: Real> Integration<'a, S> {
         })
     }
 
-    /// Whether the step just made has too large an error: in the body's state or in the effects' memories.
+    /// Whether the step just made has too large an error: in the body's state or in the effects'
+    /// memories.
     fn is_rough(&mut self, h: f64) -> bool {
         self.stepper.estimate();
         let (end, largest) = (self.end.len(), self.fineness.largest_error);
@@ -220,7 +276,10 @@ impl<'a, S: Real> Integration<'a, S> {
             let error = |part: &dyn Fn(&S) -> f64| self.stepper.error(h, watched.clone(), part);
             let is_rough_in = |lane: usize| {
                 let slope = |x: &S| x.slopes()[lane];
-                let most = self.end[watched.clone()].iter().map(|x| slope(x).abs()).fold(0.0, f64::max);
+                let most = self.end[watched.clone()]
+                    .iter()
+                    .map(|x| slope(x).abs())
+                    .fold(0.0, f64::max);
                 error(&slope) > (largest * most).max(ROUNDING / self.sizes[lane])
             };
             error(&|x| x.value()) > largest || (0..self.sizes.len()).any(is_rough_in)
@@ -236,15 +295,27 @@ impl<'a, S: Real> Integration<'a, S> {
             equations.slope(y, out);
         };
         equations.project(&mut self.end, PROJECTIONS);
-        let tension_n = equations.slope(&self.end, &mut self.end_slope).tension_n.map(Real::value);
+        let tension_n = equations
+            .slope(&self.end, &mut self.end_slope)
+            .tension_n
+            .map(Real::value);
         if !self.end.iter().all(|x| x.value().is_finite()) {
             let text = format!("it cannot be continued after {} s", piece.from_s);
             return Err(Error::no_result("motion", text));
         }
-        let (ends, out) = ((&self.state[..], &self.end[..]), &mut self.path.coefficients);
-        self.stepper.between(&mut f, ends, &self.end_slope, piece.length_s, out);
+        let (ends, out) = (
+            (&self.state[..], &self.end[..]),
+            &mut self.path.coefficients,
+        );
+        self.stepper
+            .between(&mut f, ends, &self.end_slope, piece.length_s, out);
         self.path.pieces.push(piece);
-        self.path.note_slack(piece, &self.tension_n, &tension_n, equations.system.cords.len());
+        self.path.note_slack(
+            piece,
+            &self.tension_n,
+            &tension_n,
+            equations.system.cords.len(),
+        );
         std::mem::swap(&mut self.state, &mut self.end);
         self.tension_n = tension_n;
         Ok(())
@@ -256,8 +327,8 @@ fn too_long(most_pieces: usize) -> Error {
 }
 
 impl<S: Real> Path<S> {
-    /// Integrates from `start`, which keeps the constraints already, over `duration_s` in steps of `step_s`; `sizes` are
-    /// those of the numbers differentiated by.
+    /// Integrates from `start`, which keeps the constraints already, over `duration_s` in steps of
+    /// `step_s`; `sizes` are those of the numbers differentiated by.
     pub(super) fn integrate(
         equations: &Equations<S>,
         start: Vec<S>,
@@ -277,13 +348,24 @@ impl<S: Real> Path<S> {
         }
         let steps = steps as usize;
         let mut integration = Integration::new(equations, start, sizes, step_s, fineness);
-        if let Some([_, over_s]) = integration.events_s.iter().find(|[_, over_s]| *over_s < QUICKEST_S) {
-            let text = format!("something that happens within {over_s} s is too quick to be followed");
+        if let Some([_, over_s]) = integration
+            .events_s
+            .iter()
+            .find(|[_, over_s]| *over_s < QUICKEST_S)
+        {
+            let text =
+                format!("something that happens within {over_s} s is too quick to be followed");
             return Err(Error::no_result("motion", text));
         }
         integration.path.coefficients.reserve(steps * COEFFICIENTS);
         for n in 0..steps {
-            integration.advance(Piece { from_s: n as f64 * step_s, length_s: step_s }, 0)?;
+            integration.advance(
+                Piece {
+                    from_s: n as f64 * step_s,
+                    length_s: step_s,
+                },
+                0,
+            )?;
             integration.path.first.push(integration.path.pieces.len());
         }
         Ok(integration.path)
@@ -296,10 +378,19 @@ impl<S: Real> Path<S> {
         }
         let zero = |line: usize| {
             let (b, a) = (before[line], after[line]);
-            let part = if b > a { (b / (b - a)).clamp(0.0, 1.0) } else { 0.0 };
-            (a <= 0.0).then_some(Slack { t_s: piece.from_s + part * piece.length_s, line })
+            let part = if b > a {
+                (b / (b - a)).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            (a <= 0.0).then_some(Slack {
+                t_s: piece.from_s + part * piece.length_s,
+                line,
+            })
         };
-        self.slack = (0..count).filter_map(zero).min_by(|a, b| a.t_s.total_cmp(&b.t_s));
+        self.slack = (0..count)
+            .filter_map(zero)
+            .min_by(|a, b| a.t_s.total_cmp(&b.t_s));
     }
 
     /// Length, s.
@@ -337,7 +428,9 @@ impl<S: Real> Path<S> {
     /// From the state and its derivative by the fraction of piece `n`.
     fn moment(&self, n: usize, (y, mut slope): ([S; MEMORY], [S; MEMORY])) -> Moment<S> {
         let per_s = 1.0 / self.pieces[n].length_s;
-        slope[VELOCITY..].iter_mut().for_each(|part| *part = part.scale(per_s));
+        slope[VELOCITY..]
+            .iter_mut()
+            .for_each(|part| *part = part.scale(per_s));
         Moment::new(&y, &slope)
     }
 

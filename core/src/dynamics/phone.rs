@@ -11,8 +11,9 @@ numbers! {
     /// Where the phone sits and what its sensors add to everything.
     ///
     /// # Conventions
-    /// The position is in hull axes from the mid-point of the suspension points. The turn is a rotation vector that
-    /// comes on top of a nominal `hull_from_phone`, phone axes: `hull_from_phone = nominal · exp(turn)`.
+    /// The position is in hull axes from the mid-point of the suspension points. The turn is a
+    /// rotation vector that comes on top of a nominal `hull_from_phone`, phone axes:
+    /// `hull_from_phone = nominal · exp(turn)`.
     pub struct Phone {
         /// Forward.
         position_x_m: "m",
@@ -68,15 +69,24 @@ pub struct Mounted<S: Real> {
 }
 
 impl<S: Real> Phone<S> {
-    /// The phone on a body whose centre of mass is at `cm_m`, both from the mid-point of the suspension points.
+    /// The phone on a body whose centre of mass is at `cm_m`, both from the mid-point of the
+    /// suspension points.
     pub fn mounted(&self, nominal: &Rotation, cm_m: &V3<S>, gravity_m_s2: S) -> Mounted<S> {
         let turn = rotation(&V3::new(self.turn_x_rad, self.turn_y_rad, self.turn_z_rad));
         let nominal: M3<S> = nominal.to_rotation_matrix().matrix().map(S::constant);
         Mounted {
             arm: V3::new(self.position_x_m, self.position_y_m, self.position_z_m) - cm_m,
             phone_from_hull: (nominal * turn).transpose(),
-            gyro_bias: V3::new(self.gyro_bias_x_rad_s, self.gyro_bias_y_rad_s, self.gyro_bias_z_rad_s),
-            acc_bias: V3::new(self.acc_bias_x_m_s2, self.acc_bias_y_m_s2, self.acc_bias_z_m_s2),
+            gyro_bias: V3::new(
+                self.gyro_bias_x_rad_s,
+                self.gyro_bias_y_rad_s,
+                self.gyro_bias_z_rad_s,
+            ),
+            acc_bias: V3::new(
+                self.acc_bias_x_m_s2,
+                self.acc_bias_y_m_s2,
+                self.acc_bias_z_m_s2,
+            ),
             gravity: gravity_m_s2,
         }
     }
@@ -91,13 +101,15 @@ impl<S: Real> Mounted<S> {
         }
     }
 
-    /// Readings while the phone moves against the hull as well, by several motions one upon the other.
+    /// Readings while the phone moves against the hull as well, by several motions one upon the
+    /// other.
     pub fn read_moving(&self, moment: &Moment<S>, offsets: &[Offset<S>]) -> Reading<S> {
         let mut arm = self.arm;
         let mut own = V3::zeros();
         for offset in offsets {
             arm += offset.shift;
-            own += moment.rate.cross(&offset.shift_rate).map(|x| x.scale(2.0)) + offset.shift_acceleration;
+            own += moment.rate.cross(&offset.shift_rate).map(|x| x.scale(2.0))
+                + offset.shift_acceleration;
         }
         let mut gyro = self.phone_from_hull * moment.rate;
         let mut force = self.phone_from_hull * (force_at(moment, &arm, self.gravity) + own);
@@ -106,7 +118,10 @@ impl<S: Real> Mounted<S> {
             gyro = turn.tr_mul(&gyro) + offset.turn_rate;
             force = turn.tr_mul(&force);
         }
-        Reading { gyro: gyro + self.gyro_bias, force: force + self.acc_bias }
+        Reading {
+            gyro: gyro + self.gyro_bias,
+            force: force + self.acc_bias,
+        }
     }
 
     /// Specific force where the phone sits, hull axes, m/s².
@@ -137,9 +152,16 @@ pub(crate) fn rotation<S: Real>(vector: &V3<S>) -> M3<S> {
     let square = vector.dot(vector);
     // Below, cos(θ/2) and sin(θ/2)/θ by their series in θ²: the next terms are under 1e-16.
     let (cos, sinc) = if square.value() < 1e-4 {
-        let series = |c: [f64; 4]| c.iter().rev().fold(S::zero(), |sum, c| sum * square + S::constant(*c));
+        let series = |c: [f64; 4]| {
+            c.iter()
+                .rev()
+                .fold(S::zero(), |sum, c| sum * square + S::constant(*c))
+        };
         let cos = series([1.0, -1.0 / 8.0, 1.0 / 384.0, -1.0 / 46080.0]);
-        (cos, series([0.5, -1.0 / 48.0, 1.0 / 3840.0, -1.0 / 645_120.0]))
+        (
+            cos,
+            series([0.5, -1.0 / 48.0, 1.0 / 3840.0, -1.0 / 645_120.0]),
+        )
     } else {
         let angle = square.sqrt();
         let half = angle.scale(0.5);

@@ -1,9 +1,9 @@
 //! The numbers a simulation runs on: plain ones, and ones that carry their derivatives.
 //!
-//! Every equation of motion, every effect and every sensor is written once over [`Real`]; with [`Dual`] the same lines
-//! give the readings and their derivatives. `num-dual` knows the same arithmetic, but its derivatives are optional
-//! matrices: with 20 of them a kernel of products and cross products took 38 µs against 8 µs here (and 0.1 µs on plain
-//! numbers).
+//! Every equation of motion, every effect and every sensor is written once over [`Real`]; with
+//! [`Dual`] the same lines give the readings and their derivatives. `num-dual` knows the same
+//! arithmetic, but its derivatives are optional matrices: with 20 of them a kernel of products and
+//! cross products took 38 µs against 8 µs here (and 0.1 µs on plain numbers).
 
 use std::array::from_fn;
 use std::fmt::Debug;
@@ -138,7 +138,10 @@ impl<const N: usize> Dual<N> {
 
 impl<const N: usize> Real for Dual<N> {
     fn constant(value: f64) -> Self {
-        Self { value, slope: [0.0; N] }
+        Self {
+            value,
+            slope: [0.0; N],
+        }
     }
     fn value(self) -> f64 {
         self.value
@@ -247,20 +250,24 @@ pub(crate) fn constant<S: Real>(v: &Vector3<f64>) -> V3<S> {
     v.map(S::constant)
 }
 
-/// `m v`. The product of nalgebra moves whole columns about, which took a third of the time of numbers with derivatives.
+/// `m v`. The product of nalgebra moves whole columns about, which took a third of the time of
+/// numbers with derivatives.
 #[inline]
 pub(crate) fn times<S: Real>(m: &M3<S>, v: &V3<S>) -> V3<S> {
     let row = |i: usize| m[(i, 0)] * v.x + m[(i, 1)] * v.y + m[(i, 2)] * v.z;
     V3::new(row(0), row(1), row(2))
 }
 
-/// Solves the `n` equations in the upper left of `a x = b` in place, the largest pivot of a column first.
+/// Solves the `n` equations in the upper left of `a x = b` in place, the largest pivot of a column
+/// first.
 ///
 /// A singular matrix gives values that are not finite.
 pub(crate) fn solve<S: Real, const N: usize>(a: &mut [[S; N]; N], b: &mut [S; N], n: usize) {
     for column in 0..n {
         let size = |row: &usize| a[*row][column].value().abs();
-        let pivot = (column..n).max_by(|i, j| size(i).total_cmp(&size(j))).unwrap_or(column);
+        let pivot = (column..n)
+            .max_by(|i, j| size(i).total_cmp(&size(j)))
+            .unwrap_or(column);
         a.swap(column, pivot);
         b.swap(column, pivot);
         let inverse = S::one() / a[column][column];
@@ -285,7 +292,8 @@ pub(crate) fn solve<S: Real, const N: usize>(a: &mut [[S; N]; N], b: &mut [S; N]
 
 /// A positive definite matrix, its values decomposed, to solve `a x = b` with many right sides.
 ///
-/// With A₀ = A's values and x₀ = A₀⁻¹ b, x₀ + A₀⁻¹ (b − A x₀) has the derivatives of the solution: the decomposition has none.
+/// With A₀ = A's values and x₀ = A₀⁻¹ b, x₀ + A₀⁻¹ (b − A x₀) has the derivatives of the solution:
+/// the decomposition has none.
 #[derive(Debug, Clone)]
 pub(crate) struct Decomposed<'a, S: Real, const N: usize> {
     matrix: &'a [[S; N]; N],
@@ -320,10 +328,14 @@ impl<'a, S: Real, const N: usize> Decomposed<'a, S, N> {
         }
         let mut left = *b;
         for (left, row) in left.iter_mut().zip(self.matrix) {
-            row.iter().zip(values).for_each(|(cell, x)| left.add_scaled(-x, *cell));
+            row.iter()
+                .zip(values)
+                .for_each(|(cell, x)| left.add_scaled(-x, *cell));
         }
         self.divide(&mut left);
-        left.iter_mut().zip(values).for_each(|(left, x)| left.add_scaled(x, S::one()));
+        left.iter_mut()
+            .zip(values)
+            .for_each(|(left, x)| left.add_scaled(x, S::one()));
         left
     }
 
@@ -331,7 +343,10 @@ impl<'a, S: Real, const N: usize> Decomposed<'a, S, N> {
     fn divide<T: Real>(&self, x: &mut [T; N]) {
         for i in 0..N {
             let (known, rest) = x.split_at_mut(i);
-            known.iter().zip(&self.parts[i]).for_each(|(known, l)| rest[0].add_scaled(-l, *known));
+            known
+                .iter()
+                .zip(&self.parts[i])
+                .for_each(|(known, l)| rest[0].add_scaled(-l, *known));
         }
         for i in (0..N).rev() {
             x[i] = x[i].scale(self.parts[i][i]);
@@ -346,8 +361,16 @@ impl<'a, S: Real, const N: usize> Decomposed<'a, S, N> {
 
 /// Inverse of a 3 × 3 matrix by its cofactors.
 pub(crate) fn inverse<S: Real>(m: &M3<S>) -> M3<S> {
-    let rows = [m.row(0).transpose(), m.row(1).transpose(), m.row(2).transpose()];
-    let columns = [rows[1].cross(&rows[2]), rows[2].cross(&rows[0]), rows[0].cross(&rows[1])];
+    let rows = [
+        m.row(0).transpose(),
+        m.row(1).transpose(),
+        m.row(2).transpose(),
+    ];
+    let columns = [
+        rows[1].cross(&rows[2]),
+        rows[2].cross(&rows[0]),
+        rows[0].cross(&rows[1]),
+    ];
     let determinant = S::one() / rows[0].dot(&columns[0]);
     M3::from_columns(&columns) * determinant
 }

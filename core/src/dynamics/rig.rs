@@ -46,8 +46,9 @@ impl Rig {
     /// Two equal lines; the world's origin is mid-way between the upper ends.
     ///
     /// # Conventions
-    /// `spacing_m` and `top_spacing_m` are the whole distances between the lines (the paper's 2d) at the hull
-    /// and at the top. Line 0 is on the negative side of the axis, line 1 on the positive.
+    /// `spacing_m` and `top_spacing_m` are the whole distances between the lines (the paper's 2d)
+    /// at the hull and at the top. Line 0 is on the negative side of the axis, line 1 on the
+    /// positive.
     pub fn bifilar(
         axis: SuspensionAxis,
         line_length_m: f64,
@@ -60,14 +61,21 @@ impl Rig {
         positive("top_spacing_m", top_spacing_m)?;
         positive("gravity_m_s2", gravity_m_s2)?;
         if (spacing_m - top_spacing_m).abs() >= 2.0 * line_length_m {
-            return Err(Error::argument("line_length_m", "lines that reach the hull", line_length_m));
+            return Err(Error::argument(
+                "line_length_m",
+                "lines that reach the hull",
+                line_length_m,
+            ));
         }
         let line = |side: f64| Line {
             top_m: axis.unit() * (0.5 * side * top_spacing_m),
             hull_point_m: axis.unit() * (0.5 * side * spacing_m),
             length_m: line_length_m,
         };
-        Ok(Self { lines: [line(-1.0), line(1.0)], gravity_m_s2 })
+        Ok(Self {
+            lines: [line(-1.0), line(1.0)],
+            gravity_m_s2,
+        })
     }
 
     /// Horizontal unit vector from the first line's upper end to the second's, world axes.
@@ -93,7 +101,11 @@ impl RigidBody {
     /// A body whose principal axes are the hull's, by its gyradii about x, y, z.
     pub fn from_gyradii(mass_kg: f64, gyradii_m: [f64; 3], cm_m: Vec3) -> Self {
         let k = Vec3::from(gyradii_m);
-        Self { mass_kg, inertia_kg_m2: Mat3::from_diagonal(&(k.component_mul(&k) * mass_kg)), cm_m }
+        Self {
+            mass_kg,
+            inertia_kg_m2: Mat3::from_diagonal(&(k.component_mul(&k) * mass_kg)),
+            cm_m,
+        }
     }
 
     /// The same body turned about the mid-point of the suspension points, e.g. by

@@ -1,10 +1,11 @@
 //! What is simulated, as named numbers: body, rig, start, effects.
 //!
 //! # Conventions
-//! Hull axes: x forward, y to port, z up; lengths in the hull count from the mid-point of the suspension points. World:
-//! z up, origin mid-way between the upper ends, x along the hull's at yaw zero. The *axis* is the direction that joins
-//! the suspension points: +y athwartships, +x fore and aft; *across* is axis × up. The attitude is
-//! `world_from_hull` = yaw about z · roll about across · turn about the axis.
+//! Hull axes: x forward, y to port, z up; lengths in the hull count from the mid-point of the
+//! suspension points. World: z up, origin mid-way between the upper ends, x along the hull's at yaw
+//! zero. The *axis* is the direction that joins the suspension points: +y athwartships, +x fore and
+//! aft; *across* is axis × up. The attitude is `world_from_hull` = yaw about z · roll about across
+//! · turn about the axis.
 
 use super::effects::{EffectValues, build};
 use super::numbers::{Number, Numbers, numbers};
@@ -86,8 +87,16 @@ numbers! {
 impl<S: Real> Body<S> {
     /// Inertia about the centre of mass.
     pub fn inertia(&self) -> M3<S> {
-        let (xy, xz, yz) = (self.inertia_xy_kg_m2, self.inertia_xz_kg_m2, self.inertia_yz_kg_m2);
-        let (xx, yy, zz) = (self.inertia_xx_kg_m2, self.inertia_yy_kg_m2, self.inertia_zz_kg_m2);
+        let (xy, xz, yz) = (
+            self.inertia_xy_kg_m2,
+            self.inertia_xz_kg_m2,
+            self.inertia_yz_kg_m2,
+        );
+        let (xx, yy, zz) = (
+            self.inertia_xx_kg_m2,
+            self.inertia_yy_kg_m2,
+            self.inertia_zz_kg_m2,
+        );
         M3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
     }
 
@@ -153,16 +162,19 @@ pub struct Scene {
 pub const LANES: usize = 12;
 
 impl Scene {
-    /// Names and units of all its numbers; those of effects read `effect.number`, a second of the same kind
-    /// `effect#2.number`.
+    /// Names and units of all its numbers; those of effects read `effect.number`, a second of the
+    /// same kind `effect#2.number`.
     pub fn names(&self) -> Vec<(String, &'static str)> {
         let own = [
             <Body as Numbers<f64>>::NUMBERS,
             <Dimensions as Numbers<f64>>::NUMBERS,
             <Start as Numbers<f64>>::NUMBERS,
         ];
-        let mut names: Vec<(String, &'static str)> =
-            own.concat().iter().map(|n: &Number| (n.name.to_owned(), n.unit)).collect();
+        let mut names: Vec<(String, &'static str)> = own
+            .concat()
+            .iter()
+            .map(|n: &Number| (n.name.to_owned(), n.unit))
+            .collect();
         names.extend(effect_names(&self.effects));
         names
     }
@@ -205,7 +217,12 @@ impl Scene {
 
     /// The motion, as finely as is asked.
     pub fn motion_as(&self, fineness: Fineness, duration_s: f64) -> Result<Path<f64>> {
-        self.run(self.values(), duration_s, self.step_s(fineness.steps_per_period)?, fineness)
+        self.run(
+            self.values(),
+            duration_s,
+            self.step_s(fineness.steps_per_period)?,
+            fineness,
+        )
     }
 
     /// The motion with its derivatives by the numbers at `wanted`, [`LANES`] of them to a path.
@@ -250,7 +267,11 @@ impl Scene {
         let body = Body::from_numbers(rest).ok_or_else(few)?;
         let dimensions = Dimensions::from_numbers(rest).ok_or_else(few)?;
         let start = Start::from_numbers(rest).ok_or_else(few)?;
-        let effects: Option<Vec<_>> = self.effects.iter().map(|e| build(e.kind.id, rest)).collect();
+        let effects: Option<Vec<_>> = self
+            .effects
+            .iter()
+            .map(|e| build(e.kind.id, rest))
+            .collect();
         let system = Suspended {
             mass_kg: body.mass_kg,
             inertia_kg_m2: body.inertia(),
@@ -262,8 +283,9 @@ impl Scene {
         Ok((Equations::new(system, effects.ok_or_else(few)?), start))
     }
 
-    /// Turn about the axis at which the body hangs still on lines that are alike, rad: its centre of mass then lies below
-    /// the axis. Effects that shift the centre count; whatever else moves the rest does not.
+    /// Turn about the axis at which the body hangs still on lines that are alike, rad: its centre
+    /// of mass then lies below the axis. Effects that shift the centre count; whatever else moves
+    /// the rest does not.
     pub fn rest_turn_rad(&self) -> Result<f64> {
         let (equations, _) = self.equations(self.values())?;
         let (cm, axis) = (equations.system.cm_m, self.hanging.axis().unit());
@@ -283,10 +305,21 @@ impl Scene {
 pub(super) fn effect_names(effects: &[EffectValues]) -> Vec<(String, &'static str)> {
     let mut names = Vec::new();
     for (i, effect) in effects.iter().enumerate() {
-        let before = effects[..i].iter().filter(|e| e.kind.id == effect.kind.id).count();
-        let count = if before > 0 { format!("#{}", before + 1) } else { String::new() };
+        let before = effects[..i]
+            .iter()
+            .filter(|e| e.kind.id == effect.kind.id)
+            .count();
+        let count = if before > 0 {
+            format!("#{}", before + 1)
+        } else {
+            String::new()
+        };
         names.extend(
-            effect.kind.numbers.iter().map(|n| (format!("{}{count}.{}", effect.kind.id, n.name), n.unit)),
+            effect
+                .kind
+                .numbers
+                .iter()
+                .map(|n| (format!("{}{count}.{}", effect.kind.id, n.name), n.unit)),
         );
     }
     names
@@ -296,7 +329,9 @@ pub(super) fn effect_names(effects: &[EffectValues]) -> Vec<(String, &'static st
 pub(super) fn seeded(values: &[f64], lanes: &[usize]) -> Result<Vec<Dual<LANES>>> {
     let mut seeded: Vec<Dual<LANES>> = values.iter().map(|v| Dual::constant(*v)).collect();
     for (lane, &i) in lanes.iter().enumerate() {
-        let value = values.get(i).ok_or_else(|| Error::argument("wanted", "places of numbers", i))?;
+        let value = values
+            .get(i)
+            .ok_or_else(|| Error::argument("wanted", "places of numbers", i))?;
         seeded[i] = Dual::parameter(*value, lane);
     }
     Ok(seeded)
@@ -307,7 +342,10 @@ fn sizes<S: Real>(values: &[S]) -> Vec<f64> {
     let lanes = values.first().map_or(0, |value| value.slopes().len());
     let behind = |lane: usize| values.iter().find(|value| value.slopes()[lane] != 0.0);
     let size = |lane| behind(lane).map_or(0.0, |value| value.value().abs());
-    (0..lanes).map(size).map(|size| if size > 0.0 { size } else { 1.0 }).collect()
+    (0..lanes)
+        .map(size)
+        .map(|size| if size > 0.0 { size } else { 1.0 })
+        .collect()
 }
 
 /// The lines of a suspension.
@@ -332,7 +370,10 @@ fn cords<S: Real>(hanging: Hanging, d: &Dimensions<S>) -> Vec<Cord<S>> {
                 point_m: axis * half(d.spacing_m, side) + across * half(d.spread_m, leg),
                 length_m,
             };
-            sides.into_iter().flat_map(|side| sides.map(|other| leg(side, other))).collect()
+            sides
+                .into_iter()
+                .flat_map(|side| sides.map(|other| leg(side, other)))
+                .collect()
         }
     }
 }
@@ -344,7 +385,9 @@ fn fastest_rad_s(hanging: Hanging, equations: &Equations<f64>) -> Result<f64> {
         Hanging::Bifilar(_) => bifilar_rad_s(system)?,
         Hanging::Compound(axis) => compound_rad_s(system, axis),
     };
-    let of_effects = equations.effects().map(|(effect, _)| effect.fastest_rad_s(system));
+    let of_effects = equations
+        .effects()
+        .map(|(effect, _)| effect.fastest_rad_s(system));
     Ok(of_effects.fold(of_lines, f64::max))
 }
 
@@ -354,21 +397,31 @@ fn bifilar_rad_s(system: &Suspended<f64>) -> Result<f64> {
         hull_point_m: system.cords[i].point_m,
         length_m: system.cords[i].length_m,
     };
-    let rig = Rig { lines: [line(0), line(1)], gravity_m_s2: system.gravity_m_s2 };
+    let rig = Rig {
+        lines: [line(0), line(1)],
+        gravity_m_s2: system.gravity_m_s2,
+    };
     let (mass_kg, cm_m) = (system.mass_kg, system.cm_m);
-    let body = RigidBody { mass_kg, inertia_kg_m2: system.inertia_kg_m2, cm_m };
+    let body = RigidBody {
+        mass_kg,
+        inertia_kg_m2: system.inertia_kg_m2,
+        cm_m,
+    };
     Ok(small_modes(&rig, &body)?.omega_rad_s[3])
 }
 
 /// The faster of the compound pendulum (eq. 22) and of the sway on the lines.
 fn compound_rad_s(system: &Suspended<f64>, axis: SuspensionAxis) -> f64 {
     let unit = axis.unit();
-    let height = system
-        .cords
-        .iter()
-        .map(|c| (c.length_m.powi(2) - (c.top_m - c.point_m).norm_squared()).max(0.0).sqrt());
+    let height = system.cords.iter().map(|c| {
+        (c.length_m.powi(2) - (c.top_m - c.point_m).norm_squared())
+            .max(0.0)
+            .sqrt()
+    });
     let height = height.fold(f64::INFINITY, f64::min);
     let arm = height - system.cm_m.z;
     let about_axis = unit.dot(&(system.inertia_kg_m2 * unit)) / system.mass_kg + arm * arm;
-    (system.gravity_m_s2 * arm / about_axis).max(system.gravity_m_s2 / height).sqrt()
+    (system.gravity_m_s2 * arm / about_axis)
+        .max(system.gravity_m_s2 / height)
+        .sqrt()
 }

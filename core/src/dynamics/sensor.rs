@@ -15,8 +15,8 @@ pub struct IdealPhone {
 /// Readings of a phone at `phone_position_hull_m`, from the mid-point of the suspension points.
 ///
 /// # Conventions
-/// Position and `hull_from_phone` are in the axes of the body that was simulated; where it was turned into
-/// hanging axes ([`super::RigidBody::rotated`]), turn the phone alike.
+/// Position and `hull_from_phone` are in the axes of the body that was simulated; where it was
+/// turned into hanging axes ([`super::RigidBody::rotated`]), turn the phone alike.
 pub fn ideal_phone(
     motion: &Trajectory,
     phone_position_hull_m: Vec3,
@@ -26,12 +26,19 @@ pub fn ideal_phone(
     let phone_from_hull = hull_from_phone.inverse();
     let up = Vec3::new(0.0, 0.0, motion.gravity_m_s2);
     let specific_force = |i: usize| {
-        let (rate, angular) = (motion.angular_rate_rad_s[i], motion.angular_acceleration_rad_s2[i]);
+        let (rate, angular) = (
+            motion.angular_rate_rad_s[i],
+            motion.angular_acceleration_rad_s2[i],
+        );
         let centre = motion.world_from_hull[i].inverse() * (motion.acceleration_m_s2[i] + up);
         phone_from_hull * (centre + angular.cross(&arm) + rate.cross(&rate.cross(&arm)))
     };
     IdealPhone {
-        gyro_rad_s: motion.angular_rate_rad_s.iter().map(|rate| phone_from_hull * rate).collect(),
+        gyro_rad_s: motion
+            .angular_rate_rad_s
+            .iter()
+            .map(|rate| phone_from_hull * rate)
+            .collect(),
         specific_force_m_s2: (0..motion.t_s.len()).map(specific_force).collect(),
     }
 }

@@ -1,4 +1,5 @@
-//! Small oscillations of the body about its rest pose: four modes of six coordinates less two lines.
+//! Small oscillations of the body about its rest pose: four modes of six coordinates less two
+//! lines.
 
 use nalgebra::{Matrix4, Matrix6, Matrix6x4, SymmetricEigen, Vector4, Vector6};
 
@@ -11,8 +12,9 @@ use crate::frames::Vec3;
 /// The four modes, slowest first.
 ///
 /// # Conventions
-/// `shapes[i]` is `[δr; θ]`: displacement of the centre of mass, m, and small rotation vector, rad, both in
-/// world axes, per unit of the modal coordinate; shapes are normalised by mass (½ q̇² is the kinetic energy).
+/// `shapes[i]` is `[δr; θ]`: displacement of the centre of mass, m, and small rotation vector, rad,
+/// both in world axes, per unit of the modal coordinate; shapes are normalised by mass (½ q̇² is
+/// the kinetic energy).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmallModes {
     /// The rest pose.
@@ -50,29 +52,38 @@ pub struct SmallEffects {
     pub stiffness: Matrix6<f64>,
     /// Mass that moves along without weight.
     pub mass: Matrix6<f64>,
-    /// How far what the lines hang from gives way along each world axis, m/N; its own mass is left out.
+    /// How far what the lines hang from gives way along each world axis, m/N; its own mass is left
+    /// out.
     pub support_m_n: Vec3,
 }
 
 impl SmallModes {
-    /// The modes with effects beside: exact for small oscillations about the same rest pose, as the lines leave the body
-    /// the same four coordinates.
+    /// The modes with effects beside: exact for small oscillations about the same rest pose, as the
+    /// lines leave the body the same four coordinates.
     ///
-    /// A support that gives by s/F lets the body follow by the same: to the flexibility K⁻¹ of the modal coordinates is
-    /// added w wᵀ s/F, w the pull on the support by unit modal forces.
+    /// A support that gives by s/F lets the body follow by the same: to the flexibility K⁻¹ of the
+    /// modal coordinates is added w wᵀ s/F, w the pull on the support by unit modal forces.
     pub fn with(&self, body: &RigidBody, effects: &SmallEffects) -> Result<Self> {
         let shapes = Matrix6x4::from_fn(|row, mode| self.shapes[mode][row]);
         let squares = Vector4::from(self.omega_rad_s.map(|omega| omega * omega));
-        let stiffness = Matrix4::from_diagonal(&squares) + shapes.transpose() * effects.stiffness * shapes;
+        let stiffness =
+            Matrix4::from_diagonal(&squares) + shapes.transpose() * effects.stiffness * shapes;
         let mass = Matrix4::identity() + shapes.transpose() * effects.mass * shapes;
-        let mut flexibility = stiffness.try_inverse().ok_or_else(|| failed("the stiffness is singular"))?;
+        let mut flexibility = stiffness
+            .try_inverse()
+            .ok_or_else(|| failed("the stiffness is singular"))?;
         for axis in 0..3 {
             let pull = shapes.row(axis).transpose() * body.mass_kg;
             flexibility += pull * pull.transpose() * effects.support_m_n[axis];
         }
-        let lower = mass.cholesky().ok_or_else(|| failed("the mass matrix is singular"))?.l();
-        let upper_inverse =
-            lower.transpose().try_inverse().ok_or_else(|| failed("the mass matrix is singular"))?;
+        let lower = mass
+            .cholesky()
+            .ok_or_else(|| failed("the mass matrix is singular"))?
+            .l();
+        let upper_inverse = lower
+            .transpose()
+            .try_inverse()
+            .ok_or_else(|| failed("the mass matrix is singular"))?;
         let eigen = SymmetricEigen::new(lower.transpose() * flexibility * lower);
         let mut order = [0, 1, 2, 3];
         order.sort_by(|&i, &j| eigen.eigenvalues[j].total_cmp(&eigen.eigenvalues[i]));
@@ -91,12 +102,19 @@ impl SmallModes {
 /// Small oscillations about the rest pose.
 pub fn small_modes(rig: &Rig, body: &RigidBody) -> Result<SmallModes> {
     let rest = equilibrium(rig, body)?;
-    let newton = Newton::at(rig, body, &rest.pose).ok_or_else(|| failed("the lines do not hold the body"))?;
-    let reduced =
-        |full: nalgebra::Matrix6<f64>| -> Matrix4<f64> { newton.free.transpose() * full * newton.free };
+    let newton = Newton::at(rig, body, &rest.pose)
+        .ok_or_else(|| failed("the lines do not hold the body"))?;
+    let reduced = |full: nalgebra::Matrix6<f64>| -> Matrix4<f64> {
+        newton.free.transpose() * full * newton.free
+    };
     let mass = reduced(mass_matrix(body, &rest.pose));
-    let lower = mass.cholesky().ok_or_else(|| failed("the mass matrix is singular"))?.l();
-    let lower_inverse = lower.try_inverse().ok_or_else(|| failed("the mass matrix is singular"))?;
+    let lower = mass
+        .cholesky()
+        .ok_or_else(|| failed("the mass matrix is singular"))?
+        .l();
+    let lower_inverse = lower
+        .try_inverse()
+        .ok_or_else(|| failed("the mass matrix is singular"))?;
     let dynamic = lower_inverse * reduced(newton.stiffness) * lower_inverse.transpose();
     let eigen = SymmetricEigen::new((dynamic + dynamic.transpose()) * 0.5);
     let mut order = [0, 1, 2, 3];
@@ -148,16 +166,18 @@ pub fn mode_kind(body: &RigidBody, shape: &[f64; 6], axis: Vec3) -> ModeKind {
     } else if sway >= pendulum {
         ModeKind::SwayLine
     } else if shift.dot(&across) * turn.dot(&axis) < 0.0 {
-        // Only the lines push the centre of mass sideways, so it is displaced to the side they lean to;
-        // a centre of mass that leans to +across needs a negative turn about the axis.
+        // Only the lines push the centre of mass sideways, so it is displaced to the side they lean
+        // to; a centre of mass that leans to +across needs a negative turn about the axis.
         ModeKind::DoublePendulumInPhase
     } else {
         ModeKind::DoublePendulumOutOfPhase
     }
 }
 
-/// Period of a compound pendulum of gyradius k that swings about an axis a above its centre of mass, eq. (22).
+/// Period of a compound pendulum of gyradius k that swings about an axis a above its centre of
+/// mass, eq. (22).
 pub fn compound_pendulum_period_s(gyradius_m: f64, axis_height_m: f64, gravity_m_s2: f64) -> f64 {
-    let reduced_length_m = (gyradius_m * gyradius_m + axis_height_m * axis_height_m) / axis_height_m;
+    let reduced_length_m =
+        (gyradius_m * gyradius_m + axis_height_m * axis_height_m) / axis_height_m;
     std::f64::consts::TAU * (reduced_length_m / gravity_m_s2).sqrt()
 }

@@ -8,7 +8,8 @@ use crate::error::{Error, Result};
 
 /// Newton's method needs about five; a start that needs more than these has no place near it.
 const ITERATIONS: usize = 30;
-/// Once the numbers stand, so many more iterations bring the derivatives: Newton's method gives them exactly.
+/// Once the numbers stand, so many more iterations bring the derivatives: Newton's method gives
+/// them exactly.
 const FOR_DERIVATIVES: usize = 2;
 
 /// Rounds that bring a support that gives way to rest: each gains at least a digit or two.
@@ -54,7 +55,10 @@ impl<S: Real> Chart<S> {
         };
         let yaw = about(&V3::z(), self.at[Yaw as usize]);
         let roll = about(&self.across, self.at[Roll as usize]);
-        product(&yaw, &product(&roll, &about(&self.axis, self.at[Turn as usize])))
+        product(
+            &yaw,
+            &product(&roll, &about(&self.axis, self.at[Turn as usize])),
+        )
     }
 
     fn middle(&self) -> V3<S> {
@@ -116,7 +120,9 @@ pub(super) fn started<S: Real>(
         }
         let settled = memories.to_vec();
         y[MEMORY..].copy_from_slice(&settled);
-        let shift = equations.support(&Now::at(&y), &y).map_or(V3::zeros(), |support| support.offset);
+        let shift = equations
+            .support(&Now::at(&y), &y)
+            .map_or(V3::zeros(), |support| support.offset);
         y = placed(equations, hanging, start, &shift)?;
         y[MEMORY..].copy_from_slice(&settled);
     }
@@ -133,13 +139,24 @@ fn placed<S: Real>(
     let system = &equations.system;
     let axis: V3<S> = constant(&hanging.axis().unit());
     let zero = S::zero();
-    let drop =
-        system.cords.iter().map(|c| (c.length_m * c.length_m - squared(&(c.top_m - c.point_m))).sqrt());
-    let heave = -drop.fold(zero, |sum, x| sum + x).scale(1.0 / system.cords.len() as f64);
+    let drop = system
+        .cords
+        .iter()
+        .map(|c| (c.length_m * c.length_m - squared(&(c.top_m - c.point_m))).sqrt());
+    let heave = -drop
+        .fold(zero, |sum, x| sum + x)
+        .scale(1.0 / system.cords.len() as f64);
     let mut chart = Chart {
         across: axis.cross(&V3::z()),
         axis,
-        at: [start.along_m, start.across_m, heave, start.turn_rad, zero, start.yaw_rad],
+        at: [
+            start.along_m,
+            start.across_m,
+            heave,
+            start.turn_rad,
+            zero,
+            start.yaw_rad,
+        ],
         shift: *shift,
     };
     let bound = bound(hanging);
@@ -157,15 +174,23 @@ fn placed<S: Real>(
             return Ok(state(equations, &chart, bound, start));
         }
     }
-    Err(Error::no_result("start of the motion", "the lines cannot reach the body there"))
+    Err(Error::no_result(
+        "start of the motion",
+        "the lines cannot reach the body there",
+    ))
 }
 
 /// Lengths of the lines under the body's weight.
 fn hung_lengths<S: Real>(equations: &Equations<S>) -> Vec<S> {
     let system = &equations.system;
     let share = (system.mass_kg * system.gravity_m_s2).scale(1.0 / system.cords.len() as f64);
-    let stretch = system.spring.as_ref().map_or(S::zero(), |spring| share / spring.stiffness_n_m);
-    (0..system.cords.len()).map(|i| equations.length(S::zero(), i)[0] + stretch).collect()
+    let stretch = system
+        .spring
+        .as_ref()
+        .map_or(S::zero(), |spring| share / spring.stiffness_n_m);
+    (0..system.cords.len())
+        .map(|i| equations.length(S::zero(), i)[0] + stretch)
+        .collect()
 }
 
 fn squared<S: Real>(v: &V3<S>) -> S {
@@ -177,7 +202,12 @@ fn reaches<S: Real>(equations: &Equations<S>, chart: &Chart<S>) -> Vec<(V3<S>, V
     let turn: M3<S> = matrix(&chart.quaternion());
     let middle = chart.middle();
     let reach = |arm: V3<S>, top: &V3<S>| (middle + arm - top - chart.shift, arm);
-    equations.system.cords.iter().map(|cord| reach(turn * cord.point_m, &cord.top_m)).collect()
+    equations
+        .system
+        .cords
+        .iter()
+        .map(|cord| reach(turn * cord.point_m, &cord.top_m))
+        .collect()
 }
 
 /// How each bound coordinate changes (|q|² − l²)/2 of each line.
@@ -214,7 +244,11 @@ fn newton<S: Real>(
             return f64::NAN;
         }
     }
-    solve(&mut jacobian(chart, &reaches, bound), &mut excess, bound.len());
+    solve(
+        &mut jacobian(chart, &reaches, bound),
+        &mut excess,
+        bound.len(),
+    );
     for (coordinate, change) in bound.iter().zip(excess) {
         chart.at[*coordinate as usize] -= change;
     }
@@ -228,14 +262,24 @@ fn state<S: Real>(
     start: &Start<S>,
 ) -> Vec<S> {
     let zero = S::zero();
-    let mut rates = [start.along_m_s, start.across_m_s, zero, start.turn_rad_s, zero, start.yaw_rad_s];
+    let mut rates = [
+        start.along_m_s,
+        start.across_m_s,
+        zero,
+        start.turn_rad_s,
+        zero,
+        start.yaw_rad_s,
+    ];
     let reaches = reaches(equations, chart);
     bound.iter().for_each(|c| rates[*c as usize] = zero);
     let motion = |rates: &[S; 6]| {
-        ALL.iter().zip(rates).fold((V3::zeros(), V3::zeros()), |(v, w): (V3<S>, V3<S>), (c, rate)| {
-            let (shift, turn) = chart.direction(*c);
-            (v + shift * *rate, w + turn * *rate)
-        })
+        ALL.iter().zip(rates).fold(
+            (V3::zeros(), V3::zeros()),
+            |(v, w): (V3<S>, V3<S>), (c, rate)| {
+                let (shift, turn) = chart.direction(*c);
+                (v + shift * *rate, w + turn * *rate)
+            },
+        )
     };
     let (v, w) = motion(&rates);
     let mut stretching = [zero; MOST_LINES];
@@ -243,8 +287,15 @@ fn state<S: Real>(
         let [length, lengthening, _] = equations.length(zero, i);
         stretching[i] = q.dot(&(v + w.cross(arm))) - length * lengthening;
     }
-    solve(&mut jacobian(chart, &reaches, bound), &mut stretching, bound.len());
-    bound.iter().zip(stretching).for_each(|(c, rate)| rates[*c as usize] = -rate);
+    solve(
+        &mut jacobian(chart, &reaches, bound),
+        &mut stretching,
+        bound.len(),
+    );
+    bound
+        .iter()
+        .zip(stretching)
+        .for_each(|(c, rate)| rates[*c as usize] = -rate);
     let (v, w) = motion(&rates);
     let attitude = chart.quaternion();
     let turn: M3<S> = matrix(&attitude);

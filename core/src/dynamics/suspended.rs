@@ -1,14 +1,15 @@
 //! Equations of motion of a rigid body on its lines.
 //!
-//! Six coordinates (centre of mass, attitude) and a force in each line. On lines of given length the forces follow from
-//! the demand that the lengths are kept (index 1), and what numerical drift is left is projected away; on elastic lines
-//! they are springs. Effects add forces, masses, and states of their own (`memory`).
+//! Six coordinates (centre of mass, attitude) and a force in each line. On lines of given length
+//! the forces follow from the demand that the lengths are kept (index 1), and what numerical drift
+//! is left is projected away; on elastic lines they are springs. Effects add forces, masses, and
+//! states of their own (`memory`).
 //!
 //! # Conventions
-//! State: time, centre of mass (world), attitude quaternion w, x, y, z (`world_from_hull`), velocity (world), angular
-//! rate (hull axes), then the effects' memories in their order. World: z up, origin mid-way between the upper ends.
-//! The constraint of a line is (|q|² − l²)/2 = 0 with q from its upper to its lower end; its pull on the body is −λ q,
-//! so that its tension is λ |q|.
+//! State: time, centre of mass (world), attitude quaternion w, x, y, z (`world_from_hull`),
+//! velocity (world), angular rate (hull axes), then the effects' memories in their order. World: z
+//! up, origin mid-way between the upper ends. The constraint of a line is (|q|² − l²)/2 = 0 with q
+//! from its upper to its lower end; its pull on the body is −λ q, so that its tension is λ |q|.
 
 use std::ops::Range;
 
@@ -73,14 +74,21 @@ impl<S: Real> Suspended<S> {
     /// The direction that joins the suspension points, from the first lines to the last.
     pub fn axis(&self) -> V3<S> {
         let half = self.cords.len() / 2;
-        let sum = |cords: &[Cord<S>]| cords.iter().fold(V3::zeros(), |sum, cord| sum + cord.point_m);
+        let sum = |cords: &[Cord<S>]| {
+            cords
+                .iter()
+                .fold(V3::zeros(), |sum, cord| sum + cord.point_m)
+        };
         let along: V3<S> = sum(&self.cords[half..]) - sum(&self.cords[..half]);
         along / along.dot(&along).sqrt()
     }
 
     /// Mean length of the lines, m.
     pub fn mean_length_m(&self) -> S {
-        let sum = self.cords.iter().fold(S::zero(), |sum, cord| sum + cord.length_m);
+        let sum = self
+            .cords
+            .iter()
+            .fold(S::zero(), |sum, cord| sum + cord.length_m);
         sum.scale(1.0 / self.cords.len() as f64)
     }
 }
@@ -117,21 +125,31 @@ struct Grip<S: Real> {
     reason = "it lives for one evaluation, on the stack: a box would be an allocation for each"
 )]
 enum Mass<'a, S: Real> {
-    Rigid { inverse_mass: S, inverse_inertia: &'a M3<S> },
-    Full { matrix: Decomposed<'a, S, 6>, turn: &'a M3<S> },
+    Rigid {
+        inverse_mass: S,
+        inverse_inertia: &'a M3<S>,
+    },
+    Full {
+        matrix: Decomposed<'a, S, 6>,
+        turn: &'a M3<S>,
+    },
 }
 
 impl<S: Real> Mass<'_, S> {
     /// Acceleration of the centre of mass (world) and angular acceleration (hull axes).
     fn accelerated(&self, force: &V3<S>, torque: &V3<S>) -> (V3<S>, V3<S>) {
         match self {
-            Mass::Rigid { inverse_mass, inverse_inertia } => {
-                (force * *inverse_mass, times(inverse_inertia, torque))
-            }
+            Mass::Rigid {
+                inverse_mass,
+                inverse_inertia,
+            } => (force * *inverse_mass, times(inverse_inertia, torque)),
             Mass::Full { matrix, turn } => {
                 let f = turn.tr_mul(force);
                 let x = matrix.solve(&[f.x, f.y, f.z, torque.x, torque.y, torque.z]);
-                (times(turn, &V3::new(x[0], x[1], x[2])), V3::new(x[3], x[4], x[5]))
+                (
+                    times(turn, &V3::new(x[0], x[1], x[2])),
+                    V3::new(x[3], x[4], x[5]),
+                )
             }
         }
     }
@@ -152,7 +170,11 @@ impl<S: Real> Equations<S> {
         };
         Self {
             effects: effects.into_iter().map(placed).collect(),
-            points: system.cords.iter().map(|cord| cord.point_m - system.cm_m).collect(),
+            points: system
+                .cords
+                .iter()
+                .map(|cord| cord.point_m - system.cm_m)
+                .collect(),
             sides: system.cords.iter().map(|cord| cord.side(&axis)).collect(),
             inverse_mass: S::one() / system.mass_kg,
             inverse_inertia: inverse(&system.inertia_kg_m2),
@@ -169,12 +191,17 @@ impl<S: Real> Equations<S> {
 
     /// The effects with their memories in the state.
     pub fn effects(&self) -> impl Iterator<Item = (&dyn Effect<S>, &Range<usize>)> {
-        self.effects.iter().map(|(effect, memory)| (effect.as_ref(), memory))
+        self.effects
+            .iter()
+            .map(|(effect, memory)| (effect.as_ref(), memory))
     }
 
     /// When things that happen once begin, s, and how long they last, s.
     pub fn events_s(&self) -> Vec<[f64; 2]> {
-        let events = self.effects.iter().filter_map(|(effect, _)| effect.event_s());
+        let events = self
+            .effects
+            .iter()
+            .filter_map(|(effect, _)| effect.event_s());
         events.filter(|[_, over_s]| *over_s > 0.0).collect()
     }
 
@@ -183,7 +210,11 @@ impl<S: Real> Equations<S> {
         let now = Now::at(y);
         let rate = now.rate;
         let mut loads = Loads {
-            force: V3::new(S::zero(), S::zero(), -(self.system.gravity_m_s2 * self.system.mass_kg)),
+            force: V3::new(
+                S::zero(),
+                S::zero(),
+                -(self.system.gravity_m_s2 * self.system.mass_kg),
+            ),
             torque: -rate.cross(&times(&self.system.inertia_kg_m2, &rate)),
         };
         for (effect, memory) in &self.effects {
@@ -195,13 +226,20 @@ impl<S: Real> Equations<S> {
             Some(added) => {
                 loads.force += times(&now.turn, &added.force);
                 loads.torque += added.torque;
-                Mass::Full { matrix: Decomposed::new(&added.matrix), turn: &now.turn }
+                Mass::Full {
+                    matrix: Decomposed::new(&added.matrix),
+                    turn: &now.turn,
+                }
             }
         };
         let support = self.support(&now, y);
         let grip = self.grip(&now, &mass, support.as_ref());
         let (acceleration, angular_acceleration) = mass.accelerated(&loads.force, &loads.torque);
-        let mut solved = Solved { acceleration, angular_acceleration, ..Solved::default() };
+        let mut solved = Solved {
+            acceleration,
+            angular_acceleration,
+            ..Solved::default()
+        };
         let pull = match &self.system.spring {
             Some(spring) => self.spring_pulls(spring, &now, &grip, support.as_ref()),
             None => self.constraint_pulls(&now, &grip, support.as_ref(), &solved),
@@ -220,19 +258,31 @@ impl<S: Real> Equations<S> {
     fn fill(&self, now: &Now<S>, y: &[S], solved: &Solved<S>, out: &mut [S]) {
         out[TIME] = S::one();
         out[PLACE..PLACE + 3].copy_from_slice(now.velocity.as_slice());
-        let (w, v) = (y[ATTITUDE], V3::new(y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]));
+        let (w, v) = (
+            y[ATTITUDE],
+            V3::new(y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]),
+        );
         let turning = (now.rate * w + v.cross(&now.rate)).map(|x| x.scale(0.5));
         out[ATTITUDE] = v.dot(&now.rate).scale(-0.5);
         out[ATTITUDE + 1..VELOCITY].copy_from_slice(turning.as_slice());
         out[VELOCITY..RATE].copy_from_slice(solved.acceleration.as_slice());
         out[RATE..MEMORY].copy_from_slice(solved.angular_acceleration.as_slice());
         for (effect, memory) in &self.effects {
-            effect.memory_slope(now, &y[memory.clone()], &self.system, solved, &mut out[memory.clone()]);
+            effect.memory_slope(
+                now,
+                &y[memory.clone()],
+                &self.system,
+                solved,
+                &mut out[memory.clone()],
+            );
         }
     }
 
     fn rigid(&self) -> Mass<'_, S> {
-        Mass::Rigid { inverse_mass: self.inverse_mass, inverse_inertia: &self.inverse_inertia }
+        Mass::Rigid {
+            inverse_mass: self.inverse_mass,
+            inverse_inertia: &self.inverse_inertia,
+        }
     }
 
     fn added_mass(&self, now: &Now<S>, y: &[S]) -> AddedMass<S> {
@@ -244,7 +294,9 @@ impl<S: Real> Equations<S> {
     }
 
     pub fn support(&self, now: &Now<S>, y: &[S]) -> Option<Support<S>> {
-        self.effects.iter().find_map(|(effect, memory)| effect.support(now, &y[memory.clone()]))
+        self.effects
+            .iter()
+            .find_map(|(effect, memory)| effect.support(now, &y[memory.clone()]))
     }
 
     fn grip(&self, now: &Now<S>, mass: &Mass<'_, S>, support: Option<&Support<S>>) -> Grip<S> {
@@ -259,7 +311,9 @@ impl<S: Real> Equations<S> {
         };
         let shift = support.map_or(none, |s| s.offset);
         for i in 0..count {
-            grip.q[i] = now.position + times(&now.turn, &self.points[i]) - self.system.cords[i].top_m - shift;
+            grip.q[i] = now.position + times(&now.turn, &self.points[i])
+                - self.system.cords[i].top_m
+                - shift;
             grip.moment[i] = self.points[i].cross(&now.turn.tr_mul(&grip.q[i]));
             grip.yields[i] = mass.accelerated(&grip.q[i], &grip.moment[i]);
         }
@@ -268,7 +322,9 @@ impl<S: Real> Equations<S> {
                 let (along, about) = &grip.yields[j];
                 let mut w = grip.q[i].dot(along) + grip.moment[i].dot(about);
                 if let Some(support) = support {
-                    w += grip.q[i].component_mul(&support.inverse_mass).dot(&grip.q[j]);
+                    w += grip.q[i]
+                        .component_mul(&support.inverse_mass)
+                        .dot(&grip.q[j]);
                 }
                 grip.stiffness[i][j] = w;
                 grip.stiffness[j][i] = w;
@@ -340,10 +396,13 @@ impl<S: Real> Equations<S> {
         law
     }
 
-    /// The state moved onto the constraints, positions first, then velocities: by the least change, as kinetic energy
-    /// measures it. Elastic lines have no constraint.
+    /// The state moved onto the constraints, positions first, then velocities: by the least change,
+    /// as kinetic energy measures it. Elastic lines have no constraint.
     pub fn project(&self, y: &mut [S], iterations: usize) {
-        let norm = (ATTITUDE..VELOCITY).map(|i| y[i] * y[i]).fold(S::zero(), |sum, x| sum + x).sqrt();
+        let norm = (ATTITUDE..VELOCITY)
+            .map(|i| y[i] * y[i])
+            .fold(S::zero(), |sum, x| sum + x)
+            .sqrt();
         y[ATTITUDE..VELOCITY].iter_mut().for_each(|x| *x /= norm);
         if self.system.spring.is_some() {
             return;
@@ -358,7 +417,10 @@ impl<S: Real> Equations<S> {
         let now = Now::at(y);
         let mass = self.rigid();
         let support = self.support(&now, y);
-        let still = support.as_ref().map(|s| Support { inverse_mass: V3::zeros(), ..*s });
+        let still = support.as_ref().map(|s| Support {
+            inverse_mass: V3::zeros(),
+            ..*s
+        });
         let grip = self.grip(&now, &mass, still.as_ref());
         (now, grip, support)
     }
@@ -376,7 +438,10 @@ impl<S: Real> Equations<S> {
             y[PLACE + k] -= shift[k];
         }
         // q ← q ⊗ (1, −θ/2), normalised: right to second order, which Newton's method mends.
-        let (w, v) = (y[ATTITUDE], V3::new(y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]));
+        let (w, v) = (
+            y[ATTITUDE],
+            V3::new(y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]),
+        );
         let half = turn.map(|x| x.scale(-0.5));
         let (w, v) = (w - v.dot(&half), v + half * w + v.cross(&half));
         let norm = S::one() / (w * w + v.dot(&v)).sqrt();

@@ -35,7 +35,8 @@ pub struct State {
 /// A part of a start: one small mode at one amplitude.
 ///
 /// # Conventions
-/// The modal coordinate is amplitude · cos(ωt + phase); it multiplies the mass-normalised shape (unit √kg m).
+/// The modal coordinate is amplitude · cos(ωt + phase); it multiplies the mass-normalised shape
+/// (unit √kg m).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModalPart {
     /// Index into [`SmallModes`].
@@ -82,9 +83,14 @@ pub struct Trajectory {
     pub gravity_m_s2: f64,
 }
 
-/// A start from small modes at finite amplitude, moved onto the constraints (a yaw rises, a sway swings up)
-/// without changing the modal coordinates.
-pub fn initial_state(rig: &Rig, body: &RigidBody, modes: &SmallModes, parts: &[ModalPart]) -> Result<State> {
+/// A start from small modes at finite amplitude, moved onto the constraints (a yaw rises, a sway
+/// swings up) without changing the modal coordinates.
+pub fn initial_state(
+    rig: &Rig,
+    body: &RigidBody,
+    modes: &SmallModes,
+    parts: &[ModalPart],
+) -> Result<State> {
     let (mut displacement, mut rate) = (Vector6::zeros(), Vector6::zeros());
     for part in parts {
         if part.mode >= 4 {
@@ -104,8 +110,8 @@ pub fn initial_state(rig: &Rig, body: &RigidBody, modes: &SmallModes, parts: &[M
     placed(rig, body, &start)
 }
 
-/// The pose with these modal coordinates whose lines have nearly their lengths: moved only as the modes do
-/// not, so that a start in yaw of 5 degrees has 5 degrees.
+/// The pose with these modal coordinates whose lines have nearly their lengths: moved only as the
+/// modes do not, so that a start in yaw of 5 degrees has 5 degrees.
 fn raised(rig: &Rig, body: &RigidBody, rest: &Pose, displacement: Vector6<f64>) -> Result<Pose> {
     let singular = || Error::no_result("start of the motion", "the lines do not hold the body");
     let gradient = jacobian(&reaches(rig, body, rest));
@@ -129,13 +135,17 @@ pub fn placed(rig: &Rig, body: &RigidBody, state: &State) -> Result<State> {
     let found = State::from(&y[..]);
     // Asked so that a value that is not a number does not fit either.
     let fits = rig.lines.iter().all(|line| {
-        let lower = found.pose.world_from_body * (line.hull_point_m - body.cm_m) + found.pose.position_m;
+        let lower =
+            found.pose.world_from_body * (line.hull_point_m - body.cm_m) + found.pose.position_m;
         ((lower - line.top_m).norm() - line.length_m).abs() <= 1e-10 * line.length_m
     });
     if fits {
         Ok(found)
     } else {
-        Err(Error::no_result("start of the motion", "the lines cannot reach the body there"))
+        Err(Error::no_result(
+            "start of the motion",
+            "the lines cannot reach the body there",
+        ))
     }
 }
 
@@ -168,7 +178,10 @@ fn equations(rig: &Rig, body: &RigidBody, damping: &Damping) -> Result<Equations
         pitch_n_m_s: torque.y,
         yaw_n_m_s: torque.z,
     };
-    Ok(Equations::new(system, vec![Box::new(drag) as Box<dyn Effect<f64>>]))
+    Ok(Equations::new(
+        system,
+        vec![Box::new(drag) as Box<dyn Effect<f64>>],
+    ))
 }
 
 fn vector(equations: &Equations<f64>, state: &State) -> Vec<f64> {
@@ -188,8 +201,15 @@ fn turned(q: &[f64]) -> Rotation {
 impl From<&[f64]> for State {
     fn from(y: &[f64]) -> Self {
         let part = |i: usize| Vec3::new(y[i], y[i + 1], y[i + 2]);
-        let pose = Pose { position_m: part(PLACE), world_from_body: turned(&y[ATTITUDE..VELOCITY]) };
-        Self { pose, velocity_m_s: part(VELOCITY), angular_rate_rad_s: part(RATE) }
+        let pose = Pose {
+            position_m: part(PLACE),
+            world_from_body: turned(&y[ATTITUDE..VELOCITY]),
+        };
+        Self {
+            pose,
+            velocity_m_s: part(VELOCITY),
+            angular_rate_rad_s: part(RATE),
+        }
     }
 }
 
@@ -206,11 +226,22 @@ pub fn simulate(
         None => small_modes(rig, body)?.period_s(3) / STEPS_PER_PERIOD,
     };
     if !(sampling.interval_s.is_finite() && sampling.interval_s > 0.0) {
-        return Err(Error::argument("interval_s", "a positive number", sampling.interval_s));
+        return Err(Error::argument(
+            "interval_s",
+            "a positive number",
+            sampling.interval_s,
+        ));
     }
     let equations = equations(rig, body, damping)?;
     let y = vector(&equations, &placed(rig, body, start)?);
-    let path = Path::integrate(&equations, y, Vec::new(), sampling.duration_s, step_s, Fineness::FULL)?;
+    let path = Path::integrate(
+        &equations,
+        y,
+        Vec::new(),
+        sampling.duration_s,
+        step_s,
+        Fineness::FULL,
+    )?;
     let samples = (sampling.duration_s / sampling.interval_s * (1.0 + 1e-12)).floor() as usize + 1;
     let mut out = Trajectory {
         cm_m: body.cm_m,
@@ -233,6 +264,7 @@ impl Trajectory {
         self.velocity_m_s.push(moment.velocity);
         self.angular_rate_rad_s.push(moment.rate);
         self.acceleration_m_s2.push(moment.acceleration);
-        self.angular_acceleration_rad_s2.push(moment.angular_acceleration);
+        self.angular_acceleration_rad_s2
+            .push(moment.angular_acceleration);
     }
 }

@@ -35,7 +35,8 @@ pub fn counted(evidence: &Evidence, result: &SwingResult) -> Option<CountedBeat>
     }
     let (t_s, x) = channel(evidence, best)?;
     let beat = beat_count(t_s, x).ok()?;
-    // The swing's modes are not the lines of its spectrum: where the simulation explains it, they are the simulation's.
+    // The swing's modes are not the lines of its spectrum: where the simulation explains it, they
+    // are the simulation's.
     let small_over_observed = |name: ModeName| {
         let mode = result.modes.iter().find(|mode| mode.mode == name)?;
         Some(mode.period_s / mode.period_observed_s)
@@ -43,7 +44,8 @@ pub fn counted(evidence: &Evidence, result: &SwingResult) -> Option<CountedBeat>
     Some(CountedBeat {
         count: Quantity::new(beat.n, beat.n_u),
         yaw_is_slower: modes[yaw].period_s() > modes[sway].period_s(),
-        small_over_observed: small_over_observed(ModeName::Yaw)? / small_over_observed(ModeName::Sway)?,
+        small_over_observed: small_over_observed(ModeName::Yaw)?
+            / small_over_observed(ModeName::Sway)?,
     })
 }
 
@@ -51,8 +53,15 @@ pub fn counted(evidence: &Evidence, result: &SwingResult) -> Option<CountedBeat>
 fn balance(modes: &[FittedMode], (yaw, sway): (usize, usize), channel: usize) -> f64 {
     let size = |i: usize| modes[i].shape[channel].norm();
     let (weak, strong) = (size(yaw).min(size(sway)), size(yaw).max(size(sway)));
-    let others: f64 = (0..modes.len()).filter(|i| *i != yaw && *i != sway).map(size).sum();
-    if others > MOST_DISTURBANCE * weak || strong == 0.0 { 0.0 } else { weak / strong }
+    let others: f64 = (0..modes.len())
+        .filter(|i| *i != yaw && *i != sway)
+        .map(size)
+        .sum();
+    if others > MOST_DISTURBANCE * weak || strong == 0.0 {
+        0.0
+    } else {
+        weak / strong
+    }
 }
 
 /// Times and samples of a channel, counted through all groups.

@@ -1,6 +1,8 @@
-//! The consistency court: every stated dimension against what the swings imply, every route against every other.
+//! The consistency court: every stated dimension against what the swings imply, every route against
+//! every other.
 //!
-//! Sittings are unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is flagged.
+//! Sittings are unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is
+//! flagged.
 
 use std::collections::BTreeMap;
 
@@ -39,7 +41,9 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
         .periods
         .iter()
         .filter_map(|o| {
-            let Observed::Period(i, ModeName::Sway) = o.what else { return None };
+            let Observed::Period(i, ModeName::Sway) = o.what else {
+                return None;
+            };
             let index = &system.layout.swings[i];
             if index.top_spacing != index.spacing {
                 return None;
@@ -49,14 +53,21 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
             let relative = (2.0 * o.value.u / o.value.value).hypot(gravity.u / gravity.value);
             let implied = Quantity::new(implied, implied * relative);
             let swing = Argument::Id(system.session.swings[i].id.clone());
-            Some(claim("line_length", stated, implied, said("by_sway", [("swing", swing)])))
+            Some(claim(
+                "line_length",
+                stated,
+                implied,
+                said("by_sway", [("swing", swing)]),
+            ))
         })
         .collect()
 }
 
 /// Each stated dimension freed, and the session solved without it.
 fn stated_against_the_rest(system: &System, solution: &Solution) -> Vec<Claim> {
-    (0..system.layout.parameters.len()).filter_map(|i| one_stated(system, solution, i)).collect()
+    (0..system.layout.parameters.len())
+        .filter_map(|i| one_stated(system, solution, i))
+        .collect()
 }
 
 fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
@@ -74,13 +85,23 @@ fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
         return None;
     }
     let budget = super::outputs::budget(&opened, &freed, &derived);
-    let largest: Vec<String> = budget.iter().take(2).map(|line| spaced(&line.input)).collect();
+    let largest: Vec<String> = budget
+        .iter()
+        .take(2)
+        .map(|line| spaced(&line.input))
+        .collect();
     let implied = Quantity::new(derived.value, derived.u);
-    Some(claim(&stated.name, stated.prior, implied, said("by_all", [("inputs", inputs(&largest))])))
+    Some(claim(
+        &stated.name,
+        stated.prior,
+        implied,
+        said("by_all", [("inputs", inputs(&largest))]),
+    ))
 }
 
 fn claim(name: &str, stated: Quantity, implied: Quantity, by: Text) -> Claim {
-    let sigma = (implied.value - stated.value).abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
+    let sigma =
+        (implied.value - stated.value).abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
     let bare = bare_claim(name, (stated, implied), sigma, by.english.clone());
     bare.told(said(
         "stated",
@@ -95,7 +116,12 @@ fn claim(name: &str, stated: Quantity, implied: Quantity, by: Text) -> Claim {
     ))
 }
 
-fn bare_claim(name: &str, (stated, implied): (Quantity, Quantity), sigma: f64, from: String) -> Claim {
+fn bare_claim(
+    name: &str,
+    (stated, implied): (Quantity, Quantity),
+    sigma: f64,
+    from: String,
+) -> Claim {
     Claim {
         claim: name.into(),
         stated: stated.value,
@@ -113,27 +139,42 @@ fn bare_claim(name: &str, (stated, implied): (Quantity, Quantity), sigma: f64, f
 }
 
 fn figure(value: &Quantity, unit: &str) -> Argument {
-    Argument::Figure(format!("{:.4} ± {:.4} {unit}", value.value, value.u).trim_end().into())
+    Argument::Figure(
+        format!("{:.4} ± {:.4} {unit}", value.value, value.u)
+            .trim_end()
+            .into(),
+    )
 }
 
 fn verdict(sigma: f64) -> Argument {
-    name(if sigma > FLAG_SIGMA { "contradict" } else { "agree" })
+    name(if sigma > FLAG_SIGMA {
+        "contradict"
+    } else {
+        "agree"
+    })
 }
 
-/// Single routes to the same quantity, method against method: of all pairs of swings the one that differs most.
+/// Single routes to the same quantity, method against method: of all pairs of swings the one that
+/// differs most.
 fn route_against_route(routes: &[RouteCalculation]) -> Vec<Claim> {
     let mut by_methods: BTreeMap<[&str; 3], Vec<Pair>> = BTreeMap::new();
     for (i, a) in routes.iter().enumerate() {
         for b in routes[i + 1..].iter().filter(|b| b.quantity == a.quantity) {
             let (first, second) = if a.method <= b.method { (a, b) } else { (b, a) };
-            let pairs = by_methods.entry([a.quantity, first.method, second.method]).or_default();
+            let pairs = by_methods
+                .entry([a.quantity, first.method, second.method])
+                .or_default();
             pairs.extend(Pair::of(first, second));
         }
     }
-    by_methods.into_values().filter_map(|pairs| worst_of(&pairs)).collect()
+    by_methods
+        .into_values()
+        .filter_map(|pairs| worst_of(&pairs))
+        .collect()
 }
 
-/// Two routes and how far apart they are; inputs they share cancel in the difference as they should.
+/// Two routes and how far apart they are; inputs they share cancel in the difference as they
+/// should.
 struct Pair<'a> {
     first: &'a RouteCalculation,
     second: &'a RouteCalculation,
@@ -145,7 +186,11 @@ impl<'a> Pair<'a> {
     fn of(first: &'a RouteCalculation, second: &'a RouteCalculation) -> Option<Self> {
         let u = first.figure.u_of_difference(&second.figure);
         let sigma = (first.figure.value - second.figure.value).abs() / u;
-        (u > 1e-9 * first.figure.value.abs()).then_some(Pair { first, second, sigma })
+        (u > 1e-9 * first.figure.value.abs()).then_some(Pair {
+            first,
+            second,
+            sigma,
+        })
     }
 }
 
@@ -168,26 +213,52 @@ fn worst_of(pairs: &[Pair]) -> Option<Claim> {
             ("second", figure(&second, unit)),
             ("verdict", verdict(worst.sigma)),
             ("sigma", Argument::Number(worst.sigma, 1)),
-            ("pairs", Argument::Texts(others(pairs.len(), [least, worst.sigma]))),
+            (
+                "pairs",
+                Argument::Texts(others(pairs.len(), [least, worst.sigma])),
+            ),
         ],
     );
-    let from = format!("{} against {}", spaced(worst.second.method), spaced(worst.first.method));
+    let from = format!(
+        "{} against {}",
+        spaced(worst.second.method),
+        spaced(worst.first.method)
+    );
     let sigma_range = (pairs.len() > 1).then_some([least, worst.sigma]);
     let bare = bare_claim(name_of, (first, second), worst.sigma, from);
-    Some(Claim { pairs: pairs.len(), sigma_range, ..bare }.told(told))
+    Some(
+        Claim {
+            pairs: pairs.len(),
+            sigma_range,
+            ..bare
+        }
+        .told(told),
+    )
 }
 
 /// How far all pairs of swings differ by the same two ways, where there are several.
 fn others(count: usize, [least, most]: [f64; 2]) -> Vec<Text> {
-    let arguments = [("count", count as f64, 0), ("least", least, 1), ("most", most, 1)];
-    let told =
-        || said("pairs", arguments.map(|(name, value, places)| (name, Argument::Number(value, places))));
+    let arguments = [
+        ("count", count as f64, 0),
+        ("least", least, 1),
+        ("most", most, 1),
+    ];
+    let told = || {
+        said(
+            "pairs",
+            arguments.map(|(name, value, places)| (name, Argument::Number(value, places))),
+        )
+    };
     (count > 1).then(told).into_iter().collect()
 }
 
 impl Claim {
     /// With its sentence.
     fn told(self, said: Text) -> Self {
-        Self { text: said.english.clone(), said, ..self }
+        Self {
+            text: said.english.clone(),
+            said,
+            ..self
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! The joint estimate: one weighted least-squares solution from everything in the session.
 //!
-//! Observed periods and angles and stated figures are rows of one system; the covariance of the solution is the
-//! GUM's law of propagation (JCGM 100, 5.2) for a linearised measurement function, correlations kept.
+//! Observed periods and angles and stated figures are rows of one system; the covariance of the
+//! solution is the GUM's law of propagation (JCGM 100, 5.2) for a linearised measurement function,
+//! correlations kept.
 
 use std::sync::Arc;
 
@@ -64,14 +65,16 @@ pub struct System<'a> {
     pub observations: Vec<Observation>,
     /// Rows that are linear in the parameters.
     pub statements: Vec<Statement>,
-    /// Every small-amplitude period, those that entered through the samples too: what single routes start from.
+    /// Every small-amplitude period, those that entered through the samples too: what single routes
+    /// start from.
     pub periods: Vec<Observation>,
     /// How a swing's periods follow from the parameters.
     pub theory: Arc<Theory>,
 }
 
 /// Small-amplitude undamped periods of one swing by mode, s.
-pub type Theory = dyn Fn(&Layout, &[f64], &Swing, &SwingIndex) -> Result<Vec<(ModeName, f64)>> + Send + Sync;
+pub type Theory =
+    dyn Fn(&Layout, &[f64], &Swing, &SwingIndex) -> Result<Vec<(ModeName, f64)>> + Send + Sync;
 
 /// The solution.
 #[derive(Debug, Clone)]
@@ -80,8 +83,8 @@ pub struct Solution {
     pub x: Vec<f64>,
     /// Indices of the parameters that were free.
     pub free: Vec<usize>,
-    /// Change of each free parameter by one standard uncertainty of each row (rows: observations, then the free
-    /// parameters' priors). The covariance is `gain · gainᵀ`.
+    /// Change of each free parameter by one standard uncertainty of each row (rows: observations,
+    /// then the free parameters' priors). The covariance is `gain · gainᵀ`.
     pub gain: DMatrix<f64>,
     /// Change of each row of [`System::rows`] by each free parameter.
     pub jacobian: DMatrix<f64>,
@@ -118,11 +121,15 @@ impl<'a> System<'a> {
         }
     }
 
-    /// The system as it would be were the solution the truth: every stated figure, every period and every angle with the
-    /// value that the solution has for it.
+    /// The system as it would be were the solution the truth: every stated figure, every period and
+    /// every angle with the value that the solution has for it.
     pub fn as_solved(&self, solution: &Solution) -> Option<Self> {
         let mut layout = self.layout.clone();
-        layout.parameters.iter_mut().zip(&solution.x).for_each(|(p, x)| p.prior.value = *x);
+        layout
+            .parameters
+            .iter_mut()
+            .zip(&solution.x)
+            .for_each(|(p, x)| p.prior.value = *x);
         let mut ideal = self.with(layout);
         let mut seen = vec![None; self.session.swings.len()];
         for observation in ideal.periods.iter_mut().chain(&mut ideal.observations) {
@@ -131,11 +138,18 @@ impl<'a> System<'a> {
         Some(ideal)
     }
 
-    /// What stands beside the swings: inclines, and how far suspension points were moved to tilt the hull.
+    /// What stands beside the swings: inclines, and how far suspension points were moved to tilt
+    /// the hull.
     pub fn beside_swings(&self, inclines: &[Option<Quantity>]) -> Vec<Observation> {
         let mut observations = incline_observations(self.session, inclines);
         if self.layout.level_depth().is_some() {
-            observations.extend(self.session.swings.iter().enumerate().filter_map(moved_points));
+            observations.extend(
+                self.session
+                    .swings
+                    .iter()
+                    .enumerate()
+                    .filter_map(moved_points),
+            );
         }
         observations
     }
@@ -143,7 +157,10 @@ impl<'a> System<'a> {
     /// Predicted observations; `None` where the parameters allow no motion.
     fn predict(&self, x: &[f64]) -> Option<Vec<f64>> {
         let mut periods: Vec<Option<Vec<(ModeName, f64)>>> = vec![None; self.session.swings.len()];
-        self.observations.iter().map(|o| self.predict_one(o, x, &mut periods)).collect()
+        self.observations
+            .iter()
+            .map(|o| self.predict_one(o, x, &mut periods))
+            .collect()
     }
 
     fn predict_one(
@@ -153,12 +170,21 @@ impl<'a> System<'a> {
         periods: &mut [Option<Vec<(ModeName, f64)>>],
     ) -> Option<f64> {
         match observation.what {
-            Observed::Statement(i) => {
-                Some(self.statements[i].row.iter().map(|(k, slope)| slope * x[*k]).sum())
-            }
+            Observed::Statement(i) => Some(
+                self.statements[i]
+                    .row
+                    .iter()
+                    .map(|(k, slope)| slope * x[*k])
+                    .sum(),
+            ),
             Observed::Incline(i) => {
                 let depth = self.layout.swings.first()?.log_depth;
-                Some(incline_angle_deg(&self.layout, x, &self.session.inclines[i], depth))
+                Some(incline_angle_deg(
+                    &self.layout,
+                    x,
+                    &self.session.inclines[i],
+                    depth,
+                ))
             }
             Observed::Moved(i) => {
                 let depth_m = x[self.layout.level_depth()?].exp();
@@ -168,24 +194,35 @@ impl<'a> System<'a> {
             Observed::Period(i, mode) => {
                 let index = &self.layout.swings[i];
                 if periods[i].is_none() {
-                    periods[i] = (self.theory)(&self.layout, x, &self.session.swings[i], index).ok();
+                    periods[i] =
+                        (self.theory)(&self.layout, x, &self.session.swings[i], index).ok();
                 }
-                let (_, period_s) = periods[i].as_ref()?.iter().find(|(name, _)| *name == mode)?;
+                let (_, period_s) = periods[i]
+                    .as_ref()?
+                    .iter()
+                    .find(|(name, _)| *name == mode)?;
                 Some(period_s * (1.0 + self.layout.clock_error(x, index)))
             }
         }
     }
 
-    /// What every observation, then every free parameter's prior, exceeds the prediction by, in standard uncertainties.
+    /// What every observation, then every free parameter's prior, exceeds the prediction by, in
+    /// standard uncertainties.
     pub fn rows(&self, x: &[f64], free: &[usize]) -> Option<DVector<f64>> {
         let predicted = self.predict(x)?;
-        let observed = self.observations.iter().zip(predicted).map(|(o, p)| (o.value.value - p) / o.value.u);
+        let observed = self
+            .observations
+            .iter()
+            .zip(predicted)
+            .map(|(o, p)| (o.value.value - p) / o.value.u);
         let priors = free.iter().map(|i| {
             let prior = self.layout.parameters[*i].prior;
             (prior.value - x[*i]) / prior.u
         });
         let rows: Vec<f64> = observed.chain(priors).collect();
-        rows.iter().all(|r| r.is_finite()).then(|| DVector::from_vec(rows))
+        rows.iter()
+            .all(|r| r.is_finite())
+            .then(|| DVector::from_vec(rows))
     }
 
     fn jacobian(&self, x: &[f64], free: &[usize], rows: usize) -> Option<DMatrix<f64>> {
@@ -204,8 +241,9 @@ impl<'a> System<'a> {
 
     /// Solves the system (Levenberg–Marquardt from `start`).
     pub fn solve(&self, start: &[f64]) -> Result<Solution> {
-        let free: Vec<usize> =
-            (0..self.layout.parameters.len()).filter(|i| self.layout.parameters[*i].prior.u > 0.0).collect();
+        let free: Vec<usize> = (0..self.layout.parameters.len())
+            .filter(|i| self.layout.parameters[*i].prior.u > 0.0)
+            .collect();
         let x = self.minimise(start.to_vec(), &free).ok_or_else(failed)?;
         let rows = self.rows(&x, &free).ok_or_else(failed)?;
         let jacobian = self.jacobian(&x, &free, rows.len()).ok_or_else(failed)?;
@@ -220,7 +258,15 @@ impl<'a> System<'a> {
             .sum();
         let chi2 = rows.norm_squared();
         let dof = (self.observations.len() as f64 - taken).max(0.0);
-        Ok(Solution { x, free, gain, jacobian, chi2, dof, birge: birge(chi2, dof) })
+        Ok(Solution {
+            x,
+            free,
+            gain,
+            jacobian,
+            chi2,
+            dof,
+            birge: birge(chi2, dof),
+        })
     }
 
     fn minimise(&self, mut x: Vec<f64>, free: &[usize]) -> Option<Vec<f64>> {
@@ -236,7 +282,9 @@ impl<'a> System<'a> {
                 (0..free.len()).for_each(|k| damped[(k, k)] *= 1.0 + damping);
                 let step = -damped.cholesky()?.solve(&gradient);
                 let mut moved = x.clone();
-                free.iter().zip(step.iter()).for_each(|(i, s)| moved[*i] += s);
+                free.iter()
+                    .zip(step.iter())
+                    .for_each(|(i, s)| moved[*i] += s);
                 match self.rows(&moved, free) {
                     Some(better) if better.norm_squared() <= rows.norm_squared() => {
                         let gained = rows.norm_squared() - better.norm_squared();
@@ -267,9 +315,14 @@ fn birge(chi2: f64, dof: f64) -> f64 {
     if dof < 0.5 {
         return 1.0;
     }
-    let beyond_chance =
-        ChiSquared::new(dof).map(|d| chi2 > d.inverse_cdf(1.0 - BIRGE_FALSE_ALARM)).unwrap_or(false);
-    if beyond_chance { (chi2 / dof).sqrt() } else { 1.0 }
+    let beyond_chance = ChiSquared::new(dof)
+        .map(|d| chi2 > d.inverse_cdf(1.0 - BIRGE_FALSE_ALARM))
+        .unwrap_or(false);
+    if beyond_chance {
+        (chi2 / dof).sqrt()
+    } else {
+        1.0
+    }
 }
 
 /// A scalar of the solution with its uncertainty, by row.
@@ -309,20 +362,37 @@ impl Solution {
             .map(|(k, _)| by_row[first_prior + k].powi(2))
             .sum();
         let weak_share = if variance > 0.0 { weak / variance } else { 0.0 };
-        Some(Derived { value, u: variance.sqrt(), by_row: by_row.as_slice().to_vec(), weak_share })
+        Some(Derived {
+            value,
+            u: variance.sqrt(),
+            by_row: by_row.as_slice().to_vec(),
+            weak_share,
+        })
     }
 
     /// Standard uncertainty of a parameter.
     pub fn u(&self, parameter: usize) -> f64 {
-        self.free.iter().position(|i| *i == parameter).map_or(0.0, |k| self.gain.row(k).norm())
+        self.free
+            .iter()
+            .position(|i| *i == parameter)
+            .map_or(0.0, |k| self.gain.row(k).norm())
     }
 }
 
 impl Derived {
     /// Correlation with another scalar of the same solution.
     pub fn correlation(&self, other: &Derived) -> f64 {
-        let covariance: f64 = self.by_row.iter().zip(&other.by_row).map(|(a, b)| a * b).sum();
-        if self.u > 0.0 && other.u > 0.0 { covariance / (self.u * other.u) } else { 0.0 }
+        let covariance: f64 = self
+            .by_row
+            .iter()
+            .zip(&other.by_row)
+            .map(|(a, b)| a * b)
+            .sum();
+        if self.u > 0.0 && other.u > 0.0 {
+            covariance / (self.u * other.u)
+        } else {
+            0.0
+        }
     }
 }
 
@@ -339,13 +409,17 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
             // The weight's own figures are independent of all others: they widen the angle by (20).
             let tangent = read.value.to_radians().tan();
             let slope = tangent / (1.0 + tangent * tangent) * (180.0 / std::f64::consts::PI);
-            let relative =
-                (incline.mass_kg.u / incline.mass_kg.value).hypot(incline.arm_m.u / incline.arm_m.value);
+            let relative = (incline.mass_kg.u / incline.mass_kg.value)
+                .hypot(incline.arm_m.u / incline.arm_m.value);
             let drop = tangent * incline.depth_m.u / incline.arm_m.value;
             let u = read.u.hypot(slope * relative).hypot(slope * drop).max(1e-4);
             let label = format!(
                 "incline {}",
-                if incline.end == crate::recording::End::Bow { "bow" } else { "stern" }
+                if incline.end == crate::recording::End::Bow {
+                    "bow"
+                } else {
+                    "stern"
+                }
             );
             Some(Observation {
                 what: Observed::Incline(i),

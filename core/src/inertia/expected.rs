@@ -1,8 +1,10 @@
-//! What a measurement would find, before anything has swung: the joint estimate with expected rows in the place of data.
+//! What a measurement would find, before anything has swung: the joint estimate with expected rows
+//! in the place of data.
 //!
-//! Parameters, theory, solution, quantities and budget are those of a measurement; only the rows differ. They are what the
-//! samples of a swing would say of the parameters (`samples::expected_statements`), or, quicker and for a stopwatch, its
-//! periods with their uncertainties.
+//! Parameters, theory, solution, quantities and budget are those of a measurement; only the rows
+//! differ. They are what the samples of a swing would say of the parameters
+//! (`samples::expected_statements`), or, quicker and for a stopwatch, its periods with their
+//! uncertainties.
 
 use std::collections::BTreeMap;
 
@@ -37,8 +39,8 @@ pub enum Brought {
 /// How a swing begins, from rest, and how it dies away.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Released {
-    /// Shift along the suspension's direction and across it (direction × up), m; turn about that direction and about
-    /// the vertical, rad.
+    /// Shift along the suspension's direction and across it (direction × up), m; turn about that
+    /// direction and about the vertical, rad.
     pub start: [f64; START],
     /// Decay time of the amplitude of all motions, s.
     pub decay_s: f64,
@@ -53,8 +55,9 @@ pub struct Expected {
     pub budget: BTreeMap<String, Vec<BudgetLine>>,
 }
 
-/// A session that was planned and the hull that it is expected to find: inertia about the centre of mass in hull axes,
-/// that centre below the mid-point of the suspension points of a level hanging, everything included that hangs.
+/// A session that was planned and the hull that it is expected to find: inertia about the centre of
+/// mass in hull axes, that centre below the mid-point of the suspension points of a level hanging,
+/// everything included that hangs.
 pub struct Prospect<'a> {
     session: &'a Session,
     layout: Layout,
@@ -74,9 +77,15 @@ impl<'a> Prospect<'a> {
         let layout = Layout::of(session, gravity, &phone_pitches(session), &yaws);
         let x = placed(&layout, body)?;
         let each = session.swings.iter().zip(&layout.swings);
-        let periods_s =
-            each.map(|(swing, index)| swing_periods(&layout, &x, swing, index)).collect::<Result<_>>()?;
-        Ok(Self { session, layout, x, periods_s })
+        let periods_s = each
+            .map(|(swing, index)| swing_periods(&layout, &x, swing, index))
+            .collect::<Result<_>>()?;
+        Ok(Self {
+            session,
+            layout,
+            x,
+            periods_s,
+        })
     }
 
     /// What the joint estimate would make of what the swings bring beside the inclines as stated.
@@ -89,9 +98,15 @@ impl<'a> Prospect<'a> {
         let mut said: Vec<Vec<Statement>> = Vec::new();
         for (i, brought) in brought.iter().enumerate() {
             match brought {
-                Brought::Samples(released, recorded) => said.push(self.said(i, released, recorded)?),
+                Brought::Samples(released, recorded) => {
+                    said.push(self.said(i, released, recorded)?)
+                }
                 Brought::Periods(modes) => {
-                    periods.extend(modes.iter().filter_map(|(mode, u)| self.period(i, *mode, *u)));
+                    periods.extend(
+                        modes
+                            .iter()
+                            .filter_map(|(mode, u)| self.period(i, *mode, *u)),
+                    );
                     said.push(vec![]);
                 }
             }
@@ -100,7 +115,9 @@ impl<'a> Prospect<'a> {
         let solution = system.solve(&self.x)?;
         let mut found = Measurement::default();
         write_quantities(&system, &solution, &mut found);
-        let Measurement { quantities, budget, .. } = found;
+        let Measurement {
+            quantities, budget, ..
+        } = found;
         Ok(Expected { quantities, budget })
     }
 
@@ -128,7 +145,8 @@ impl<'a> Prospect<'a> {
     }
 }
 
-/// The stated pitches as the phones will have them: each tilted hanging against the one nearest to level.
+/// The stated pitches as the phones will have them: each tilted hanging against the one nearest to
+/// level.
 fn phone_pitches(session: &Session) -> Vec<Option<Quantity>> {
     let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
     let size = |i: &usize| stated(*i).map_or(0.0, |q| q.value.abs());
@@ -145,7 +163,10 @@ fn phone_pitches(session: &Session) -> Vec<Option<Quantity>> {
 fn placed(layout: &Layout, body: &RigidBody) -> Result<Vec<f64>> {
     let k = |i: usize| (body.inertia_kg_m2[(i, i)] / body.mass_kg).sqrt();
     let (roll, pitch, yaw, depth) = (k(0), k(1), k(2), -body.cm_m.z);
-    if ![roll, pitch, yaw, depth].iter().all(|v| v.is_finite() && *v > 0.0) {
+    if ![roll, pitch, yaw, depth]
+        .iter()
+        .all(|v| v.is_finite() && *v > 0.0)
+    {
         return Err(Error::argument(
             "hull",
             "gyradii and a depth above 0",
@@ -157,7 +178,8 @@ fn placed(layout: &Layout, body: &RigidBody) -> Result<Vec<f64>> {
     (x[log_roll], x[log_pitch], x[log_yaw]) = ((roll / yaw).ln(), pitch.ln(), yaw.ln());
     x[layout.product_xz] = body.inertia_kg_m2[(0, 2)] / body.mass_kg;
     for swing in &layout.swings {
-        // Moved along the deck until the centre hangs below them, the points lie 1/cos of the tilt higher above it.
+        // Moved along the deck until the centre hangs below them, the points lie 1/cos of the tilt
+        // higher above it.
         x[swing.log_depth] = (depth / x[swing.pitch_deg].to_radians().cos()).ln();
     }
     Ok(x)

@@ -12,21 +12,45 @@ pub const QUANTITIES: [(&str, &str); 5] = [
 /// Routes by their method.
 pub const ROUTES: [(&str, &str); 16] = [
     ("yaw_period", "Gierperiode mit Leinenlänge und Abstand"),
-    ("period_ratio", "Gierperiode durch Querperiode, mal dem halben Abstand"),
-    ("beat_count", "Schwingungen je Schwebung von Gieren und Querschwingen"),
-    ("double_pendulum", "beide Perioden des Doppelpendels, Querperiode als Uhr"),
-    ("double_pendulum_and_line_length", "beide Perioden des Doppelpendels, mit der Leinenlänge"),
+    (
+        "period_ratio",
+        "Gierperiode durch Querperiode, mal dem halben Abstand",
+    ),
+    (
+        "beat_count",
+        "Schwingungen je Schwebung von Gieren und Querschwingen",
+    ),
+    (
+        "double_pendulum",
+        "beide Perioden des Doppelpendels, Querperiode als Uhr",
+    ),
+    (
+        "double_pendulum_and_line_length",
+        "beide Perioden des Doppelpendels, mit der Leinenlänge",
+    ),
     ("compound", "physikalisches Pendel"),
     ("compound_pendulum", "physikalisches Pendel"),
     ("lamboley", "physikalisches Pendel in zwei Höhen (Lamboley)"),
     ("incline", "Neigen mit einem Gewicht"),
     ("tilted_yaw", "Gieren waagerecht und bei zwei Neigungen"),
-    ("tilted_yaw_right_angle", "Gieren waagerecht und bei zwei Neigungen im rechten Winkel"),
+    (
+        "tilted_yaw_right_angle",
+        "Gieren waagerecht und bei zwei Neigungen im rechten Winkel",
+    ),
     ("one_tilt", "Rollen, Gieren und ein geneigtes Gieren"),
-    ("tilt_fit", "Gieren bei allen Neigungen, nach kleinsten Quadraten"),
-    ("points_moved", "Verschieben der Aufhängepunkte und die Neigung, die folgt"),
+    (
+        "tilt_fit",
+        "Gieren bei allen Neigungen, nach kleinsten Quadraten",
+    ),
+    (
+        "points_moved",
+        "Verschieben der Aufhängepunkte und die Neigung, die folgt",
+    ),
     ("incline_both_ends", "Neigen an Bug und Heck"),
-    ("joint_estimate", "gemeinsame Schätzung aus der ganzen Messung"),
+    (
+        "joint_estimate",
+        "gemeinsame Schätzung aus der ganzen Messung",
+    ),
 ];
 
 /// Sentences by key; `{name}` stands for an argument.
@@ -57,7 +81,10 @@ pub const SENTENCES: [(&str, &str); 22] = [
         "Die Messung widerspricht sich (χ² = {chi2} bei {dof} Freiheitsgraden): alle Unsicherheiten sind auf das {factor}-Fache erweitert",
     ),
     ("no_verdict", "Kein Urteil über {quantity}: {reason}"),
-    ("no_verdict_undetermined", "Kein Urteil über {quantity}: die Schwingungen bestimmen es nicht"),
+    (
+        "no_verdict_undetermined",
+        "Kein Urteil über {quantity}: die Schwingungen bestimmen es nicht",
+    ),
     (
         "no_single_period",
         "Der Eintrag bei {at_s} s ({period_s} s) ist keine einzelne Periode dieser Bewegung: weggelassen",
@@ -74,10 +101,22 @@ pub const SENTENCES: [(&str, &str); 22] = [
         "no_shapes",
         "Kein Beschleunigungssensor, der die Schwerkraft sieht: die Senkrechte ist unbekannt, und die Schwingungen lassen sich nicht nach ihrer Form benennen",
     ),
-    ("track_alone", "Ein Weg allein zeigt keine Formen: die Schwingungen sind nach ihren Perioden benannt"),
-    ("not_seen", "{motion} sollte angeregt werden, zeigt sich aber nicht in den Daten"),
-    ("not_meant", "Die stärkste Bewegung ist {motion}, das nicht angeregt werden sollte"),
-    ("parasitic", "Ungewollt: {motion} mit {percent} % der stärksten Bewegung"),
+    (
+        "track_alone",
+        "Ein Weg allein zeigt keine Formen: die Schwingungen sind nach ihren Perioden benannt",
+    ),
+    (
+        "not_seen",
+        "{motion} sollte angeregt werden, zeigt sich aber nicht in den Daten",
+    ),
+    (
+        "not_meant",
+        "Die stärkste Bewegung ist {motion}, das nicht angeregt werden sollte",
+    ),
+    (
+        "parasitic",
+        "Ungewollt: {motion} mit {percent} % der stärksten Bewegung",
+    ),
     ("of", "{what} von {which}"),
     ("an_id", "{id}"),
 ];
@@ -114,14 +153,26 @@ pub const INPUTS: [(&str, &str); 25] = [
     ("incline bow", "Neigungsversuch am Bug"),
     ("incline stern", "Neigungsversuch am Heck"),
     ("samples", "Messwerte"),
-    ("finite-amplitude correction", "Korrektur für endliche Amplitude"),
-    ("unknown tilt of the principal axes", "unbekannte Neigung der Hauptachsen"),
+    (
+        "finite-amplitude correction",
+        "Korrektur für endliche Amplitude",
+    ),
+    (
+        "unknown tilt of the principal axes",
+        "unbekannte Neigung der Hauptachsen",
+    ),
     ("yaw period", "Gierperiode"),
     ("sway period", "Querperiode"),
     ("pitch in phase period", "Stampfperiode im Gleichtakt"),
     ("pitch out of phase period", "Stampfperiode im Gegentakt"),
     ("roll in phase period", "Rollperiode im Gleichtakt"),
     ("roll out of phase period", "Rollperiode im Gegentakt"),
-    ("compound pendulum period", "Periode als physikalisches Pendel"),
-    ("unnamed motion period", "Periode einer unbenannten Schwingung"),
+    (
+        "compound pendulum period",
+        "Periode als physikalisches Pendel",
+    ),
+    (
+        "unnamed motion period",
+        "Periode einer unbenannten Schwingung",
+    ),
 ];

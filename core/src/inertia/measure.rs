@@ -10,8 +10,8 @@ use crate::language::{Argument, Text};
 use crate::modes::{Hanging, tilt_between_rad};
 use crate::progress::{Progress, UNWATCHED, tell};
 use crate::recording::{
-    Incline, InclineAngle, LoadedData, LoadedSession, LoadedSwing, ModeName, PeriodList, Quantity, Recording,
-    Session, Swing, SwingData,
+    Incline, InclineAngle, LoadedData, LoadedSession, LoadedSwing, ModeName, PeriodList, Quantity,
+    Recording, Session, Swing, SwingData,
 };
 use crate::signal::{
     FittedMode, FlaggedPeriod, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude,
@@ -36,26 +36,29 @@ use super::words::period_label;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-measurement/1";
-/// Uncertainty of the angle between two tilts of one phone, degrees. Noise over seconds is nothing beside it, and a bias that
-/// stays cancels but for its part along gravity times the angle; what is left is a bias that has moved meanwhile, by
-/// 0.02 m/s² or so as the phone warms, and axes whose scales differ by a percent or two.
+/// Uncertainty of the angle between two tilts of one phone, degrees. Noise over seconds is nothing
+/// beside it, and a bias that stays cancels but for its part along gravity times the angle; what is
+/// left is a bias that has moved meanwhile, by 0.02 m/s² or so as the phone warms, and axes whose
+/// scales differ by a percent or two.
 pub(crate) const PHONE_TILT_U_DEG: f64 = 0.15;
-/// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last digit).
+/// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last
+/// digit).
 const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 
-/// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger motion drives them
-/// off their own period.
+/// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger
+/// motion drives them off their own period.
 pub(super) const WEAKEST_DB: f64 = -16.0;
 
-/// A mode weaker than this in a record whose residual exceeds its noise by this factor may be part of the misfit: strong
-/// motions that are no damped lines leave such traces beside them.
+/// A mode weaker than this in a record whose residual exceeds its noise by this factor may be part
+/// of the misfit: strong motions that are no damped lines leave such traces beside them.
 const DOUBTFUL_DB: f64 = -40.0;
 const DOUBTFUL_MISFIT: f64 = 1.5;
 
 /// A roll gyradius of which weak priors decide less than this share is measured.
 const ROLL_WEAK_SHARE: f64 = 0.05;
 
-/// Roughly the shares of the work that are done once the swings are read, the periods solved, the samples fitted.
+/// Roughly the shares of the work that are done once the swings are read, the periods solved, the
+/// samples fitted.
 const OBSERVED_SHARE: f64 = 0.4;
 const SOLVED_SHARE: f64 = 0.5;
 const FITTED_SHARE: f64 = 0.9;
@@ -110,8 +113,13 @@ fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result
         tell(progress, share, &format!("reading {}", swing.id))?;
         Ok(work_swing(swing, &data.data, gravity.value))
     };
-    let works: Vec<SwingWork> =
-        session.swings.iter().zip(&loaded.data).enumerate().map(work).collect::<Result<_>>()?;
+    let works: Vec<SwingWork> = session
+        .swings
+        .iter()
+        .zip(&loaded.data)
+        .enumerate()
+        .map(work)
+        .collect::<Result<_>>()?;
     if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
         return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
     }
@@ -121,7 +129,12 @@ fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result
     let layout = Layout::of(session, gravity, &pitch, &yaws);
     let mut system = System::new(session, layout);
     system.observe(observations(session, &works, &[]), &inclines);
-    Ok(Prepared { works, inclines, system, warnings: gravity_warning.into_iter().collect() })
+    Ok(Prepared {
+        works,
+        inclines,
+        system,
+        warnings: gravity_warning.into_iter().collect(),
+    })
 }
 
 /// Measures a session and keeps the evidence.
@@ -136,16 +149,33 @@ pub fn analyse_watched(
     progress: &Progress,
 ) -> Result<Analysis> {
     let session = &loaded.session;
-    let Prepared { mut works, inclines, mut system, warnings } = prepare_watched(loaded, progress)?;
-    let mut result = Measurement { format: FORMAT.into(), title: title(session), ..Default::default() };
+    let Prepared {
+        mut works,
+        inclines,
+        mut system,
+        warnings,
+    } = prepare_watched(loaded, progress)?;
+    let mut result = Measurement {
+        format: FORMAT.into(),
+        title: title(session),
+        ..Default::default()
+    };
     warnings.into_iter().for_each(|said| result.warn(said));
     tell(progress, OBSERVED_SHARE, "solving the periods")?;
     let estimated = estimate(&mut system, session, &mut works, &inclines);
-    tell(progress, SOLVED_SHARE, "fitting the simulation to the samples")?;
+    tell(
+        progress,
+        SOLVED_SHARE,
+        "fitting the simulation to the samples",
+    )?;
     match by_samples(&mut system, &mut works, &inclines, estimated) {
         Ok(solution) => {
             tell(progress, FITTED_SHARE, "weighing uncertainties")?;
-            let counted = |w: &SwingWork| w.evidence.as_ref().and_then(|e| beats::counted(e, &w.result));
+            let counted = |w: &SwingWork| {
+                w.evidence
+                    .as_ref()
+                    .and_then(|e| beats::counted(e, &w.result))
+            };
             let beats: Vec<_> = works.iter().map(counted).collect();
             let routes = routes(&system, &solution, &beats);
             conclude(&system, &solution, &routes, options, &mut result);
@@ -154,29 +184,46 @@ pub fn analyse_watched(
     }
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
-    Ok(Analysis { measurement: result, evidence })
+    Ok(Analysis {
+        measurement: result,
+        evidence,
+    })
 }
 
-/// The session's periods, freed of finite amplitude, with its stated figures as one system, and the solution; samples are
-/// not looked at beyond their periods.
+/// The session's periods, freed of finite amplitude, with its stated figures as one system, and the
+/// solution; samples are not looked at beyond their periods.
 pub(crate) fn solved_periods(loaded: &LoadedSession) -> Result<(System<'_>, Solution)> {
-    let Prepared { mut system, mut works, inclines, .. } = prepare(loaded)?;
+    let Prepared {
+        mut system,
+        mut works,
+        inclines,
+        ..
+    } = prepare(loaded)?;
     let solution = estimate(&mut system, &loaded.session, &mut works, &inclines)?;
     Ok((system, solution))
 }
 
 fn yaw_period_s(work: &SwingWork) -> Option<f64> {
     let is_yaw = |(m, _): &&(usize, Quantity)| work.result.modes[*m].mode == ModeName::Yaw;
-    work.periods.iter().find(is_yaw).map(|(_, period)| period.value)
+    work.periods
+        .iter()
+        .find(is_yaw)
+        .map(|(_, period)| period.value)
 }
 
 pub(crate) fn title(session: &Session) -> String {
-    if session.title.is_empty() { session.body.name.clone() } else { session.title.clone() }
+    if session.title.is_empty() {
+        session.body.name.clone()
+    } else {
+        session.title.clone()
+    }
 }
 
 fn no_modes_reason(works: &[SwingWork]) -> String {
-    let reasons: Vec<String> =
-        works.iter().map(|w| format!("{}: {}", w.result.id, w.result.warnings.join("; "))).collect();
+    let reasons: Vec<String> = works
+        .iter()
+        .map(|w| format!("{}: {}", w.result.id, w.result.warnings.join("; ")))
+        .collect();
     format!("no swing gives a period ({})", reasons.join(" | "))
 }
 
@@ -188,14 +235,23 @@ pub(crate) fn estimate(
     inclines: &[Option<Quantity>],
 ) -> Result<Solution> {
     if system.observations.is_empty() {
-        return Err(Error::no_result(title(session), "no mode of any swing could be named"));
+        return Err(Error::no_result(
+            title(session),
+            "no mode of any swing could be named",
+        ));
     }
     let first = system.solve(&system.layout.start())?;
     let other = roll_unmeasured(system, &first);
     let corrections: Vec<Vec<Correction>> = (0..works.len())
         .map(|i| {
             let (swing, index) = (&session.swings[i], &system.layout.swings[i]);
-            corrections(&system.layout, (&first.x, other.as_deref()), swing, index, &works[i].result)
+            corrections(
+                &system.layout,
+                (&first.x, other.as_deref()),
+                swing,
+                index,
+                &works[i].result,
+            )
         })
         .collect();
     for (work, corrections) in works.iter_mut().zip(&corrections) {
@@ -214,7 +270,8 @@ impl System<'_> {
     }
 }
 
-/// The solution with its roll gyradius one standard uncertainty off; none where the swings measure it.
+/// The solution with its roll gyradius one standard uncertainty off; none where the swings measure
+/// it.
 fn roll_unmeasured(system: &System, solution: &Solution) -> Option<Vec<f64>> {
     let roll = system.layout.log_gyradii[0];
     let known = solution.derive(&system.layout, |x| Some(x[roll]))?;
@@ -227,7 +284,9 @@ fn roll_unmeasured(system: &System, solution: &Solution) -> Option<Vec<f64>> {
 fn apply(result: &mut SwingResult, corrections: &[Correction]) {
     for (mode, correction) in result.modes.iter_mut().zip(corrections) {
         mode.period_s = mode.period_observed_s * correction.factor;
-        mode.period_se_s = mode.period_se_s.hypot(mode.period_s * correction.u_relative);
+        mode.period_se_s = mode
+            .period_se_s
+            .hypot(mode.period_s * correction.u_relative);
     }
 }
 
@@ -240,18 +299,34 @@ fn conclude(
 ) {
     write_quantities(system, solution, result);
     for calculation in calculations {
-        let known = result.alternatives.entry(calculation.quantity.into()).or_default();
+        let known = result
+            .alternatives
+            .entry(calculation.quantity.into())
+            .or_default();
         known.push(calculation.route());
     }
     result.consistency = court::sit(system, solution, calculations);
-    worst_of_each(&result.consistency).into_iter().for_each(|said| result.warn(said));
+    worst_of_each(&result.consistency)
+        .into_iter()
+        .for_each(|said| result.warn(said));
     if solution.birge > 1.0 {
-        let arguments = [("chi2", solution.chi2), ("dof", solution.dof), ("factor", solution.birge)];
-        result.warn(said("widened", arguments.map(|(name, value)| (name, Argument::Number(value, 1)))));
+        let arguments = [
+            ("chi2", solution.chi2),
+            ("dof", solution.dof),
+            ("factor", solution.birge),
+        ];
+        result.warn(said(
+            "widened",
+            arguments.map(|(name, value)| (name, Argument::Number(value, 1))),
+        ));
     }
     for limit in &options.limits {
         let quantity = ("quantity", name(&format!("id.{}", limit.quantity)));
-        match result.quantities.get(&limit.quantity).and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?))) {
+        match result
+            .quantities
+            .get(&limit.quantity)
+            .and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?)))
+        {
             Some((value, u)) => match verdict(Quantity::new(value, u), limit) {
                 Ok(judged) => result.verdicts.push(judged),
                 Err(error) => result.warn(said("no_verdict", [quantity, ("reason", plain(error))])),
@@ -288,8 +363,11 @@ fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork 
         LoadedData::Typed => Ok(work_typed(swing)),
     };
     worked.unwrap_or_else(|error| SwingWork {
-        result: SwingResult { id: swing.id.clone(), ..Default::default() }
-            .warned(vec![Text::in_english(error.to_string())]),
+        result: SwingResult {
+            id: swing.id.clone(),
+            ..Default::default()
+        }
+        .warned(vec![Text::in_english(error.to_string())]),
         evidence: None,
         periods: vec![],
     })
@@ -316,8 +394,15 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
     let periods = modes
         .iter()
         .enumerate()
-        .filter(|(_, m)| m.mode != ModeName::Other && m.relative_db > WEAKEST_DB && m.decay_time_s.is_some())
-        .map(|(i, m)| (i, Quantity::new(m.period_observed_s, evidence.found.modes[i].period_se_s())))
+        .filter(|(_, m)| {
+            m.mode != ModeName::Other && m.relative_db > WEAKEST_DB && m.decay_time_s.is_some()
+        })
+        .map(|(i, m)| {
+            (
+                i,
+                Quantity::new(m.period_observed_s, evidence.found.modes[i].period_se_s()),
+            )
+        })
         .collect();
     let result = SwingResult {
         id: evidence.id.clone(),
@@ -328,7 +413,11 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         ..Default::default()
     };
     let result = result.warned(warnings);
-    SwingWork { result, evidence: Some(evidence), periods }
+    SwingWork {
+        result,
+        evidence: Some(evidence),
+        periods,
+    }
 }
 
 fn mode_result(
@@ -346,9 +435,14 @@ fn mode_result(
         period_se_s: limit.u,
         period_observed_s: mode.period_s(),
         decay_time_s: (mode.alpha_per_s > 0.0).then(|| 1.0 / mode.alpha_per_s),
-        decay_time_se_s: (mode.alpha_per_s > 0.0).then(|| mode.alpha_se_per_s / mode.alpha_per_s.powi(2)),
+        decay_time_se_s: (mode.alpha_per_s > 0.0)
+            .then(|| mode.alpha_se_per_s / mode.alpha_per_s.powi(2)),
         amplitude,
-        amplitude_unit: if amplitude.is_some() { evidence.amplitude_unit.into() } else { String::new() },
+        amplitude_unit: if amplitude.is_some() {
+            evidence.amplitude_unit.into()
+        } else {
+            String::new()
+        },
         phase_rad: Some(phase_rad(mode)),
         relative_db: 0.0,
         parasitic: false,
@@ -360,9 +454,17 @@ fn mode_result(
 /// Follows one mode through the record, its channels combined as its shape says.
 fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
     let found = &evidence.found;
-    let pole = |m: &FittedMode| Pole { omega_rad_s: m.omega_rad_s, alpha_per_s: m.alpha_per_s };
-    let others: Vec<Pole> =
-        found.modes.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, m)| pole(m)).collect();
+    let pole = |m: &FittedMode| Pole {
+        omega_rad_s: m.omega_rad_s,
+        alpha_per_s: m.alpha_per_s,
+    };
+    let others: Vec<Pole> = found
+        .modes
+        .iter()
+        .enumerate()
+        .filter(|(j, _)| *j != i)
+        .map(|(_, m)| pole(m))
+        .collect();
     let project = projection(&found.modes[i], &found.noise);
     let wanted = WindowedMode {
         span_s: (found.t_ref_s, found.t_end_s),
@@ -375,14 +477,31 @@ fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
 
 /// The combination of channels that reads 1 for the mode's own shape with the least noise.
 fn projection(mode: &FittedMode, noise: &[f64]) -> Vec<Complex64> {
-    let weight = |c: usize| noise.get(c).filter(|n| **n > 0.0).map_or(0.0, |n| 1.0 / (n * n));
-    let energy: f64 = mode.shape.iter().enumerate().map(|(c, a)| a.norm_sqr() * weight(c)).sum();
-    mode.shape.iter().enumerate().map(|(c, a)| a.conj() * weight(c) / energy.max(f64::MIN_POSITIVE)).collect()
+    let weight = |c: usize| {
+        noise
+            .get(c)
+            .filter(|n| **n > 0.0)
+            .map_or(0.0, |n| 1.0 / (n * n))
+    };
+    let energy: f64 = mode
+        .shape
+        .iter()
+        .enumerate()
+        .map(|(c, a)| a.norm_sqr() * weight(c))
+        .sum();
+    mode.shape
+        .iter()
+        .enumerate()
+        .map(|(c, a)| a.conj() * weight(c) / energy.max(f64::MIN_POSITIVE))
+        .collect()
 }
 
 /// Phase of the channel that shows the mode best.
 fn phase_rad(mode: &FittedMode) -> f64 {
-    mode.shape.iter().max_by(|a, b| a.norm().total_cmp(&b.norm())).map_or(0.0, |c| c.arg())
+    mode.shape
+        .iter()
+        .max_by(|a, b| a.norm().total_cmp(&b.norm()))
+        .map_or(0.0, |c| c.arg())
 }
 
 /// The windows' amplitude is relative to that at the start of the span: scaled to the mode's own.
@@ -401,18 +520,25 @@ fn points_in_unit(points: &[WindowPoint], amplitude: Option<f64>) -> Vec<Amplitu
         .collect()
 }
 
-/// The period at small amplitude as the record itself shows it: by its windows where the period depends on the
-/// amplitude, else the period of the whole record.
+/// The period at small amplitude as the record itself shows it: by its windows where the period
+/// depends on the amplitude, else the period of the whole record.
 fn small_limit(mode: &FittedMode, points: &[WindowPoint]) -> Quantity {
     let observed = Quantity::new(mode.period_s(), mode.period_se_s());
     if mode.law.shift_rad_s == 0.0 {
         return observed;
     }
     match small_amplitude_limit(points) {
-        Some(SmallAmplitude { period_s, period_se_s, .. }) => Quantity::new(period_s, period_se_s),
+        Some(SmallAmplitude {
+            period_s,
+            period_se_s,
+            ..
+        }) => Quantity::new(period_s, period_se_s),
         None => {
             let omega = mode.law.omega_small_rad_s;
-            Quantity::new(TAU / omega, TAU / omega * mode.law.omega_small_se_rad_s / omega)
+            Quantity::new(
+                TAU / omega,
+                TAU / omega * mode.law.omega_small_se_rad_s / omega,
+            )
         }
     }
 }
@@ -426,7 +552,11 @@ fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> M
         decay_time_s: None,
         decay_time_se_s: None,
         amplitude: amplitude_rad,
-        amplitude_unit: if amplitude_rad.is_some() { "rad".into() } else { String::new() },
+        amplitude_unit: if amplitude_rad.is_some() {
+            "rad".into()
+        } else {
+            String::new()
+        },
         phase_rad: None,
         relative_db: 0.0,
         parasitic: false,
@@ -437,18 +567,34 @@ fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> M
 
 fn work_typed(swing: &Swing) -> SwingWork {
     let SwingData::PeriodsS(typed) = &swing.data else {
-        return SwingWork { result: SwingResult::default(), evidence: None, periods: vec![] };
+        return SwingWork {
+            result: SwingResult::default(),
+            evidence: None,
+            periods: vec![],
+        };
     };
     let modes: Vec<ModeResult> = typed
         .iter()
         .map(|(mode, period)| {
-            typed_mode(*mode, *period, swing.amplitude_deg.get(mode).map(|a| a.to_radians()))
+            typed_mode(
+                *mode,
+                *period,
+                swing.amplitude_deg.get(mode).map(|a| a.to_radians()),
+            )
         })
         .collect();
     let floor = |q: Quantity| Quantity::new(q.value, q.u.max(TYPED_PERIOD_U_RELATIVE * q.value));
-    let periods = typed.values().enumerate().map(|(i, q)| (i, floor(*q))).collect();
+    let periods = typed
+        .values()
+        .enumerate()
+        .map(|(i, q)| (i, floor(*q)))
+        .collect();
     SwingWork {
-        result: SwingResult { id: swing.id.clone(), modes, ..Default::default() },
+        result: SwingResult {
+            id: swing.id.clone(),
+            modes,
+            ..Default::default()
+        },
         evidence: None,
         periods,
     }
@@ -459,7 +605,10 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
     let period = Quantity::new(found.period_s, found.u_s);
     let name = names_by_period(&[period.value], hanging, swing)[0];
     let left_out = |entry: &FlaggedPeriod| {
-        let (at_s, period_s) = (Argument::Number(entry.t_s, 1), Argument::Number(entry.period_s, 4));
+        let (at_s, period_s) = (
+            Argument::Number(entry.t_s, 1),
+            Argument::Number(entry.period_s, 4),
+        );
         said("no_single_period", [("at_s", at_s), ("period_s", period_s)])
     };
     let result = SwingResult {
@@ -470,18 +619,35 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
     };
     let result = result.warned(found.flagged.iter().map(left_out).collect());
     let u = period.u.max(TYPED_PERIOD_U_RELATIVE * period.value);
-    let periods = if name == ModeName::Other { vec![] } else { vec![(0, Quantity::new(period.value, u))] };
-    Ok(SwingWork { result, evidence: None, periods })
+    let periods = if name == ModeName::Other {
+        vec![]
+    } else {
+        vec![(0, Quantity::new(period.value, u))]
+    };
+    Ok(SwingWork {
+        result,
+        evidence: None,
+        periods,
+    })
 }
 
-/// All observed periods with their corrections (which free them of amplitude and damping), as far as these are known.
-fn observations(session: &Session, works: &[SwingWork], corrections: &[Vec<Correction>]) -> Vec<Observation> {
+/// All observed periods with their corrections (which free them of amplitude and damping), as far
+/// as these are known.
+fn observations(
+    session: &Session,
+    works: &[SwingWork],
+    corrections: &[Vec<Correction>],
+) -> Vec<Observation> {
     let mut all = Vec::new();
     for (i, work) in works.iter().enumerate() {
         let compound_like = |mode: ModeName| {
             session.swings[i].suspension.axis_height_m.is_some() == (mode == ModeName::Compound)
         };
-        for (m, observed) in work.periods.iter().filter(|(m, _)| compound_like(work.result.modes[*m].mode)) {
+        for (m, observed) in work
+            .periods
+            .iter()
+            .filter(|(m, _)| compound_like(work.result.modes[*m].mode))
+        {
             let mode = &work.result.modes[*m];
             let correction = corrections.get(i).and_then(|c| c.get(*m)).copied();
             let correction = correction.unwrap_or_else(|| Correction::unknown(mode));
@@ -498,7 +664,8 @@ fn observations(session: &Session, works: &[SwingWork], corrections: &[Vec<Corre
     all
 }
 
-/// What the phones say of the pitch of each swing: the tilt against the first level swing, its sense as stated.
+/// What the phones say of the pitch of each swing: the tilt against the first level swing, its
+/// sense as stated.
 fn phone_pitches(session: &Session, works: &[SwingWork]) -> Vec<Option<Quantity>> {
     let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
     let up = |i: usize| works[i].evidence.as_ref().and_then(|e| e.up);
@@ -524,7 +691,9 @@ fn pitch_size(stated: Option<Quantity>) -> f64 {
 
 /// Incline angles from phones: the tilt against the level swings' vertical.
 fn recorded_inclines(loaded: &LoadedSession, works: &[SwingWork]) -> Vec<Option<Quantity>> {
-    let level = works.iter().find_map(|w| w.evidence.as_ref().and_then(|e| e.up));
+    let level = works
+        .iter()
+        .find_map(|w| w.evidence.as_ref().and_then(|e| e.up));
     loaded
         .inclines
         .iter()
@@ -540,7 +709,10 @@ fn recorded_incline(recording: &Recording, incline: &Incline, level: &Vec3) -> O
     let force = recording.accelerometer.as_ref()?;
     let mean = Vec3::from_fn(|i, _| force.axes[i].iter().sum::<f64>() / force.axes[i].len() as f64);
     let up = mean.try_normalize(1.0)?;
-    Some(Quantity::new(tilt_between_rad(level, &up).to_degrees(), PHONE_TILT_U_DEG))
+    Some(Quantity::new(
+        tilt_between_rad(level, &up).to_degrees(),
+        PHONE_TILT_U_DEG,
+    ))
 }
 
 /// The last part of a path.
@@ -551,12 +723,23 @@ fn file_name(path: &str) -> &str {
 /// Measures a bare recording: the modes alone.
 pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Result<Analysis> {
     let gravity = crate::constants::STANDARD_GRAVITY_M_S2;
-    let evidence =
-        observe_recording(file_name(&recording.name), recording, gravity, &Hanging::default(), None)?;
+    let evidence = observe_recording(
+        file_name(&recording.name),
+        recording,
+        gravity,
+        &Hanging::default(),
+        None,
+    )?;
     let work = work(evidence, None);
-    let mut result =
-        Measurement { format: FORMAT.into(), title: file_name(&recording.name).into(), ..Default::default() };
+    let mut result = Measurement {
+        format: FORMAT.into(),
+        title: file_name(&recording.name).into(),
+        ..Default::default()
+    };
     result.warn(said("bare_recording", []));
     result.swings.push(work.result);
-    Ok(Analysis { measurement: result, evidence: vec![work.evidence] })
+    Ok(Analysis {
+        measurement: result,
+        evidence: vec![work.evidence],
+    })
 }

@@ -71,7 +71,11 @@ pub struct SwingResult {
 impl SwingResult {
     /// With what a reader must know of it.
     pub(super) fn warned(self, said: Vec<Text>) -> Self {
-        Self { warnings: english(&said), warnings_said: said, ..self }
+        Self {
+            warnings: english(&said),
+            warnings_said: said,
+            ..self
+        }
     }
 }
 
@@ -101,7 +105,8 @@ pub struct ModeResult {
     pub relative_db: f64,
     /// True where the operator did not mean to excite it.
     pub parasitic: bool,
-    /// True for a weak mode of a record that the fit does not describe: it may be part of the misfit.
+    /// True for a weak mode of a record that the fit does not describe: it may be part of the
+    /// misfit.
     #[serde(default)]
     pub doubtful: bool,
     /// Period and decay against amplitude, by window.
@@ -142,7 +147,8 @@ pub struct QuantityResult {
 /// A single route to a quantity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Route {
-    /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum`, `compound`, `lamboley`, `incline`, `tilted_yaw`, …
+    /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum`, `compound`, `lamboley`,
+    /// `incline`, `tilted_yaw`, …
     pub method: String,
     /// Value.
     pub value: f64,
@@ -168,7 +174,8 @@ pub struct BudgetLine {
 /// One sitting of the consistency court.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
-    /// What is claimed: `line_length`, `spacing`, `top_spacing`, `gravity`, `hull_pitch`, or a route such as `k_yaw_m`.
+    /// What is claimed: `line_length`, `spacing`, `top_spacing`, `gravity`, `hull_pitch`, or a
+    /// route such as `k_yaw_m`.
     pub claim: String,
     /// As stated, or by the first route.
     pub stated: f64,

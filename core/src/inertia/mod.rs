@@ -1,4 +1,5 @@
-//! From periods and dimensions to inertia: single routes, the joint estimate, its budget and its consistency.
+//! From periods and dimensions to inertia: single routes, the joint estimate, its budget and its
+//! consistency.
 //!
 //! May know `recording`, `signal`, `modes`, `dynamics` and what they may know.
 
@@ -25,7 +26,8 @@ pub(crate) mod words;
 pub(crate) use measure::solved_periods;
 pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, measure_recording};
 pub use measurement::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
+    Verdict,
 };
 pub use observe::Evidence;
 pub(crate) use outputs::COVERAGE_95;

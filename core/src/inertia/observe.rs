@@ -4,9 +4,12 @@ use crate::error::Result;
 use crate::frames::Vec3;
 use crate::language::{Argument, Text};
 use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
-use crate::recording::{Excitation, ModeName, Recording, Repair, RepairKind, Sensor, Swing, Track, Triad};
+use crate::recording::{
+    Excitation, ModeName, Recording, Repair, RepairKind, Sensor, Swing, Track, Triad,
+};
 use crate::signal::{
-    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose, undisturbed_span,
+    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose,
+    undisturbed_span,
 };
 
 use super::sentences::{motion, said};
@@ -44,7 +47,10 @@ pub struct Evidence {
 fn channels(recording: &Recording) -> (Vec<ChannelGroup>, ChannelMap) {
     let mut groups = Vec::new();
     let mut map = ChannelMap::default();
-    let group = |triad: &Triad| ChannelGroup { t_s: triad.t_s.clone(), channels: triad.axes.to_vec() };
+    let group = |triad: &Triad| ChannelGroup {
+        t_s: triad.t_s.clone(),
+        channels: triad.axes.to_vec(),
+    };
     if let Some(gyroscope) = &recording.gyroscope {
         map.gyroscope = Some(0);
         groups.push(group(gyroscope));
@@ -70,7 +76,11 @@ fn clipped(groups: &[ChannelGroup], span: &FreeSpan) -> Vec<ChannelGroup> {
             let end = group.t_s.partition_point(|t| *t <= span.end_s);
             ChannelGroup {
                 t_s: group.t_s[first..end].to_vec(),
-                channels: group.channels.iter().map(|c| c[first..end].to_vec()).collect(),
+                channels: group
+                    .channels
+                    .iter()
+                    .map(|c| c[first..end].to_vec())
+                    .collect(),
             }
         })
         .collect()
@@ -92,7 +102,18 @@ fn found_in(
     let mut repairs = merged(repairs);
     repairs.extend(trimmed(&span, &mut warnings));
     let (id, named, up) = (id.into(), vec![], None);
-    Ok(Evidence { id, groups, map, span, found, named, up, amplitude_unit, repairs, warnings })
+    Ok(Evidence {
+        id,
+        groups,
+        map,
+        span,
+        found,
+        named,
+        up,
+        amplitude_unit,
+        repairs,
+        warnings,
+    })
 }
 
 /// Analyses a phone's recording.
@@ -104,16 +125,30 @@ pub fn observe_recording(
     swing: Option<&Swing>,
 ) -> Result<Evidence> {
     let (all, map) = channels(recording);
-    let mut evidence = found_in(id, &all, map, "rad", &recording.repairs, &recording.disturbed_s)?;
+    let mut evidence = found_in(
+        id,
+        &all,
+        map,
+        "rad",
+        &recording.repairs,
+        &recording.disturbed_s,
+    )?;
     let found = &evidence.found;
     let up = up_direction(found, map).map(|(up, _)| up);
-    let motions: Vec<PhoneMotion> =
-        found.modes.iter().map(|m| PhoneMotion::of(m, map, gravity_m_s2, up)).collect();
+    let motions: Vec<PhoneMotion> = found
+        .modes
+        .iter()
+        .map(|m| PhoneMotion::of(m, map, gravity_m_s2, up))
+        .collect();
     let mut named = name_modes(&motions, up, gravity_m_s2, hanging);
     if up.is_none() {
         evidence.warnings.push(name_by_hint(&mut named, swing));
     }
-    Ok(Evidence { named, up, ..evidence })
+    Ok(Evidence {
+        named,
+        up,
+        ..evidence
+    })
 }
 
 /// The same fault of both sensors, which share their rows in most files, is one line.
@@ -167,7 +202,8 @@ pub fn is_meant(excitation: Excitation, mode: ModeName) -> bool {
     use ModeName::*;
     match excitation {
         Excitation::Yaw => mode == Yaw,
-        // Sideways on an athwartships suspension is the line pendulum; on a fore-and-aft one the roll double pendulum.
+        // Sideways on an athwartships suspension is the line pendulum; on a fore-and-aft one the
+        // roll double pendulum.
         Excitation::Sway => matches!(mode, Sway | RollInPhase | RollOutOfPhase),
         Excitation::Surge => matches!(mode, Sway | PitchInPhase | PitchOutOfPhase),
         Excitation::Pitch => matches!(mode, PitchInPhase | PitchOutOfPhase | Compound),
@@ -179,13 +215,27 @@ pub fn is_meant(excitation: Excitation, mode: ModeName) -> bool {
 pub fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<Text> {
     let Some(swing) = swing else { return vec![] };
     let is_seen = |e: &Excitation| named.iter().any(|n| is_meant(*e, n.name));
-    let not_seen = |e: &Excitation| said("not_seen", [("motion", motion(&format!("{e:?}").to_lowercase()))]);
-    let mut all: Vec<Text> = swing.excited.iter().filter(|e| !is_seen(e)).map(not_seen).collect();
+    let not_seen = |e: &Excitation| {
+        said(
+            "not_seen",
+            [("motion", motion(&format!("{e:?}").to_lowercase()))],
+        )
+    };
+    let mut all: Vec<Text> = swing
+        .excited
+        .iter()
+        .filter(|e| !is_seen(e))
+        .map(not_seen)
+        .collect();
     let strongest = named.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
-    if let Some(strongest) = strongest.filter(|n| n.name != ModeName::Other && !swing.excited.is_empty())
+    if let Some(strongest) =
+        strongest.filter(|n| n.name != ModeName::Other && !swing.excited.is_empty())
         && !swing.excited.iter().any(|e| is_meant(*e, strongest.name))
     {
-        all.push(said("not_meant", [("motion", motion(mode_text(strongest.name)))]));
+        all.push(said(
+            "not_meant",
+            [("motion", motion(mode_text(strongest.name)))],
+        ));
     }
     all
 }
@@ -195,18 +245,31 @@ pub fn size(named: &NamedMode) -> f64 {
     named.angle_rad.unwrap_or(0.0)
 }
 
-/// Relative sizes, dB below the largest, and which of them nobody meant; with a warning for those that matter.
-pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<Text>) -> Vec<(f64, bool)> {
+/// Relative sizes, dB below the largest, and which of them nobody meant; with a warning for those
+/// that matter.
+pub fn parasites(
+    named: &[NamedMode],
+    swing: Option<&Swing>,
+    warnings: &mut Vec<Text>,
+) -> Vec<(f64, bool)> {
     let largest = named.iter().map(size).fold(0.0, f64::max);
     named
         .iter()
         .map(|mode| {
-            let db = if largest > 0.0 { 20.0 * (size(mode) / largest).max(1e-12).log10() } else { 0.0 };
-            let meant = swing
-                .is_none_or(|s| s.excited.is_empty() || s.excited.iter().any(|e| is_meant(*e, mode.name)));
+            let db = if largest > 0.0 {
+                20.0 * (size(mode) / largest).max(1e-12).log10()
+            } else {
+                0.0
+            };
+            let meant = swing.is_none_or(|s| {
+                s.excited.is_empty() || s.excited.iter().any(|e| is_meant(*e, mode.name))
+            });
             if !meant && db > PARASITIC_DB {
                 let percent = Argument::Number(100.0 * 10f64.powf(db / 20.0), 1);
-                let arguments = [("motion", motion(mode_text(mode.name))), ("percent", percent)];
+                let arguments = [
+                    ("motion", motion(mode_text(mode.name))),
+                    ("percent", percent),
+                ];
                 warnings.push(said("parasitic", arguments));
             }
             (db, !meant)
@@ -214,10 +277,18 @@ pub fn parasites(named: &[NamedMode], swing: Option<&Swing>, warnings: &mut Vec<
         .collect()
 }
 
-/// Analyses a rangefinder's track. One point's displacement has no shape: the mode whose period is that of the lines
-/// is the sway, the other the yaw (or what the operator meant).
-pub fn observe_track(id: &str, track: &Track, hanging: &Hanging, swing: &Swing) -> Result<Evidence> {
-    let all = vec![ChannelGroup { t_s: track.t_s.clone(), channels: vec![track.y_m.clone()] }];
+/// Analyses a rangefinder's track. One point's displacement has no shape: the mode whose period is
+/// that of the lines is the sway, the other the yaw (or what the operator meant).
+pub fn observe_track(
+    id: &str,
+    track: &Track,
+    hanging: &Hanging,
+    swing: &Swing,
+) -> Result<Evidence> {
+    let all = vec![ChannelGroup {
+        t_s: track.t_s.clone(),
+        channels: vec![track.y_m.clone()],
+    }];
     let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs, &[])?;
     evidence.warnings.push(said("track_alone", []));
     evidence.named = name_track_modes(&evidence.found, hanging, swing);
@@ -225,24 +296,35 @@ pub fn observe_track(id: &str, track: &Track, hanging: &Hanging, swing: &Swing) 
 }
 
 fn name_track_modes(found: &Decomposition, hanging: &Hanging, swing: &Swing) -> Vec<NamedMode> {
-    let names =
-        names_by_period(&found.modes.iter().map(|m| m.period_s()).collect::<Vec<_>>(), hanging, swing);
+    let names = names_by_period(
+        &found.modes.iter().map(|m| m.period_s()).collect::<Vec<_>>(),
+        hanging,
+        swing,
+    );
     found
         .modes
         .iter()
         .zip(names)
-        .map(|(mode, name)| NamedMode { name, angle_rad: mode.shape.first().map(|c| c.norm()) })
+        .map(|(mode, name)| NamedMode {
+            name,
+            angle_rad: mode.shape.first().map(|c| c.norm()),
+        })
         .collect()
 }
 
-/// Names for periods alone. The stated length fixes the sway period to a few percent (the paper's was 4 % off).
+/// Names for periods alone. The stated length fixes the sway period to a few percent (the paper's
+/// was 4 % off).
 pub fn names_by_period(periods_s: &[f64], hanging: &Hanging, swing: &Swing) -> Vec<ModeName> {
     const NEAR_SWAY: f64 = 0.05;
     let mut names = vec![ModeName::Other; periods_s.len()];
     let meant = |e: Excitation| swing.excited.contains(&e);
-    let distance = |t: f64| hanging.sway_period_s.map_or(f64::INFINITY, |sway| (t / sway).ln().abs());
-    let nearest =
-        (0..periods_s.len()).min_by(|a, b| distance(periods_s[*a]).total_cmp(&distance(periods_s[*b])));
+    let distance = |t: f64| {
+        hanging
+            .sway_period_s
+            .map_or(f64::INFINITY, |sway| (t / sway).ln().abs())
+    };
+    let nearest = (0..periods_s.len())
+        .min_by(|a, b| distance(periods_s[*a]).total_cmp(&distance(periods_s[*b])));
     let sway = nearest.filter(|i| {
         distance(periods_s[*i]) < NEAR_SWAY && (meant(Excitation::Sway) || !meant(Excitation::Yaw))
     });

@@ -37,7 +37,9 @@ struct Hull<'a> {
 
 impl Hull<'_> {
     fn at(&self, x: &[f64]) -> Option<RigidBody> {
-        let depth = self.level_depth.or(self.system.layout.swings.first().map(|s| s.log_depth))?;
+        let depth = self
+            .level_depth
+            .or(self.system.layout.swings.first().map(|s| s.log_depth))?;
         hull_alone(self.session, &self.system.layout, x, depth).ok()
     }
 
@@ -57,11 +59,16 @@ impl Hull<'_> {
 
 /// A quantity of the hull alone at parameters of the session.
 pub fn hull_scalar(system: &System, name: &str, x: &[f64]) -> Option<f64> {
-    Hull { session: system.session, system, level_depth: system.layout.level_depth() }.scalar(name, x)
+    Hull {
+        session: system.session,
+        system,
+        level_depth: system.layout.level_depth(),
+    }
+    .scalar(name, x)
 }
 
-/// Angle from the hull's x axis up to the principal x axis, positive bow up, rad. Eqs. (3), (4) in tensor form:
-/// tan 2ψ = 2 I_xz / (I_xx − I_zz) with the tensor's own I_xz = −∫ x z dm.
+/// Angle from the hull's x axis up to the principal x axis, positive bow up, rad. Eqs. (3), (4) in
+/// tensor form: tan 2ψ = 2 I_xz / (I_xx − I_zz) with the tensor's own I_xz = −∫ x z dm.
 fn psi_rad(inertia: &Mat3) -> f64 {
     let (ixx, izz, ixz) = (inertia[(0, 0)], inertia[(2, 2)], inertia[(0, 2)]);
     0.5 * (-2.0 * ixz).atan2(izz - ixx)
@@ -73,14 +80,23 @@ fn principal_gyradii_m(body: &RigidBody) -> [f64; 3] {
     let (ixx, izz, ixz) = (inertia[(0, 0)], inertia[(2, 2)], inertia[(0, 2)]);
     let psi = psi_rad(inertia);
     let (s, c) = psi.sin_cos();
-    let about = |ux: f64, uz: f64| (ux * ux * ixx + 2.0 * ux * uz * ixz + uz * uz * izz) / body.mass_kg;
-    [about(c, s).sqrt(), (inertia[(1, 1)] / body.mass_kg).sqrt(), about(-s, c).sqrt()]
+    let about =
+        |ux: f64, uz: f64| (ux * ux * ixx + 2.0 * ux * uz * ixz + uz * uz * izz) / body.mass_kg;
+    [
+        about(c, s).sqrt(),
+        (inertia[(1, 1)] / body.mass_kg).sqrt(),
+        about(-s, c).sqrt(),
+    ]
 }
 
 /// Fills in quantities, budget and correlations.
 pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measurement) {
     let level_depth = system.layout.level_depth();
-    let hull = Hull { session: system.session, system, level_depth };
+    let hull = Hull {
+        session: system.session,
+        system,
+        level_depth,
+    };
     let tilted = with_principal_axes_turned(system, solution);
     let mut determined: Vec<(&str, Derived)> = Vec::new();
     for name in SCALARS {
@@ -91,7 +107,9 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
         }
         let shown = name != "psi_deg" || has_tilted_swings(system);
         if let Some(derived) = derived.filter(|d| shown && is_determined(name, d)) {
-            result.quantities.insert(name.into(), scalar_result(&derived));
+            result
+                .quantities
+                .insert(name.into(), scalar_result(&derived));
             let mut lines = budget(system, solution, &derived);
             second_order(&mut lines, derived.u, first_order);
             result.budget.insert(name.into(), lines);
@@ -100,7 +118,9 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
     }
     for (i, (a, da)) in determined.iter().enumerate() {
         for (b, db) in &determined[i + 1..] {
-            result.correlations.push((a.to_string(), b.to_string(), da.correlation(db)));
+            result
+                .correlations
+                .push((a.to_string(), b.to_string(), da.correlation(db)));
         }
     }
     let has = |name: &str| determined.iter().any(|(n, _)| *n == name);
@@ -109,13 +129,14 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
     }
 }
 
-/// The same session with its unknown product of inertia one standard uncertainty off: its effect on a roll is of the
-/// second order, which no linear propagation sees.
+/// The same session with its unknown product of inertia one standard uncertainty off: its effect on
+/// a roll is of the second order, which no linear propagation sees.
 pub fn with_principal_axes_turned(system: &System, solution: &Solution) -> Option<Solution> {
     let product = system.layout.product_xz;
     let u = solution.u(product);
     let mut layout = system.layout.clone();
-    layout.parameters[product].prior = crate::recording::Quantity::new(solution.x[product] + u, 1e-6 * u);
+    layout.parameters[product].prior =
+        crate::recording::Quantity::new(solution.x[product] + u, 1e-6 * u);
     let turned = system.with(layout);
     let mut start = solution.x.clone();
     start[product] += u;
@@ -133,7 +154,10 @@ fn widen(derived: &mut Derived, other: &Solution, f: impl Fn(&[f64]) -> Option<f
 fn second_order(lines: &mut Vec<BudgetLine>, u: f64, first_order: f64) {
     let u_contribution = (u * u - first_order * first_order).max(0.0).sqrt();
     if u_contribution > 1e-4 * u {
-        lines.push(BudgetLine { input: "unknown tilt of the principal axes".into(), u_contribution });
+        lines.push(BudgetLine {
+            input: "unknown tilt of the principal axes".into(),
+            u_contribution,
+        });
         lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));
     }
 }
@@ -152,7 +176,10 @@ fn is_determined(name: &str, derived: &Derived) -> bool {
         "psi_deg" => (derived.u < MOST_ANGLE_U_DEG, false),
         _ => {
             let relative_u = derived.u / derived.value.abs();
-            (relative_u < MOST_RELATIVE_U, relative_u < CERTAIN_RELATIVE_U)
+            (
+                relative_u < MOST_RELATIVE_U,
+                relative_u < CERTAIN_RELATIVE_U,
+            )
         }
     };
     certain || (small && derived.weak_share < MOST_WEAK_SHARE)
@@ -168,8 +195,8 @@ fn scalar_result(derived: &Derived) -> QuantityResult {
     }
 }
 
-/// Principal gyradii and the tensor; without ψ the products of inertia are not known and the hull axes are taken
-/// as principal.
+/// Principal gyradii and the tensor; without ψ the products of inertia are not known and the hull
+/// axes are taken as principal.
 fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut Measurement) {
     let layout = &hull.system.layout;
     let body_of = |x: &[f64]| {
@@ -180,9 +207,14 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
         }
         Some(body)
     };
-    let method = if psi_known { "joint_estimate" } else { "joint_estimate, hull axes taken as principal" };
-    let gyradii: Option<Vec<Derived>> =
-        (0..3).map(|i| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i]))).collect();
+    let method = if psi_known {
+        "joint_estimate"
+    } else {
+        "joint_estimate, hull axes taken as principal"
+    };
+    let gyradii: Option<Vec<Derived>> = (0..3)
+        .map(|i| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i])))
+        .collect();
     if let Some(k) = gyradii {
         let entry = QuantityResult {
             value: json!(k.iter().map(|d| d.value).collect::<Vec<_>>()),
@@ -190,13 +222,16 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
             interval_95: None,
             method: method.into(),
         };
-        result.quantities.insert("principal_gyradii_m".into(), entry);
+        result
+            .quantities
+            .insert("principal_gyradii_m".into(), entry);
     }
     if hull.session.body.mass_kg.is_none() {
         return;
     }
-    let element =
-        |i: usize, j: usize| solution.derive(layout, |x| body_of(x).map(|b| b.inertia_kg_m2[(i, j)]));
+    let element = |i: usize, j: usize| {
+        solution.derive(layout, |x| body_of(x).map(|b| b.inertia_kg_m2[(i, j)]))
+    };
     let mut values = [[0.0; 3]; 3];
     let mut us = [[0.0; 3]; 3];
     for i in 0..3 {
@@ -206,8 +241,12 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
             }
         }
     }
-    let entry =
-        QuantityResult { value: json!(values), u: json!(us), interval_95: None, method: method.into() };
+    let entry = QuantityResult {
+        value: json!(values),
+        u: json!(us),
+        interval_95: None,
+        method: method.into(),
+    };
     result.quantities.insert("inertia_kg_m2".into(), entry);
 }
 
@@ -217,17 +256,25 @@ pub fn budget(system: &System, solution: &Solution, derived: &Derived) -> Vec<Bu
     let mut add = |name: String, square: f64| *squares.entry(name).or_default() += square;
     for (row, observation) in system.observations.iter().enumerate() {
         let square = derived.by_row[row].powi(2);
-        let by_amplitude = (observation.u_amplitude / observation.value.u).powi(2).min(1.0);
+        let by_amplitude = (observation.u_amplitude / observation.value.u)
+            .powi(2)
+            .min(1.0);
         add(observation.label.clone(), square * (1.0 - by_amplitude));
         add("finite-amplitude correction".into(), square * by_amplitude);
     }
     let first_prior = system.observations.len();
     for (k, i) in solution.free.iter().enumerate() {
-        add(system.layout.parameters[*i].name.clone(), derived.by_row[first_prior + k].powi(2));
+        add(
+            system.layout.parameters[*i].name.clone(),
+            derived.by_row[first_prior + k].powi(2),
+        );
     }
     let mut lines: Vec<BudgetLine> = squares
         .into_iter()
-        .map(|(input, square)| BudgetLine { input, u_contribution: square.sqrt() })
+        .map(|(input, square)| BudgetLine {
+            input,
+            u_contribution: square.sqrt(),
+        })
         .filter(|line| line.u_contribution > 1e-4 * derived.u)
         .collect();
     lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));

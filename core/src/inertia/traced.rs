@@ -1,6 +1,8 @@
-//! Figures that know what they rest on: a value with the change that one standard uncertainty of each input makes.
+//! Figures that know what they rest on: a value with the change that one standard uncertainty of
+//! each input makes.
 //!
-//! Two figures that share an input share its error; sums and differences of such figures stay right (JCGM 100, 5.2).
+//! Two figures that share an input share its error; sums and differences of such figures stay right
+//! (JCGM 100, 5.2).
 
 use std::collections::BTreeMap;
 
@@ -21,22 +23,34 @@ pub struct Traced {
 impl Traced {
     /// A figure that is itself an input.
     pub fn input(name: String, figure: Quantity) -> Self {
-        Traced { value: figure.value, by_input: BTreeMap::from([(name, figure.u)]) }
+        Traced {
+            value: figure.value,
+            by_input: BTreeMap::from([(name, figure.u)]),
+        }
     }
 
     /// A function of several figures, linearised.
     pub fn combine(parts: &[&Traced], f: impl Fn(&[f64]) -> Result<f64>) -> Result<Self> {
-        let inputs: Vec<Quantity> = parts.iter().map(|p| Quantity::new(p.value, p.u())).collect();
+        let inputs: Vec<Quantity> = parts
+            .iter()
+            .map(|p| Quantity::new(p.value, p.u()))
+            .collect();
         let propagated = propagate(&inputs, f)?;
         let mut by_input = BTreeMap::new();
-        for ((part, u), change) in
-            parts.iter().zip(&inputs).map(|(p, q)| (p, q.u)).zip(propagated.contributions)
+        for ((part, u), change) in parts
+            .iter()
+            .zip(&inputs)
+            .map(|(p, q)| (p, q.u))
+            .zip(propagated.contributions)
         {
             for (name, own) in part.by_input.iter().filter(|_| u > 0.0) {
                 *by_input.entry(name.clone()).or_default() += change / u * own;
             }
         }
-        Ok(Traced { value: propagated.quantity.value, by_input })
+        Ok(Traced {
+            value: propagated.quantity.value,
+            by_input,
+        })
     }
 
     /// Standard uncertainty.
@@ -46,10 +60,19 @@ impl Traced {
 
     /// Standard uncertainty of the difference to another figure, shared inputs counted once.
     pub fn u_of_difference(&self, other: &Traced) -> f64 {
-        let of = |figure: &Traced, name: &String| figure.by_input.get(name).copied().unwrap_or_default();
-        let alone = other.by_input.keys().filter(|name| !self.by_input.contains_key(*name));
+        let of =
+            |figure: &Traced, name: &String| figure.by_input.get(name).copied().unwrap_or_default();
+        let alone = other
+            .by_input
+            .keys()
+            .filter(|name| !self.by_input.contains_key(*name));
         let square = |name: &String| (of(self, name) - of(other, name)).powi(2);
-        self.by_input.keys().chain(alone).map(square).sum::<f64>().sqrt()
+        self.by_input
+            .keys()
+            .chain(alone)
+            .map(square)
+            .sum::<f64>()
+            .sqrt()
     }
 }
 

@@ -14,16 +14,49 @@ pub struct QuantityWords {
 
 /// Scalar quantities in the order of the report.
 const QUANTITIES: [(&str, QuantityWords); 5] = [
-    ("k_yaw_m", QuantityWords { name: "Yaw gyradius", symbol: "k_yaw" }),
-    ("k_pitch_m", QuantityWords { name: "Pitch gyradius", symbol: "k_pitch" }),
-    ("k_roll_m", QuantityWords { name: "Roll gyradius", symbol: "k_roll" }),
-    ("cm_depth_m", QuantityWords { name: "Depth of the centre of mass", symbol: "l₂" }),
-    ("psi_deg", QuantityWords { name: "Tilt of the principal axis", symbol: "ψ" }),
+    (
+        "k_yaw_m",
+        QuantityWords {
+            name: "Yaw gyradius",
+            symbol: "k_yaw",
+        },
+    ),
+    (
+        "k_pitch_m",
+        QuantityWords {
+            name: "Pitch gyradius",
+            symbol: "k_pitch",
+        },
+    ),
+    (
+        "k_roll_m",
+        QuantityWords {
+            name: "Roll gyradius",
+            symbol: "k_roll",
+        },
+    ),
+    (
+        "cm_depth_m",
+        QuantityWords {
+            name: "Depth of the centre of mass",
+            symbol: "l₂",
+        },
+    ),
+    (
+        "psi_deg",
+        QuantityWords {
+            name: "Tilt of the principal axis",
+            symbol: "ψ",
+        },
+    ),
 ];
 
 /// Words for a quantity.
 pub fn quantity(key: &str) -> Option<&'static QuantityWords> {
-    QUANTITIES.iter().find(|(name, _)| *name == key).map(|(_, words)| words)
+    QUANTITIES
+        .iter()
+        .find(|(name, _)| *name == key)
+        .map(|(_, words)| words)
 }
 
 /// A quantity's name in words, its key where it has none.
@@ -37,17 +70,29 @@ pub fn quantity_name(key: &str) -> String {
 }
 
 /// Units by the ending of a key; what ends another stands after it.
-const ENDINGS: [(&str, &str); 6] =
-    [("_kg_m2", "kg m²"), ("_m_s2", "m/s²"), ("_deg", "°"), ("_kg", "kg"), ("_m", "m"), ("_s", "s")];
+const ENDINGS: [(&str, &str); 6] = [
+    ("_kg_m2", "kg m²"),
+    ("_m_s2", "m/s²"),
+    ("_deg", "°"),
+    ("_kg", "kg"),
+    ("_m", "m"),
+    ("_s", "s"),
+];
 
 /// A quantity's unit, as its key tells it.
 pub fn unit_of(key: &str) -> &'static str {
-    ENDINGS.iter().find(|(ending, _)| key.ends_with(ending)).map_or("", |(_, unit)| unit)
+    ENDINGS
+        .iter()
+        .find(|(ending, _)| key.ends_with(ending))
+        .map_or("", |(_, unit)| unit)
 }
 
 /// Place of a quantity in the report.
 pub fn rank(key: &str) -> usize {
-    QUANTITIES.iter().position(|(name, _)| *name == key).unwrap_or(QUANTITIES.len())
+    QUANTITIES
+        .iter()
+        .position(|(name, _)| *name == key)
+        .unwrap_or(QUANTITIES.len())
 }
 
 /// A stated figure or a route's quantity as the court names it.
@@ -85,21 +130,39 @@ pub fn mode_text(mode: ModeName) -> &'static str {
 /// Single routes to a quantity by their method.
 const ROUTES: [(&str, &str); 16] = [
     ("yaw_period", "yaw period with line length and spacing"),
-    ("period_ratio", "yaw period over sway period, times half the spacing"),
+    (
+        "period_ratio",
+        "yaw period over sway period, times half the spacing",
+    ),
     ("beat_count", "oscillations per beat of yaw and sway"),
-    ("double_pendulum", "both periods of the double pendulum, sway period as clock"),
-    ("double_pendulum_and_line_length", "both periods of the double pendulum, with the line length"),
+    (
+        "double_pendulum",
+        "both periods of the double pendulum, sway period as clock",
+    ),
+    (
+        "double_pendulum_and_line_length",
+        "both periods of the double pendulum, with the line length",
+    ),
     ("compound", "compound pendulum"),
     ("compound_pendulum", "compound pendulum"),
     ("lamboley", "compound pendulum at two heights (Lamboley)"),
     ("incline", "inclining by a weight"),
     ("tilted_yaw", "yaw level and at two tilts"),
-    ("tilted_yaw_right_angle", "yaw level and at two tilts a right angle apart"),
+    (
+        "tilted_yaw_right_angle",
+        "yaw level and at two tilts a right angle apart",
+    ),
     ("one_tilt", "roll, yaw and one tilted yaw"),
     ("tilt_fit", "yaw at all tilts by least squares"),
-    ("points_moved", "moving the suspension points and the tilt that follows"),
+    (
+        "points_moved",
+        "moving the suspension points and the tilt that follows",
+    ),
     ("incline_both_ends", "inclining at bow and stern"),
-    ("joint_estimate", "joint estimate from everything in the session"),
+    (
+        "joint_estimate",
+        "joint estimate from everything in the session",
+    ),
 ];
 
 /// A single route to a quantity, in words.
@@ -117,9 +180,15 @@ pub fn route_in(method: &str, language: Language) -> String {
 pub fn quantity_in(key: &str, language: Language) -> String {
     let known = match language {
         Language::English => quantity(key).map(|words| words.name),
-        Language::German => german::QUANTITIES.iter().find(|(name, _)| *name == key).map(|(_, text)| *text),
+        Language::German => german::QUANTITIES
+            .iter()
+            .find(|(name, _)| *name == key)
+            .map(|(_, text)| *text),
     };
-    let bare = ENDINGS.iter().find_map(|(ending, _)| key.strip_suffix(ending)).unwrap_or(key);
+    let bare = ENDINGS
+        .iter()
+        .find_map(|(ending, _)| key.strip_suffix(ending))
+        .unwrap_or(key);
     known.map_or_else(|| spaced(bare), str::to_owned)
 }
 

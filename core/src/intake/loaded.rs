@@ -28,7 +28,12 @@ impl Loaded {
     /// Ids of the swings, in session order; a bare recording's name.
     pub fn swing_ids(&self) -> Vec<&str> {
         match self {
-            Loaded::Session(loaded) => loaded.session.swings.iter().map(|swing| swing.id.as_str()).collect(),
+            Loaded::Session(loaded) => loaded
+                .session
+                .swings
+                .iter()
+                .map(|swing| swing.id.as_str())
+                .collect(),
             Loaded::Bare(recording) => vec![&recording.name],
         }
     }
@@ -44,12 +49,13 @@ impl Loaded {
     /// What can be simulated. Fails with [`Error::NoResult`] for a bare recording.
     pub fn with_dimensions(&self) -> Result<&LoadedSession> {
         let reason = "a bare recording tells no dimensions to simulate it by";
-        self.session().ok_or_else(|| Error::no_result(self.title(), reason))
+        self.session()
+            .ok_or_else(|| Error::no_result(self.title(), reason))
     }
 }
 
-/// Reads a session folder, its `session.toml`, a session's zip or a bare recording in any format that can be imported; a
-/// mapping (`gx=xGyro:deg/s`) names the columns of a foreign CSV.
+/// Reads a session folder, its `session.toml`, a session's zip or a bare recording in any format
+/// that can be imported; a mapping (`gx=xGyro:deg/s`) names the columns of a foreign CSV.
 pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
     let session = |loaded| Loaded::Session(Box::new(loaded));
     match path.extension().and_then(|ending| ending.to_str()) {
@@ -58,7 +64,11 @@ pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
         // A zip is a session, or what a phone's logger exported.
         Some("zip") => {
             let store = Store::open(path)?;
-            if store.contains(SESSION_FILE) { load_store(&store).map(session) } else { bare(path, mapping) }
+            if store.contains(SESSION_FILE) {
+                load_store(&store).map(session)
+            } else {
+                bare(path, mapping)
+            }
         }
         _ => bare(path, mapping),
     }
@@ -66,17 +76,32 @@ pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
 
 fn bare(path: &Path, mapping: &[String]) -> Result<Loaded> {
     let imported = import_files(&[read_input(path)?], &options(mapping, None)?)?;
-    let mut data = imported.recordings.into_iter().map(|recording| recording.data);
+    let mut data = imported
+        .recordings
+        .into_iter()
+        .map(|recording| recording.data);
     match (data.next(), data.next()) {
         (Some(ImportedData::Recording(recording)), None) => Ok(Loaded::Bare(Box::new(recording))),
-        (Some(ImportedData::Track(_) | ImportedData::GateEvents(_)), None) => {
-            Err(no_phone(path, "a track or a list of events, which becomes a session with `gyradius import`"))
-        }
-        _ => Err(no_phone(path, "several recordings, which become a session with `gyradius import`")),
+        (Some(ImportedData::Track(_) | ImportedData::GateEvents(_)), None) => Err(no_phone(
+            path,
+            "a track or a list of events, which becomes a session with `gyradius import`",
+        )),
+        _ => Err(no_phone(
+            path,
+            "several recordings, which become a session with `gyradius import`",
+        )),
     }
 }
 
 fn no_phone(path: &Path, found: &str) -> Error {
-    let (file, expected) = (path.display().to_string(), "a session or one phone's recording".into());
-    Error::Malformed { file, line: None, expected, found: found.into() }
+    let (file, expected) = (
+        path.display().to_string(),
+        "a session or one phone's recording".into(),
+    );
+    Error::Malformed {
+        file,
+        line: None,
+        expected,
+        found: found.into(),
+    }
 }

@@ -84,16 +84,27 @@ impl Advice {
     /// The key of its sentence.
     pub const fn key(&self) -> &'static str {
         match self {
-            Advice::SensorSilent { since_s: Some(_), .. } => "sensor_silent",
+            Advice::SensorSilent {
+                since_s: Some(_), ..
+            } => "sensor_silent",
             Advice::SensorSilent { since_s: None, .. } => "sensor_absent",
             Advice::PhoneMoved { .. } => "phone_moved",
             Advice::Touched { .. } => "touched",
             Advice::Saturated { .. } => "saturated",
             Advice::Gaps { .. } => "gaps",
             Advice::AmplitudeLow { .. } => "amplitude_low",
-            Advice::Unwanted { kind: LineKind::Sway, .. } => "sway",
-            Advice::Unwanted { kind: LineKind::OtherTurn, .. } => "other_turn",
-            Advice::Unwanted { kind: LineKind::SameTurn, .. } => "same_turn",
+            Advice::Unwanted {
+                kind: LineKind::Sway,
+                ..
+            } => "sway",
+            Advice::Unwanted {
+                kind: LineKind::OtherTurn,
+                ..
+            } => "other_turn",
+            Advice::Unwanted {
+                kind: LineKind::SameTurn,
+                ..
+            } => "same_turn",
             Advice::OutOfReach => "out_of_reach",
             Advice::LongEnough => "long_enough",
         }
@@ -105,23 +116,40 @@ impl Advice {
         match *self {
             Advice::SensorSilent { sensor, since_s } => {
                 let since = since_s.map(|since_s| ("since_s", Number(since_s, 0)));
-                [("sensor", Parameter::Sensor(sensor))].into_iter().chain(since).collect()
+                [("sensor", Parameter::Sensor(sensor))]
+                    .into_iter()
+                    .chain(since)
+                    .collect()
             }
             Advice::PhoneMoved { at_s, tilt_deg } => {
                 vec![("at_s", Number(at_s, 0)), ("tilt_deg", Number(tilt_deg, 0))]
             }
             Advice::Touched { at_s } => vec![("at_s", Number(at_s, 0))],
             Advice::Saturated { sensor, samples } => {
-                vec![("sensor", Parameter::Sensor(sensor)), ("samples", Number(samples as f64, 0))]
+                vec![
+                    ("sensor", Parameter::Sensor(sensor)),
+                    ("samples", Number(samples as f64, 0)),
+                ]
             }
-            Advice::Gaps { sensor, gaps, longest_s } => vec![
+            Advice::Gaps {
+                sensor,
+                gaps,
+                longest_s,
+            } => vec![
                 ("sensor", Parameter::Sensor(sensor)),
                 ("gaps", Number(gaps as f64, 0)),
                 ("longest_s", Number(longest_s, 2)),
             ],
-            Advice::AmplitudeLow { amplitude_deg } => vec![("amplitude_deg", Number(amplitude_deg, 1))],
-            Advice::Unwanted { share, period_s, .. } => {
-                vec![("percent", Number(100.0 * share, 0)), ("period_s", Number(period_s, 2))]
+            Advice::AmplitudeLow { amplitude_deg } => {
+                vec![("amplitude_deg", Number(amplitude_deg, 1))]
+            }
+            Advice::Unwanted {
+                share, period_s, ..
+            } => {
+                vec![
+                    ("percent", Number(100.0 * share, 0)),
+                    ("period_s", Number(period_s, 2)),
+                ]
             }
             Advice::OutOfReach | Advice::LongEnough => Vec::new(),
         }
@@ -130,9 +158,18 @@ impl Advice {
 
 /// What follows from an estimate whose other fields stand; `known` is what was found beside it.
 pub(super) fn advise(estimate: &Estimate, known: Vec<Advice>) -> Vec<Advice> {
-    let mut advice: Vec<Advice> = estimate.sensors.iter().filter_map(|s| silent(s, estimate.now_s)).collect();
+    let mut advice: Vec<Advice> = estimate
+        .sensors
+        .iter()
+        .filter_map(|s| silent(s, estimate.now_s))
+        .collect();
     advice.extend(known);
-    advice.extend(estimate.sensors.iter().flat_map(|sensor| limits(sensor).into_iter().flatten()));
+    advice.extend(
+        estimate
+            .sensors
+            .iter()
+            .flat_map(|sensor| limits(sensor).into_iter().flatten()),
+    );
     if let Some(swing) = &estimate.swing {
         advice.extend(of_swing(swing));
     }
@@ -141,22 +178,45 @@ pub(super) fn advise(estimate: &Estimate, known: Vec<Advice>) -> Vec<Advice> {
 
 fn silent(sensor: &SensorState, now_s: f64) -> Option<Advice> {
     let is_silent = now_s - sensor.last_s.unwrap_or(0.0) > SILENT_AFTER_S;
-    is_silent.then_some(Advice::SensorSilent { sensor: sensor.sensor, since_s: sensor.last_s })
+    is_silent.then_some(Advice::SensorSilent {
+        sensor: sensor.sensor,
+        since_s: sensor.last_s,
+    })
 }
 
 fn limits(state: &SensorState) -> [Option<Advice>; 2] {
-    let SensorState { sensor, saturated, gaps, longest_gap_s, .. } = *state;
+    let SensorState {
+        sensor,
+        saturated,
+        gaps,
+        longest_gap_s,
+        ..
+    } = *state;
     [
-        (saturated > 0).then_some(Advice::Saturated { sensor, samples: saturated }),
-        (gaps > 0).then_some(Advice::Gaps { sensor, gaps, longest_s: longest_gap_s }),
+        (saturated > 0).then_some(Advice::Saturated {
+            sensor,
+            samples: saturated,
+        }),
+        (gaps > 0).then_some(Advice::Gaps {
+            sensor,
+            gaps,
+            longest_s: longest_gap_s,
+        }),
     ]
 }
 
 fn of_swing(swing: &SwingState) -> Vec<Advice> {
-    let low = swing.amplitude_deg.filter(|amplitude_deg| *amplitude_deg < LOW_AMPLITUDE_DEG);
-    let mut advice: Vec<Advice> =
-        low.map(|amplitude_deg| Advice::AmplitudeLow { amplitude_deg }).into_iter().collect();
-    let unwanted = swing.lines.iter().filter(|line| line.share >= UNWANTED_SHARE);
+    let low = swing
+        .amplitude_deg
+        .filter(|amplitude_deg| *amplitude_deg < LOW_AMPLITUDE_DEG);
+    let mut advice: Vec<Advice> = low
+        .map(|amplitude_deg| Advice::AmplitudeLow { amplitude_deg })
+        .into_iter()
+        .collect();
+    let unwanted = swing
+        .lines
+        .iter()
+        .filter(|line| line.share >= UNWANTED_SHARE);
     advice.extend(unwanted.map(|line| Advice::Unwanted {
         kind: line.kind,
         share: line.share,

@@ -1,8 +1,8 @@
 //! Samples of one sensor as means over cells of time, bounded in number.
 //!
-//! A cell is short against every period of a hull, so its mean keeps what the samples say of the swing; it
-//! stands at the centroid of its stamps. When there are too many, neighbours are joined as long as the period
-//! allows it, and after that the oldest are given up.
+//! A cell is short against every period of a hull, so its mean keeps what the samples say of the
+//! swing; it stands at the centroid of its stamps. When there are too many, neighbours are joined
+//! as long as the period allows it, and after that the oldest are given up.
 
 use crate::signal::ChannelGroup;
 
@@ -39,7 +39,10 @@ impl Cell {
     fn join(&mut self, other: &Self) {
         self.count += other.count;
         self.t_s += other.t_s;
-        self.values.iter_mut().zip(other.values).for_each(|(sum, value)| *sum += value);
+        self.values
+            .iter_mut()
+            .zip(other.values)
+            .for_each(|(sum, value)| *sum += value);
     }
 }
 
@@ -54,7 +57,12 @@ impl Cells {
     }
 
     pub fn push(&mut self, t_s: f64, values: [f64; 3]) {
-        let sample = Cell { slot: (t_s / self.width_s).floor() as i64, count: 1.0, t_s, values };
+        let sample = Cell {
+            slot: (t_s / self.width_s).floor() as i64,
+            count: 1.0,
+            t_s,
+            values,
+        };
         if self.open.count > 0.0 && sample.slot == self.open.slot {
             self.open.join(&sample);
             return;
@@ -91,11 +99,16 @@ impl Cells {
         self.done = joined;
     }
 
-    /// The complete cells from a time on, as channels at their centroids; none where they are too few to say anything.
+    /// The complete cells from a time on, as channels at their centroids; none where they are too
+    /// few to say anything.
     pub fn group(&self, from_s: f64) -> Option<ChannelGroup> {
-        let first = self.done.partition_point(|cell| cell.t_s < from_s * cell.count);
+        let first = self
+            .done
+            .partition_point(|cell| cell.t_s < from_s * cell.count);
         let cells = &self.done[first..];
-        let of = |value: &dyn Fn(&Cell) -> f64| cells.iter().map(|cell| value(cell) / cell.count).collect();
+        let of = |value: &dyn Fn(&Cell) -> f64| {
+            cells.iter().map(|cell| value(cell) / cell.count).collect()
+        };
         (cells.len() >= FEWEST_CELLS).then(|| ChannelGroup {
             t_s: of(&|cell| cell.t_s),
             channels: (0..3).map(|axis| of(&|cell| cell.values[axis])).collect(),
@@ -122,7 +135,8 @@ mod tests {
             assert!((x * 0.005 - t).abs() < 1e-9 * t.max(1.0));
         }
         assert!(group.channels[1].iter().all(|y| (y - 1.0).abs() < 1e-12));
-        // 2000 s at the widest cells that a period of 1 s allows would be more than are kept: the oldest are gone.
+        // 2000 s at the widest cells that a period of 1 s allows would be more than are kept: the
+        // oldest are gone.
         assert!(group.t_s[0] > 0.0 && group.t_s[group.t_s.len() - 1] > 1999.0);
     }
 }

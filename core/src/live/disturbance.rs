@@ -1,7 +1,8 @@
 //! Where the free swing begins, and who disturbs it.
 //!
-//! The last periods are looked at again and again by the same rule that cuts the whole record (`free_swing_span`). A
-//! disturbance is told once the record goes on for a while behind it: both sides are needed to be sure.
+//! The last periods are looked at again and again by the same rule that cuts the whole record
+//! (`free_swing_span`). A disturbance is told once the record goes on for a while behind it: both
+//! sides are needed to be sure.
 
 use super::phone;
 use crate::signal::{ChannelGroup, FreeSpan, free_swing_span};
@@ -14,8 +15,8 @@ const EVERY_PERIODS: f64 = 3.0;
 const TOLD_AFTER_PERIODS: f64 = 2.0;
 /// The period taken before there is one, s.
 const UNSEEN_PERIOD_S: f64 = 3.0;
-/// Of the window's periods gravity is the mean over three of the slowest motion before and as many after: slower ones than
-/// this, in main periods, do not fit.
+/// Of the window's periods gravity is the mean over three of the slowest motion before and as many
+/// after: slower ones than this, in main periods, do not fit.
 const SLOWEST_PERIODS: f64 = 2.5;
 /// A phone that moves disturbs the swing too: within so many periods the two are one.
 const SAME_PERIODS: f64 = 4.0;
@@ -58,10 +59,12 @@ impl Limits {
 
     /// Start of the window to look at.
     pub fn window_from_s(&self, now_s: f64, period_s: Option<f64>) -> f64 {
-        self.from_s.max(now_s - WINDOW_PERIODS * period_s.unwrap_or(UNSEEN_PERIOD_S))
+        self.from_s
+            .max(now_s - WINDOW_PERIODS * period_s.unwrap_or(UNSEEN_PERIOD_S))
     }
 
-    /// Looks at the cells of a window that ends now; the accelerometer's stand last where there are any.
+    /// Looks at the cells of a window that ends now; the accelerometer's stand last where there are
+    /// any.
     pub fn look(
         &mut self,
         window: &[ChannelGroup],
@@ -74,14 +77,19 @@ impl Limits {
         let period_s = main_s.unwrap_or(UNSEEN_PERIOD_S);
         self.next_look_s = now_s + EVERY_PERIODS * period_s;
         let change = self.judge(&free_swing_span(window), window_from_s, now_s, period_s);
-        // A hull that is held aside may be held at another tilt: before the free swing nothing is said of the phone.
-        let swinging = accelerometer.zip(periods).filter(|_| change != Change::Later);
+        // A hull that is held aside may be held at another tilt: before the free swing nothing is
+        // said of the phone.
+        let swinging = accelerometer
+            .zip(periods)
+            .filter(|_| change != Change::Later);
         let moved = swinging.and_then(|(gravity, Periods { main_s, slowest_s })| {
             phone::moved(gravity, slowest_s.min(SLOWEST_PERIODS * main_s))
         });
         if let Some(moved) = moved {
-            self.moved =
-                Some(self.moved.map_or(moved, |known| if known.1 > moved.1 { known } else { moved }));
+            self.moved = Some(
+                self.moved
+                    .map_or(moved, |known| if known.1 > moved.1 { known } else { moved }),
+            );
         }
         change
     }
@@ -112,7 +120,8 @@ impl Limits {
     /// The disturbance, unless it is the phone's own.
     pub fn touched_s(&self, period_s: f64) -> Option<f64> {
         let own = |at_s: f64| {
-            self.moved.is_some_and(|(moved_s, _)| (moved_s - at_s).abs() < SAME_PERIODS * period_s)
+            self.moved
+                .is_some_and(|(moved_s, _)| (moved_s - at_s).abs() < SAME_PERIODS * period_s)
         };
         self.touched_s.filter(|&at_s| !own(at_s))
     }

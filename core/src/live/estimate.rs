@@ -51,10 +51,11 @@ pub struct SwingState {
     pub at_s: f64,
     /// Period of the main motion, s, at its mean amplitude since `from_s`.
     pub period_s: f64,
-    /// Its standard uncertainty, s: noise, and how far the period of a longer record may still move away.
+    /// Its standard uncertainty, s: noise, and how far the period of a longer record may still move
+    /// away.
     pub period_u_s: f64,
-    /// The part of it that noise makes, s: what the period of this record, at its own mean amplitude, is
-    /// uncertain by. The wanted uncertainty is about this part.
+    /// The part of it that noise makes, s: what the period of this record, at its own mean
+    /// amplitude, is uncertain by. The wanted uncertainty is about this part.
     pub period_noise_u_s: f64,
     /// Amplitude of the main turn now, degrees; absent without a gyroscope.
     pub amplitude_deg: Option<f64>,
@@ -73,8 +74,9 @@ pub struct SwingState {
 pub struct Line {
     /// Its period, s.
     pub period_s: f64,
-    /// Its size over that of the main motion at the start of the free swing, both as angles: the turn that the
-    /// gyroscope sees, or the angle of the lines that the accelerometer sees, whichever is larger.
+    /// Its size over that of the main motion at the start of the free swing, both as angles: the
+    /// turn that the gyroscope sees, or the angle of the lines that the accelerometer sees,
+    /// whichever is larger.
     pub share: f64,
     /// What it looks like.
     pub kind: LineKind,
@@ -111,12 +113,18 @@ impl SwingState {
             TimeLeft::Reached => TimeLeft::Reached,
             TimeLeft::Seconds(_) | TimeLeft::OutOfReach => TimeLeft::OutOfReach,
         };
-        Self { time_left, ..self.clone() }
+        Self {
+            time_left,
+            ..self.clone()
+        }
     }
 
     /// The longest period of its motions, s.
     pub(super) fn slowest_s(&self) -> f64 {
-        self.lines.iter().map(|line| line.period_s).fold(self.period_s, f64::max)
+        self.lines
+            .iter()
+            .map(|line| line.period_s)
+            .fold(self.period_s, f64::max)
     }
 
     /// What it says of the period, for comparison.

@@ -27,9 +27,14 @@ pub struct LiveOptions {
 }
 
 impl Default for LiveOptions {
-    /// A period to 1 in 10 000: beside it, lengths and spacings decide the uncertainty of the inertia.
+    /// A period to 1 in 10 000: beside it, lengths and spacings decide the uncertainty of the
+    /// inertia.
     fn default() -> Self {
-        Self { wanted: 1e-4, gyroscope_full_scale_rad_s: None, accelerometer_full_scale_m_s2: None }
+        Self {
+            wanted: 1e-4,
+            gyroscope_full_scale_rad_s: None,
+            accelerometer_full_scale_m_s2: None,
+        }
     }
 }
 
@@ -57,17 +62,29 @@ struct Follower {
 
 impl Follower {
     fn new(sensor: Sensor, full_scale: Option<f64>) -> Self {
-        Self { watch: Watch::new(sensor, full_scale), cells: Cells::new() }
+        Self {
+            watch: Watch::new(sensor, full_scale),
+            cells: Cells::new(),
+        }
     }
 }
 
 impl Live {
-    /// An estimator that has seen nothing. Fails with [`Error::Argument`] where the wanted uncertainty or a full
-    /// scale is not above 0.
+    /// An estimator that has seen nothing. Fails with [`Error::Argument`] where the wanted
+    /// uncertainty or a full scale is not above 0.
     pub fn new(options: LiveOptions) -> Result<Self> {
-        let LiveOptions { wanted, gyroscope_full_scale_rad_s, accelerometer_full_scale_m_s2 } = options;
-        for value in
-            [Some(wanted), gyroscope_full_scale_rad_s, accelerometer_full_scale_m_s2].into_iter().flatten()
+        let LiveOptions {
+            wanted,
+            gyroscope_full_scale_rad_s,
+            accelerometer_full_scale_m_s2,
+        } = options;
+        for value in [
+            Some(wanted),
+            gyroscope_full_scale_rad_s,
+            accelerometer_full_scale_m_s2,
+        ]
+        .into_iter()
+        .flatten()
         {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(Error::argument("options", "numbers above 0", value));
@@ -85,10 +102,11 @@ impl Live {
         })
     }
 
-    /// Takes samples of the gyroscope (rad/s) or the accelerometer (m/s² of specific force): stamps in ns of the
-    /// phone's clock, and (x, y, z) each.
+    /// Takes samples of the gyroscope (rad/s) or the accelerometer (m/s² of specific force): stamps
+    /// in ns of the phone's clock, and (x, y, z) each.
     ///
-    /// Fails with [`Error::Argument`] for another sensor, or where there are not as many values as stamps.
+    /// Fails with [`Error::Argument`] for another sensor, or where there are not as many values as
+    /// stamps.
     pub fn push(&mut self, sensor: Sensor, stamps_ns: &[i64], values: &[[f64; 3]]) -> Result<()> {
         if stamps_ns.len() != values.len() {
             let found = format!("{} stamps and {} values", stamps_ns.len(), values.len());
@@ -98,7 +116,11 @@ impl Live {
             Sensor::Gyroscope => &mut self.gyroscope,
             Sensor::Accelerometer => &mut self.accelerometer,
             Sensor::LinearAccelerometer | Sensor::Displacement | Sensor::Timer => {
-                return Err(Error::argument("sensor", "gyroscope or accelerometer", sensor.name()));
+                return Err(Error::argument(
+                    "sensor",
+                    "gyroscope or accelerometer",
+                    sensor.name(),
+                ));
             }
         };
         for (&stamp_ns, &value) in stamps_ns.iter().zip(values) {
@@ -117,8 +139,15 @@ impl Live {
     pub fn estimate(&self) -> Estimate {
         let mut estimate = Estimate {
             now_s: self.now_s(),
-            sensors: vec![self.gyroscope.watch.state(), self.accelerometer.watch.state()],
-            gaps: self.gyroscope.watch.gaps().with(self.accelerometer.watch.gaps()),
+            sensors: vec![
+                self.gyroscope.watch.state(),
+                self.accelerometer.watch.state(),
+            ],
+            gaps: self
+                .gyroscope
+                .watch
+                .gaps()
+                .with(self.accelerometer.watch.gaps()),
             swing: self.best_swing().cloned(),
             advice: Vec::new(),
         };
@@ -126,13 +155,17 @@ impl Live {
         estimate
     }
 
-    /// When something last disturbed the swing, s, if that was not the phone's own moving: what the advice tells, without an estimate.
+    /// When something last disturbed the swing, s, if that was not the phone's own moving: what the
+    /// advice tells, without an estimate.
     pub(crate) fn touched_s(&self) -> Option<f64> {
-        self.limits.touched_s(self.best_swing().map_or(0.0, |swing| swing.period_s))
+        self.limits
+            .touched_s(self.best_swing().map_or(0.0, |swing| swing.period_s))
     }
 
     fn now_s(&self) -> f64 {
-        let latest = [&self.gyroscope, &self.accelerometer].into_iter().filter_map(|one| one.watch.last_s());
+        let latest = [&self.gyroscope, &self.accelerometer]
+            .into_iter()
+            .filter_map(|one| one.watch.last_s());
         latest.fold(0.0, f64::max)
     }
 
@@ -141,13 +174,25 @@ impl Live {
         if !self.limits.is_due(now_s) {
             return;
         }
-        let periods =
-            self.best_swing().map(|swing| Periods { main_s: swing.period_s, slowest_s: swing.slowest_s() });
-        let from_s = self.limits.window_from_s(now_s, periods.map(|periods| periods.main_s));
+        let periods = self.best_swing().map(|swing| Periods {
+            main_s: swing.period_s,
+            slowest_s: swing.slowest_s(),
+        });
+        let from_s = self
+            .limits
+            .window_from_s(now_s, periods.map(|periods| periods.main_s));
         let accelerometer = self.accelerometer.cells.group(from_s);
-        let window: Vec<ChannelGroup> =
-            self.gyroscope.cells.group(from_s).into_iter().chain(accelerometer.clone()).collect();
-        match self.limits.look(&window, accelerometer.as_ref(), now_s, periods) {
+        let window: Vec<ChannelGroup> = self
+            .gyroscope
+            .cells
+            .group(from_s)
+            .into_iter()
+            .chain(accelerometer.clone())
+            .collect();
+        match self
+            .limits
+            .look(&window, accelerometer.as_ref(), now_s, periods)
+        {
             Change::None => {}
             Change::Later => self.swing = None,
             Change::Disturbed => {
@@ -165,9 +210,13 @@ impl Live {
         let from_s = self.limits.from_s;
         let usual_s = RENEWED_AFTER_PART * (now_s - from_s);
         self.next_look_s = now_s + usual_s.max(RENEWED_AFTER_S);
-        let (gyroscope, accelerometer) =
-            (self.gyroscope.cells.group(from_s), self.accelerometer.cells.group(from_s));
-        let Some(swing) = swing::read(gyroscope, accelerometer, self.options.wanted) else { return };
+        let (gyroscope, accelerometer) = (
+            self.gyroscope.cells.group(from_s),
+            self.accelerometer.cells.group(from_s),
+        );
+        let Some(swing) = swing::read(gyroscope, accelerometer, self.options.wanted) else {
+            return;
+        };
         self.gyroscope.cells.allow_for(swing.period_s);
         self.accelerometer.cells.allow_for(swing.period_s);
         // The moment when it is enough is not missed by a long step.
@@ -179,11 +228,17 @@ impl Live {
 
     /// The free swing that says most of the period.
     fn best_swing(&self) -> Option<&SwingState> {
-        self.swing.iter().chain(&self.before).max_by(|a, b| a.worth().total_cmp(&b.worth()))
+        self.swing
+            .iter()
+            .chain(&self.before)
+            .max_by(|a, b| a.worth().total_cmp(&b.worth()))
     }
 
     fn disturbances(&self) -> Vec<Advice> {
-        let moved = self.limits.moved.map(|(at_s, tilt_deg)| Advice::PhoneMoved { at_s, tilt_deg });
+        let moved = self
+            .limits
+            .moved
+            .map(|(at_s, tilt_deg)| Advice::PhoneMoved { at_s, tilt_deg });
         let touched = self.touched_s().map(|at_s| Advice::Touched { at_s });
         moved.into_iter().chain(touched).collect()
     }

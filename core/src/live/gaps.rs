@@ -33,7 +33,9 @@ impl GapList {
         self.listed.push(gap);
         if self.listed.len() > LISTED {
             let lengths = self.listed.iter().map(|gap| gap.length_s).enumerate();
-            let shortest = lengths.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(at, _)| at);
+            let shortest = lengths
+                .min_by(|a, b| a.1.total_cmp(&b.1))
+                .map_or(0, |(at, _)| at);
             self.listed.remove(shortest);
             self.more += 1;
         }
@@ -46,13 +48,19 @@ impl GapList {
 
     /// How long the longest lasted, s; 0 where there is none.
     pub(super) fn longest_s(&self) -> f64 {
-        self.listed.iter().map(|gap| gap.length_s).fold(0.0, f64::max)
+        self.listed
+            .iter()
+            .map(|gap| gap.length_s)
+            .fold(0.0, f64::max)
     }
 
     /// Those of two sensors, by time.
     pub(super) fn with(&self, other: &Self) -> Self {
         let mut listed = [self.listed.as_slice(), &other.listed].concat();
         listed.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
-        Self { listed, more: self.more + other.more }
+        Self {
+            listed,
+            more: self.more + other.more,
+        }
     }
 }

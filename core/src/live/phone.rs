@@ -4,17 +4,18 @@ use nalgebra::Vector3;
 
 use crate::signal::ChannelGroup;
 
-/// Periods that a direction of gravity is the mean over: a swing averages out over whole periods, and quicker motions beside
-/// it nearly.
+/// Periods that a direction of gravity is the mean over: a swing averages out over whole periods,
+/// and quicker motions beside it nearly.
 const PERIODS: f64 = 3.0;
 /// A change of that direction from which on the phone has moved, degrees, …
 const MOVED_DEG: f64 = 2.0;
-/// … and this share of how far the direction swings beside it: a mean over a little more than three periods leaves up to 1/(3π) of a
-/// motion, and a wide swing presses the phone down along with gravity, by half the square of its angle.
+/// … and this share of how far the direction swings beside it: a mean over a little more than three
+/// periods leaves up to 1/(3π) of a motion, and a wide swing presses the phone down along with
+/// gravity, by half the square of its angle.
 const SHARE: f64 = 0.15;
 
-/// The largest lasting change of gravity's direction in the phone, if there is one: when, s, and by how much, degrees.
-/// `period_s` is that of the slowest motion.
+/// The largest lasting change of gravity's direction in the phone, if there is one: when, s, and by
+/// how much, degrees. `period_s` is that of the slowest motion.
 pub(super) fn moved(accelerometer: &ChannelGroup, period_s: f64) -> Option<(f64, f64)> {
     let window_s = PERIODS * period_s;
     let sums = Sums::of(accelerometer);
@@ -25,11 +26,13 @@ pub(super) fn moved(accelerometer: &ChannelGroup, period_s: f64) -> Option<(f64,
         let (before, after) = (sums.mean(from, i)?, sums.mean(i, to)?);
         Some((before.angle(&after).to_degrees(), t_s[i]))
     };
-    let inside = |i: &usize| t_s[*i] - t_s[0] >= window_s && t_s[t_s.len() - 1] - t_s[*i] >= window_s;
+    let inside =
+        |i: &usize| t_s[*i] - t_s[0] >= window_s && t_s[t_s.len() - 1] - t_s[*i] >= window_s;
     let changes = (0..t_s.len()).filter(inside).filter_map(|i| angle(&i));
     let (tilt_deg, at_s) = changes.max_by(|a, b| a.0.total_cmp(&b.0))?;
     // How far it swings is asked for only where it counts.
-    let is_moved = tilt_deg > MOVED_DEG && tilt_deg > MOVED_DEG + SHARE * swing_deg(accelerometer, &sums)?;
+    let is_moved =
+        tilt_deg > MOVED_DEG && tilt_deg > MOVED_DEG + SHARE * swing_deg(accelerometer, &sums)?;
     is_moved.then_some((at_s, tilt_deg))
 }
 
@@ -50,7 +53,11 @@ impl Sums {
         let mut sum = Vector3::zeros();
         let mut sums = vec![sum];
         for i in 0..group.t_s.len() {
-            sum += Vector3::new(group.channels[0][i], group.channels[1][i], group.channels[2][i]);
+            sum += Vector3::new(
+                group.channels[0][i],
+                group.channels[1][i],
+                group.channels[2][i],
+            );
             sums.push(sum);
         }
         Self(sums)

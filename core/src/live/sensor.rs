@@ -63,7 +63,10 @@ impl Watch {
             self.at_full_scale += u64::from(at_limit);
             return !at_limit;
         }
-        self.axes.iter_mut().zip(value).for_each(|(axis, v)| axis.take(v));
+        self.axes
+            .iter_mut()
+            .zip(value)
+            .for_each(|(axis, v)| axis.take(v));
         true
     }
 
@@ -77,8 +80,15 @@ impl Watch {
         if self.usual_s.is_none() || self.next.is_multiple_of(RENEWED_AFTER) {
             self.usual_s = median(&self.intervals_s);
         }
-        if self.usual_s.is_some_and(|usual_s| interval_s > MISSING_INTERVALS * usual_s) {
-            self.gaps.take(Gap { sensor: self.sensor, from_s, length_s: interval_s });
+        if self
+            .usual_s
+            .is_some_and(|usual_s| interval_s > MISSING_INTERVALS * usual_s)
+        {
+            self.gaps.take(Gap {
+                sensor: self.sensor,
+                from_s,
+                length_s: interval_s,
+            });
         } else {
             self.regular += 1;
             self.regular_s += interval_s;
@@ -113,12 +123,14 @@ fn median(values: &[f64]) -> Option<f64> {
     (!sorted.is_empty()).then(|| *sorted.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// A step smaller than this part of the extreme is rounding: a converter of 16 bits makes larger ones.
+/// A step smaller than this part of the extreme is rounding: a converter of 16 bits makes larger
+/// ones.
 const ROUNDING: f64 = 1e-5;
 
-/// The largest value of one axis, and how the samples stay at it. Without a stated range an axis is taken as cut
-/// off where it stays at exactly its extreme, time and again, and comes and goes in steps that are large
-/// against its resolution (the rule of a recording's repairs, kept up sample by sample).
+/// The largest value of one axis, and how the samples stay at it. Without a stated range an axis is
+/// taken as cut off where it stays at exactly its extreme, time and again, and comes and goes in
+/// steps that are large against its resolution (the rule of a recording's repairs, kept up sample
+/// by sample).
 #[derive(Debug, Clone, Copy)]
 struct Extreme {
     peak: f64,
@@ -155,8 +167,13 @@ impl Extreme {
             self.resolution = self.resolution.min(step);
         }
         if value.abs() > self.peak.abs() {
-            *self =
-                Self { peak: value, run: 1, step_in: step, resolution: self.resolution, ..Self::default() };
+            *self = Self {
+                peak: value,
+                run: 1,
+                step_in: step,
+                resolution: self.resolution,
+                ..Self::default()
+            };
         } else if value == self.peak {
             self.step_in = if self.run == 0 { step } else { self.step_in };
             self.run += 1;
@@ -178,6 +195,10 @@ impl Extreme {
     /// Samples at the limit, 0 where there is none.
     fn saturated(&self) -> u64 {
         let cut = self.steps > CUT_STEPS * self.resolution * self.runs as f64;
-        if self.runs >= RUNS as u64 && self.peak != 0.0 && cut { self.in_runs } else { 0 }
+        if self.runs >= RUNS as u64 && self.peak != 0.0 && cut {
+            self.in_runs
+        } else {
+            0
+        }
     }
 }

@@ -1,8 +1,9 @@
-//! One oscillation of the phone as a rigid motion: rotation and displacement amplitudes in phone axes.
+//! One oscillation of the phone as a rigid motion: rotation and displacement amplitudes in phone
+//! axes.
 //!
 //! # Conventions
-//! Complex amplitudes multiply exp((−α + iω)(t − t_ref)); the record holds the real part. All vectors are in phone
-//! axes. `up` is the unit vector of the specific force at rest: it points up.
+//! Complex amplitudes multiply exp((−α + iω)(t − t_ref)); the record holds the real part. All
+//! vectors are in phone axes. `up` is the unit vector of the specific force at rest: it points up.
 
 use nalgebra::Vector3;
 use num_complex::Complex64;
@@ -42,12 +43,14 @@ pub struct PhoneMotion {
 impl PhoneMotion {
     /// Rotation and acceleration of the phone in one fitted mode.
     ///
-    /// The rate is the rotation times iω. In phone axes the specific force swings by
-    /// δf = a − g Θ × û (first order), so a = δf + g Θ × û; for a gravity-free accelerometer a = δf.
+    /// The rate is the rotation times iω. In phone axes the specific force swings by δf = a − g Θ ×
+    /// û (first order), so a = δf + g Θ × û; for a gravity-free accelerometer a = δf.
     pub fn of(mode: &FittedMode, map: ChannelMap, gravity_m_s2: f64, up: Option<Vec3>) -> Self {
         let omega = mode.omega_rad_s;
         let pole = Complex64::new(-mode.alpha_per_s, omega);
-        let rotation = map.gyroscope.map(|first| vector(mode, first).map(|rate| rate / pole));
+        let rotation = map
+            .gyroscope
+            .map(|first| vector(mode, first).map(|rate| rate / pole));
         let force = map.accelerometer.map(|first| vector(mode, first));
         let acceleration = match (force, rotation, up, map.gravity_free) {
             (Some(f), Some(theta), Some(up), false) => {
@@ -60,7 +63,9 @@ impl PhoneMotion {
             rotation_rad: rotation,
             rotation_se_rad: map.gyroscope.map_or(0.0, |i| largest(&mode.shape_se, i)) / omega,
             acceleration_m_s2: acceleration,
-            acceleration_se_m_s2: map.accelerometer.map_or(0.0, |i| largest(&mode.shape_se, i)),
+            acceleration_se_m_s2: map
+                .accelerometer
+                .map_or(0.0, |i| largest(&mode.shape_se, i)),
         }
     }
 
@@ -74,7 +79,8 @@ impl PhoneMotion {
         self.acceleration_m_s2.map(|a| split(&a, axis))
     }
 
-    /// The horizontal line along which the phone rotates or is accelerated most, whichever is given.
+    /// The horizontal line along which the phone rotates or is accelerated most, whichever is
+    /// given.
     pub fn principal_direction(vector: &CVec3, up: &Vec3) -> Option<Vec3> {
         let across = vector - up.map(Complex64::from) * along(vector, up);
         let phase = across.iter().map(|c| c * c).sum::<Complex64>().sqrt();
@@ -88,7 +94,11 @@ fn vector(mode: &FittedMode, first: usize) -> CVec3 {
 }
 
 fn largest(values: &[f64], first: usize) -> f64 {
-    values.iter().skip(first).take(3).fold(0.0, |a: f64, b| a.max(*b))
+    values
+        .iter()
+        .skip(first)
+        .take(3)
+        .fold(0.0, |a: f64, b| a.max(*b))
 }
 
 fn along(vector: &CVec3, axis: &Vec3) -> Complex64 {
@@ -119,15 +129,19 @@ mod tests {
         }
     }
 
-    /// A phone tilting about y through its own place: the accelerometer sees gravity's tilt only, the place rests.
-    /// Closed form: Θ = θ ŷ, δf = −g θ ŷ × ẑ = −g θ x̂.
+    /// A phone tilting about y through its own place: the accelerometer sees gravity's tilt only,
+    /// the place rests. Closed form: Θ = θ ŷ, δf = −g θ ŷ × ẑ = −g θ x̂.
     #[test]
     fn pure_tilt_leaves_no_acceleration() {
         let theta = Complex64::new(0.1, 0.0);
         let rate = theta * Complex64::new(0.0, 2.0);
         let zero = Complex64::default();
         let shape = vec![zero, rate, zero, -9.81 * theta, zero, zero];
-        let map = ChannelMap { gyroscope: Some(0), accelerometer: Some(3), gravity_free: false };
+        let map = ChannelMap {
+            gyroscope: Some(0),
+            accelerometer: Some(3),
+            gravity_free: false,
+        };
         let motion = PhoneMotion::of(&mode(shape), map, 9.81, Some(Vec3::z()));
         let (_, across) = motion.acceleration_split(&Vec3::z()).unwrap();
         assert!(across < 1e-12);

@@ -1,8 +1,8 @@
 //! What each oscillation is, from its shape.
 //!
 //! # Conventions
-//! Sizes of motions are angles, so that they compare: a rotation by its own angle, a translation by the angle of the
-//! lines, |a| / g (a pendulum of any length is accelerated by g times its angle).
+//! Sizes of motions are angles, so that they compare: a rotation by its own angle, a translation by
+//! the angle of the lines, |a| / g (a pendulum of any length is accelerated by g times its angle).
 
 use serde::{Deserialize, Serialize};
 
@@ -10,9 +10,10 @@ use super::motion::PhoneMotion;
 use crate::frames::Vec3;
 use crate::recording::{ModeName, Orientation, Suspension, SuspensionKind};
 
-/// A translation whose rotation is below this share of its line angle is a sway. A sway of a level hull does not
-/// rotate at all; the double-pendulum modes turn by at least 1/(R² − 1) of the line angle (ratio of the two
-/// angles from eq. 16: φ2/φ1 = (g/ω² − l1)/l2), which is above 0.25 for R < 2.2.
+/// A translation whose rotation is below this share of its line angle is a sway. A sway of a level
+/// hull does not rotate at all; the double-pendulum modes turn by at least 1/(R² − 1) of the line
+/// angle (ratio of the two angles from eq. 16: φ2/φ1 = (g/ω² − l1)/l2), which is above 0.25 for R <
+/// 2.2.
 const SWAY_ROTATION_SHARE: f64 = 0.12;
 
 /// A mode must stand this many standard errors out of the noise before its shape is believed.
@@ -35,11 +36,14 @@ pub struct Hanging {
 impl Hanging {
     /// From a stated suspension.
     pub fn of(suspension: &Suspension, gravity_m_s2: f64) -> Self {
-        let sway_period_s = suspension.line_length_m.filter(|_| suspension.kind == SuspensionKind::Bifilar);
+        let sway_period_s = suspension
+            .line_length_m
+            .filter(|_| suspension.kind == SuspensionKind::Bifilar);
         Hanging {
             suspension: Some((suspension.kind, suspension.orientation)),
             // eq. (7)
-            sway_period_s: sway_period_s.map(|l| std::f64::consts::TAU * (l.value / gravity_m_s2).sqrt()),
+            sway_period_s: sway_period_s
+                .map(|l| std::f64::consts::TAU * (l.value / gravity_m_s2).sqrt()),
         }
     }
 }
@@ -63,9 +67,18 @@ pub fn name_modes(
     hanging: &Hanging,
 ) -> Vec<NamedMode> {
     let Some(up) = up else {
-        return motions.iter().map(|m| NamedMode { name: ModeName::Other, angle_rad: rotation(m) }).collect();
+        return motions
+            .iter()
+            .map(|m| NamedMode {
+                name: ModeName::Other,
+                angle_rad: rotation(m),
+            })
+            .collect();
     };
-    let mut named: Vec<NamedMode> = motions.iter().map(|m| by_shape(m, &up, gravity_m_s2, hanging)).collect();
+    let mut named: Vec<NamedMode> = motions
+        .iter()
+        .map(|m| by_shape(m, &up, gravity_m_s2, hanging))
+        .collect();
     unname_combinations(&mut named, motions);
     if hanging.sway_period_s.is_none() {
         order_double_pendulum(&mut named, motions);
@@ -74,8 +87,8 @@ pub fn name_modes(
     named
 }
 
-/// A weak line at a sum, difference or multiple of stronger modes' frequencies is their doing (a yaw and a sway push the
-/// pitch at ω_yaw ± ω_sway), whatever its shape.
+/// A weak line at a sum, difference or multiple of stronger modes' frequencies is their doing (a
+/// yaw and a sway push the pitch at ω_yaw ± ω_sway), whatever its shape.
 fn unname_combinations(named: &mut [NamedMode], motions: &[PhoneMotion]) {
     let size: Vec<f64> = named.iter().map(|n| n.angle_rad.unwrap_or(0.0)).collect();
     for i in 0..named.len() {
@@ -83,7 +96,11 @@ fn unname_combinations(named: &mut [NamedMode], motions: &[PhoneMotion]) {
             .filter(|j| size[*j] > DRIVER_RATIO * size[i])
             .map(|j| motions[j].omega_rad_s)
             .collect();
-        if stronger.iter().any(|a| stronger.iter().any(|b| is_combination(motions[i].omega_rad_s, *a, *b))) {
+        if stronger.iter().any(|a| {
+            stronger
+                .iter()
+                .any(|b| is_combination(motions[i].omega_rad_s, *a, *b))
+        }) {
             named[i].name = ModeName::Other;
         }
     }
@@ -91,11 +108,16 @@ fn unname_combinations(named: &mut [NamedMode], motions: &[PhoneMotion]) {
 
 fn is_combination(omega: f64, a: f64, b: f64) -> bool {
     let near = |line: f64| (line.abs() / omega - 1.0).abs() < COMBINATION_TOLERANCE;
-    [a + b, a - b, 2.0 * a + b, 2.0 * a - b].into_iter().filter(|line| *line != a).any(near)
+    [a + b, a - b, 2.0 * a + b, 2.0 * a - b]
+        .into_iter()
+        .filter(|line| *line != a)
+        .any(near)
 }
 
 fn rotation(motion: &PhoneMotion) -> Option<f64> {
-    motion.rotation_rad.map(|theta| theta.iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt())
+    motion
+        .rotation_rad
+        .map(|theta| theta.iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt())
 }
 
 fn by_shape(motion: &PhoneMotion, up: &Vec3, gravity_m_s2: f64, hanging: &Hanging) -> NamedMode {
@@ -121,10 +143,14 @@ fn by_shape(motion: &PhoneMotion, up: &Vec3, gravity_m_s2: f64, hanging: &Hangin
         ModeName::Other => turn.max(line_angle),
         _ => turn_level,
     };
-    NamedMode { name, angle_rad: Some(angle) }
+    NamedMode {
+        name,
+        angle_rad: Some(angle),
+    }
 }
 
-/// A turn about a level axis. In (17) both factors are positive, so T_out < T_s < T_in whatever the hull.
+/// A turn about a level axis. In (17) both factors are positive, so T_out < T_s < T_in whatever the
+/// hull.
 fn level_axis_name(omega_rad_s: f64, hanging: &Hanging) -> ModeName {
     let period_s = std::f64::consts::TAU / omega_rad_s;
     let in_phase = hanging.sway_period_s.is_none_or(|sway| period_s > sway);
@@ -137,11 +163,15 @@ fn level_axis_name(omega_rad_s: f64, hanging: &Hanging) -> ModeName {
     }
 }
 
-/// Without the lines' length: of two double-pendulum modes the short one is the out-of-phase one; a single one
-/// beside a sway is judged against the sway's period; a single one alone stays unnamed.
+/// Without the lines' length: of two double-pendulum modes the short one is the out-of-phase one; a
+/// single one beside a sway is judged against the sway's period; a single one alone stays unnamed.
 fn order_double_pendulum(named: &mut [NamedMode], motions: &[PhoneMotion]) {
-    let is_level = |n: &NamedMode| matches!(n.name, ModeName::PitchInPhase | ModeName::PitchOutOfPhase);
-    let sway = named.iter().position(|n| n.name == ModeName::Sway).map(|i| motions[i].omega_rad_s);
+    let is_level =
+        |n: &NamedMode| matches!(n.name, ModeName::PitchInPhase | ModeName::PitchOutOfPhase);
+    let sway = named
+        .iter()
+        .position(|n| n.name == ModeName::Sway)
+        .map(|i| motions[i].omega_rad_s);
     let mut level: Vec<usize> = (0..named.len()).filter(|i| is_level(&named[*i])).collect();
     level.sort_by(|a, b| motions[*a].omega_rad_s.total_cmp(&motions[*b].omega_rad_s));
     match (level.as_slice(), sway) {
@@ -162,7 +192,8 @@ fn keep_largest_of_each(named: &mut [NamedMode]) {
     for i in 0..named.len() {
         let outdone = (0..named.len()).any(|j| {
             named[j].name == named[i].name
-                && (size(&named[j]) > size(&named[i]) || (size(&named[j]) == size(&named[i]) && j < i))
+                && (size(&named[j]) > size(&named[i])
+                    || (size(&named[j]) == size(&named[i]) && j < i))
         });
         if outdone {
             named[i].name = ModeName::Other;

@@ -1,4 +1,5 @@
-//! A way to measure: the hangings and swings that a choice of dimensions makes, and what each costs.
+//! A way to measure: the hangings and swings that a choice of dimensions makes, and what each
+//! costs.
 
 use std::collections::BTreeMap;
 
@@ -11,14 +12,16 @@ use crate::recording::{
     SuspensionKind, Swing, SwingData,
 };
 
-/// Cost of hanging the hull anew, of a swing beside its recording, of an incline, s, and of a metre of line, s.
+/// Cost of hanging the hull anew, of a swing beside its recording, of an incline, s, and of a metre
+/// of line, s.
 const HANGING_S: f64 = 1200.0;
 const SWING_S: f64 = 180.0;
 const INCLINE_S: f64 = 300.0;
 const METRE_S: f64 = 60.0;
 /// A degree of tilt: the steeper a hull hangs the longer it takes to make fast.
 const TILT_S: f64 = 60.0;
-/// The weight of an incline test tilts the hull by so much, degrees, and is known to this part, as its arm.
+/// The weight of an incline test tilts the hull by so much, degrees, and is known to this part, as
+/// its arm.
 const INCLINE_DEG: f64 = 5.0;
 const INCLINE_WEIGHT_U: f64 = 1e-3;
 /// Dimensions are proposed in steps of this, m.
@@ -59,7 +62,8 @@ pub fn rounded(length_m: f64) -> f64 {
 impl Design {
     /// What it costs, s of an operator's time.
     pub fn effort_s(&self, steps: &[Step]) -> f64 {
-        let hangings = usize::from(self.is_level) + usize::from(self.is_fore_and_aft) + self.tilts_deg.len();
+        let hangings =
+            usize::from(self.is_level) + usize::from(self.is_fore_and_aft) + self.tilts_deg.len();
         let hangings = hangings + usize::from(self.second_length_m.is_some());
         let of_step = |step: &Step| match step {
             Step::Swing(swing) => SWING_S + swing.duration_s,
@@ -93,7 +97,11 @@ impl Design {
                 swing(&format!("yaw{suffix}"), side_by_side(length_m), &[Yaw]);
                 swing(&format!("sway{suffix}"), side_by_side(length_m), &[Sway]);
             } else {
-                swing(&format!("yaw-sway{suffix}"), side_by_side(length_m), &[Yaw, Sway]);
+                swing(
+                    &format!("yaw-sway{suffix}"),
+                    side_by_side(length_m),
+                    &[Yaw, Sway],
+                );
             }
             if self.with_pitch {
                 swing(&format!("pitch{suffix}"), side_by_side(length_m), &[Pitch]);
@@ -106,10 +114,18 @@ impl Design {
             }
         }
         if self.is_fore_and_aft {
-            swing("roll", self.hung(means, Orientation::ForeAndAft, self.line_length_m), &[Roll, Surge]);
+            swing(
+                "roll",
+                self.hung(means, Orientation::ForeAndAft, self.line_length_m),
+                &[Roll, Surge],
+            );
         }
         for tilt_deg in &self.tilts_deg {
-            let id = if *tilt_deg > 0.0 { "bow-up" } else { "bow-down" };
+            let id = if *tilt_deg > 0.0 {
+                "bow-up"
+            } else {
+                "bow-down"
+            };
             swing(id, self.tilted(hull, means, *tilt_deg), &[Yaw, Sway]);
         }
         if self.is_inclined {
@@ -142,11 +158,18 @@ impl Design {
     }
 }
 
-/// A weight at the stern, a third of the length from the points, that tilts the hull enough to be read, (20).
+/// A weight at the stern, a third of the length from the points, that tilts the hull enough to be
+/// read, (20).
 fn incline(hull: &Hull) -> PlannedIncline {
     let arm_m = rounded(0.35 * hull.length_m);
     let mass_kg = hull.mass_kg * hull.cm_depth_m.value * INCLINE_DEG.to_radians().tan() / arm_m;
-    PlannedIncline { end: End::Stern, mass_kg, arm_m, depth_m: 0.0, pitch_deg: INCLINE_DEG }
+    PlannedIncline {
+        end: End::Stern,
+        mass_kg,
+        arm_m,
+        depth_m: 0.0,
+        pitch_deg: INCLINE_DEG,
+    }
 }
 
 /// Name of the recording of a swing.
@@ -154,7 +177,8 @@ pub fn recording_of(id: &str) -> String {
     format!("{id}.csv")
 }
 
-/// The session that the steps will make, their recordings still to come. Inclines hold the angle to expect.
+/// The session that the steps will make, their recordings still to come. Inclines hold the angle to
+/// expect.
 pub fn session_of(title: &str, hull: &Hull, means: &Means, steps: &[Step]) -> Session {
     let mut session = Session {
         title: title.into(),
@@ -164,7 +188,10 @@ pub fn session_of(title: &str, hull: &Hull, means: &Means, steps: &[Step]) -> Se
             length_overall_m: Some(hull.length_m),
             density_kg_m3: None,
         },
-        site: Site { gravity_m_s2: Some(means.gravity_m_s2), ..Site::default() },
+        site: Site {
+            gravity_m_s2: Some(means.gravity_m_s2),
+            ..Site::default()
+        },
         ..Session::default()
     };
     for step in steps {

@@ -11,22 +11,34 @@ use crate::recording::write_session;
 
 const TO_FILL_IN: &str = "# Planned, not measured: replace every length and angle by what you read, with your own\n\
                           # uncertainty, and put the recordings beside this file.\n";
-const TO_REHEARSE: &str =
-    "# A rehearsal of the plan: `gyradius simulate` makes the session that the assumed hull would give.\n";
+const TO_REHEARSE: &str = "# A rehearsal of the plan: `gyradius simulate` makes the session that the assumed hull would give.\n";
 
 /// The `session.toml` that the plan's swings will fill.
 pub fn session_toml(plan: &Plan) -> String {
-    TO_FILL_IN.to_owned() + &write_session(&session_of(&plan.title, &plan.hull, &plan.means, &plan.steps))
+    TO_FILL_IN.to_owned()
+        + &write_session(&session_of(
+            &plan.title,
+            &plan.hull,
+            &plan.means,
+            &plan.steps,
+        ))
 }
 
-/// A rig file (`gyradius-rig/1`): the planned session, with the hull as it is assumed for the truth.
+/// A rig file (`gyradius-rig/1`): the planned session, with the hull as it is assumed for the
+/// truth.
 ///
 /// # Errors
 /// None that a plan made by [`super::plan`] can cause.
 pub fn rig_toml(plan: &Plan) -> Result<String> {
-    let text = write_session(&session_of(&plan.title, &plan.hull, &plan.means, &plan.steps));
-    let mut rig: DocumentMut =
-        text.parse().map_err(|e: toml_edit::TomlError| Error::no_result("rig", e.to_string()))?;
+    let text = write_session(&session_of(
+        &plan.title,
+        &plan.hull,
+        &plan.means,
+        &plan.steps,
+    ));
+    let mut rig: DocumentMut = text
+        .parse()
+        .map_err(|e: toml_edit::TomlError| Error::no_result("rig", e.to_string()))?;
     rig["format"] = value(RIG_FORMAT);
     rig.insert("truth", Item::Table(truth(plan)));
     if let Some(tables) = rig.get_mut("swing").and_then(Item::as_array_of_tables_mut) {

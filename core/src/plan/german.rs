@@ -34,7 +34,10 @@ pub const GERMAN: [(&str, &str); 12] = [
         "{quantity} erreicht u = {reached_u}, nicht {wanted_u}: das meiste kommt von: {input} ({contribution_u}). Dieser Wert \
          müsste {times_better}-mal genauer bekannt sein.",
     ),
-    ("not_determined", "{quantity} wird von diesen Schwingungen nicht bestimmt."),
+    (
+        "not_determined",
+        "{quantity} wird von diesen Schwingungen nicht bestimmt.",
+    ),
     (
         "rough_hull",
         "{quantity} des Rumpfs ist nur auf {u_percent} % bekannt, und was daraus vorhergesagt wird, nicht besser: mit der Sitzung \

@@ -10,15 +10,24 @@ use crate::inertia::BudgetLine;
 /// A figure of the hull rougher than this is worth a word.
 const ROUGH: f64 = 0.15;
 
-/// Of every quantity that is wanted and not reached: which input is to blame, and how well it would have to be known.
+/// Of every quantity that is wanted and not reached: which input is to blame, and how well it would
+/// have to be known.
 pub fn not_reached(hull: &Hull, means: &Means, wanted: &[Wanted], way: &Way) -> Vec<Warning> {
-    wanted.iter().filter_map(|w| one(hull, means, w, way)).collect()
+    wanted
+        .iter()
+        .filter_map(|w| one(hull, means, w, way))
+        .collect()
 }
 
 fn one(hull: &Hull, means: &Means, wanted: &Wanted, way: &Way) -> Option<Warning> {
     let name = short(&wanted.quantity);
     let Some(found) = way.expected.quantities.get(&wanted.quantity) else {
-        return Some(Warning::new(WarningKind::NotDetermined, None, &[], &[("quantity", name)]));
+        return Some(Warning::new(
+            WarningKind::NotDetermined,
+            None,
+            &[],
+            &[("quantity", name)],
+        ));
     };
     let (value, u, wanted_u) = (found.value.as_f64()?, found.u.as_f64()?, wanted.u_of(hull));
     if u <= wanted_u {
@@ -37,13 +46,21 @@ fn one(hull: &Hull, means: &Means, wanted: &Wanted, way: &Way) -> Option<Warning
             // k = (T_y/T_s) d: the same error of the tape is a smaller part of a wider spacing.
             ("spacing_needed_m", way.design.spacing_m / better),
         ];
-        return Some(Warning::new(WarningKind::SpacingTooShort, None, &numbers, &[("quantity", name)]));
+        return Some(Warning::new(
+            WarningKind::SpacingTooShort,
+            None,
+            &numbers,
+            &[("quantity", name)],
+        ));
     }
     let numbers = [
         ("reached_u", u),
         ("wanted_u", wanted_u),
         ("contribution_u", worst.u_contribution),
-        ("times_better", worst.u_contribution / needed.unwrap_or(0.5 * wanted_u)),
+        (
+            "times_better",
+            worst.u_contribution / needed.unwrap_or(0.5 * wanted_u),
+        ),
     ];
     Some(Warning::new(
         WarningKind::NotReached,
@@ -60,13 +77,23 @@ fn needed(u: f64, wanted_u: f64, worst: &BudgetLine) -> Option<f64> {
     (room > 0.0).then(|| room.sqrt())
 }
 
-/// The depth of the centre of mass, by which the lines' length is chosen, is often little more than a guess.
+/// The depth of the centre of mass, by which the lines' length is chosen, is often little more than
+/// a guess.
 pub fn rough(hull: &Hull) -> Vec<Warning> {
-    let figures = [("depth", hull.cm_depth_m), ("k_pitch", hull.k_pitch_m), ("k_yaw", hull.k_yaw_m)];
+    let figures = [
+        ("depth", hull.cm_depth_m),
+        ("k_pitch", hull.k_pitch_m),
+        ("k_yaw", hull.k_yaw_m),
+    ];
     let share = |q: &crate::recording::Quantity| q.u / q.value;
     let rough = figures.iter().filter(|(_, q)| share(q) > ROUGH);
     let warning = |(name, q): &(&str, crate::recording::Quantity)| {
-        Warning::new(WarningKind::RoughHull, None, &[("u_percent", 100.0 * share(q))], &[("quantity", name)])
+        Warning::new(
+            WarningKind::RoughHull,
+            None,
+            &[("u_percent", 100.0 * share(q))],
+            &[("quantity", name)],
+        )
     };
     rough.map(warning).collect()
 }

@@ -92,37 +92,62 @@ impl Means {
             ("least_duration_s", self.least_duration_s),
             ("most_duration_s", self.most_duration_s),
         ];
-        if let Some((name, value)) = positive.into_iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) {
+        if let Some((name, value)) = positive
+            .into_iter()
+            .find(|(_, v)| !(v.is_finite() && *v > 0.0))
+        {
             return Err(Error::argument(name, "a positive number", value));
         }
         if !(self.gravity_m_s2.u.is_finite() && self.gravity_m_s2.u >= 0.0) {
-            return Err(Error::argument("gravity_m_s2", "an uncertainty of 0 or more", self.gravity_m_s2.u));
+            return Err(Error::argument(
+                "gravity_m_s2",
+                "an uncertainty of 0 or more",
+                self.gravity_m_s2.u,
+            ));
         }
         let at_most = |name: &str, limit: f64, value: f64| {
             let unit = name.rsplit('_').next().unwrap_or_default();
             if value > limit {
-                Err(Error::argument(name, format!("at most {limit} {unit}"), value))
+                Err(Error::argument(
+                    name,
+                    format!("at most {limit} {unit}"),
+                    value,
+                ))
             } else {
                 Ok(())
             }
         };
         at_most("amplitude_deg", 170.0, self.amplitude_deg)?;
         at_most("most_duration_s", 3600.0, self.most_duration_s)?;
-        at_most("least_line_length_m", self.most_line_length_m, self.least_line_length_m)?;
-        at_most("least_duration_s", self.most_duration_s, self.least_duration_s)?;
-        let (least, most) =
-            (self.least_spacing_m.unwrap_or(0.0), self.most_spacing_m.unwrap_or(f64::INFINITY));
+        at_most(
+            "least_line_length_m",
+            self.most_line_length_m,
+            self.least_line_length_m,
+        )?;
+        at_most(
+            "least_duration_s",
+            self.most_duration_s,
+            self.least_duration_s,
+        )?;
+        let (least, most) = (
+            self.least_spacing_m.unwrap_or(0.0),
+            self.most_spacing_m.unwrap_or(f64::INFINITY),
+        );
         at_most("least_spacing_m", most, least)
     }
 
     /// Narrowest and widest spacing for a beam, m.
     pub fn spacings_m(&self, beam_m: f64) -> (f64, f64) {
-        // A frame that stands out a little (the paper beside Table 4: only slightly more than the beam).
+        // A frame that stands out a little (the paper beside Table 4: only slightly more than the
+        // beam).
         const LEAST_OF_BEAM: f64 = 0.6;
         const MOST_OF_BEAM: f64 = 1.25;
-        let most =
-            self.most_spacing_m.unwrap_or((MOST_OF_BEAM * beam_m).max(self.least_spacing_m.unwrap_or(0.0)));
-        let least = self.least_spacing_m.unwrap_or((LEAST_OF_BEAM * beam_m).min(most));
+        let most = self
+            .most_spacing_m
+            .unwrap_or((MOST_OF_BEAM * beam_m).max(self.least_spacing_m.unwrap_or(0.0)));
+        let least = self
+            .least_spacing_m
+            .unwrap_or((LEAST_OF_BEAM * beam_m).min(most));
         (least, most)
     }
 }

@@ -1,4 +1,5 @@
-//! What the operator should do: which lines, which swings, how far and how long, and what that is expected to give.
+//! What the operator should do: which lines, which swings, how far and how long, and what that is
+//! expected to give.
 //!
 //! | file | does |
 //! |---|---|

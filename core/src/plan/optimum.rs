@@ -9,8 +9,8 @@ use crate::inertia::routes::double_pendulum::{DepthIs, GyradiusAndDepth, best_li
 /// The best dimensions for a hull, whether there is room for them or not.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Optima {
-    /// Line length for the pitch gyradius with the depth of the centre of mass held as known, by (19), m: Figs. 16 and 17
-    /// of the paper.
+    /// Line length for the pitch gyradius with the depth of the centre of mass held as known, by
+    /// (19), m: Figs. 16 and 17 of the paper.
     pub line_length_depth_known_m: Option<f64>,
     /// The same with gyradius and depth both solved for from the two periods, (17) and (18), m.
     pub line_length_joint_m: Option<f64>,
@@ -18,11 +18,11 @@ pub struct Optima {
     pub line_length_roll_depth_known_m: Option<f64>,
     /// With both solved for.
     pub line_length_roll_joint_m: Option<f64>,
-    /// Twice the yaw gyradius, m: near to it yaw and sway keep step and the lines' length and gravity cancel out of the
-    /// ratio of their periods (8); exactly there they do not beat.
+    /// Twice the yaw gyradius, m: near to it yaw and sway keep step and the lines' length and
+    /// gravity cancel out of the ratio of their periods (8); exactly there they do not beat.
     pub spacing_m: f64,
-    /// Depth a = k of the centre of mass below the axis of a compound pendulum at which an error of a does not matter
-    /// (24), in pitch, m.
+    /// Depth a = k of the centre of mass below the axis of a compound pendulum at which an error of
+    /// a does not matter (24), in pitch, m.
     pub compound_pitch_axis_to_cm_m: f64,
     /// Height of that axis above the suspension points, a − l2, m; below zero it cannot be had.
     pub compound_pitch_axis_height_m: f64,
@@ -39,7 +39,15 @@ impl Optima {
         let depth = hull.cm_depth_m.value;
         // A hull so shallow that there is no optimum within any length has none to tell.
         let best = |gyradius_m: f64, is: DepthIs| {
-            best_line_length_m(&GyradiusAndDepth { gyradius_m, cm_depth_m: depth }, gravity_m_s2, is).ok()
+            best_line_length_m(
+                &GyradiusAndDepth {
+                    gyradius_m,
+                    cm_depth_m: depth,
+                },
+                gravity_m_s2,
+                is,
+            )
+            .ok()
         };
         Self {
             line_length_depth_known_m: best(pitch, DepthIs::Known),
@@ -55,19 +63,28 @@ impl Optima {
     }
 }
 
-/// L12 = l1/l2 at which ∂k_p/∂T is least for K_P2 = k_p/l2: one point of Fig. 17 (depth known), or of the same with both
-/// solved for. Independent of gravity.
+/// L12 = l1/l2 at which ∂k_p/∂T is least for K_P2 = k_p/l2: one point of Fig. 17 (depth known), or
+/// of the same with both solved for. Independent of gravity.
 ///
 /// # Errors
 /// Where `k_over_depth` is no positive number or has no optimum.
 pub fn best_length_over_depth(k_over_depth: f64, depth: DepthIs) -> Result<f64> {
-    best_line_length_m(&GyradiusAndDepth { gyradius_m: k_over_depth, cm_depth_m: 1.0 }, 1.0, depth)
+    best_line_length_m(
+        &GyradiusAndDepth {
+            gyradius_m: k_over_depth,
+            cm_depth_m: 1.0,
+        },
+        1.0,
+        depth,
+    )
 }
 
-/// Line length at which yaw (5) and the in-phase pitch mode (16) have one period, m; `None` where they have at no length:
-/// from d = k_yaw on, yaw is faster than the sway, and the in-phase mode always slower.
+/// Line length at which yaw (5) and the in-phase pitch mode (16) have one period, m; `None` where
+/// they have at no length: from d = k_yaw on, yaw is faster than the sway, and the in-phase mode
+/// always slower.
 ///
-/// With r = (d/k_y)², ω² = r g/l put into l k² ω⁴ − g (l l2 + l2² + k²) ω² + g² l2 = 0 is linear in l.
+/// With r = (d/k_y)², ω² = r g/l put into l k² ω⁴ − g (l l2 + l2² + k²) ω² + g² l2 = 0 is linear in
+/// l.
 pub fn yaw_meets_in_phase_m(
     half_spacing_m: f64,
     k_yaw_m: f64,

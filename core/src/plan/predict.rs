@@ -1,4 +1,5 @@
-//! What planned swings will show: starts, periods, and the uncertainties that a measurement of them will have.
+//! What planned swings will show: starts, periods, and the uncertainties that a measurement of them
+//! will have.
 
 use std::f64::consts::TAU;
 
@@ -30,8 +31,9 @@ pub struct Let {
 }
 
 impl Let {
-    /// Of a planned swing. A turn begins at its amplitude. A shift beside a yaw is that of a hull turned about its stern,
-    /// which makes both equal there (the paper beside (9)), unless that leans the lines by more than the amplitude.
+    /// Of a planned swing. A turn begins at its amplitude. A shift beside a yaw is that of a hull
+    /// turned about its stern, which makes both equal there (the paper beside (9)), unless that
+    /// leans the lines by more than the amplitude.
     pub fn of(swing: &PlannedSwing, hull: &Hull) -> Self {
         let has = |e: Excitation| swing.excited.contains(&e);
         let length_m = swing.suspension.line_length_m.map_or(1.0, |q| q.value);
@@ -55,13 +57,24 @@ impl Let {
         }
     }
 
-    /// Along the suspension's direction and across it, m; turn about it and about the vertical, rad.
+    /// Along the suspension's direction and across it, m; turn about it and about the vertical,
+    /// rad.
     pub fn start(&self, orientation: Orientation) -> [f64; 4] {
         let rad = f64::to_radians;
         // The direction is +y or +x; across is then +x or −y.
         match orientation {
-            Orientation::Athwartships => [self.sway_m, self.surge_m, -rad(self.pitch_deg), rad(self.yaw_deg)],
-            Orientation::ForeAndAft => [self.surge_m, -self.sway_m, rad(self.roll_deg), rad(self.yaw_deg)],
+            Orientation::Athwartships => [
+                self.sway_m,
+                self.surge_m,
+                -rad(self.pitch_deg),
+                rad(self.yaw_deg),
+            ],
+            Orientation::ForeAndAft => [
+                self.surge_m,
+                -self.sway_m,
+                rad(self.roll_deg),
+                rad(self.yaw_deg),
+            ],
         }
     }
 }
@@ -74,17 +87,20 @@ pub fn swings(steps: &[Step]) -> impl Iterator<Item = &PlannedSwing> {
     })
 }
 
-/// What the steps are expected to bring, by periods alone (quickly, good enough to choose by) or by the samples.
+/// What the steps are expected to bring, by periods alone (quickly, good enough to choose by) or by
+/// the samples.
 pub fn expected(hull: &Hull, means: &Means, steps: &[Step], by_samples: bool) -> Result<Expected> {
     let session = session_of("plan", hull, means, steps);
     let prospect = Prospect::new(&session, &hull.body())?;
     let brought: Vec<Brought> = swings(steps)
         .zip(&prospect.periods_s)
-        .map(
-            |(swing, periods)| {
-                if by_samples { samples(hull, means, swing) } else { periods_alone(means, swing, periods) }
-            },
-        )
+        .map(|(swing, periods)| {
+            if by_samples {
+                samples(hull, means, swing)
+            } else {
+                periods_alone(means, swing, periods)
+            }
+        })
         .collect();
     prospect.expected(&brought)
 }
@@ -97,20 +113,29 @@ fn samples(hull: &Hull, means: &Means, swing: &PlannedSwing) -> Brought {
         gyro_rad_s: means.gyro_noise_rad_s,
         acc_m_s2: means.acc_noise_m_s2,
     };
-    Brought::Samples(Released { start, decay_s: means.decay_s }, recorded)
+    Brought::Samples(
+        Released {
+            start,
+            decay_s: means.decay_s,
+        },
+        recorded,
+    )
 }
 
 /// Modes that are set going, with the Cramér–Rao bound of their periods.
 fn periods_alone(means: &Means, swing: &PlannedSwing, periods: &[(ModeName, f64)]) -> Brought {
-    let of = |(mode, period_s): &(ModeName, f64)| Some((*mode, period_u(means, swing, *mode, *period_s)?));
+    let of = |(mode, period_s): &(ModeName, f64)| {
+        Some((*mode, period_u(means, swing, *mode, *period_s)?))
+    };
     Brought::Periods(periods.iter().filter_map(of).collect())
 }
 
-/// Relative Cramér–Rao bound of a period of a planned swing; `None` of a mode that nobody sets going.
+/// Relative Cramér–Rao bound of a period of a planned swing; `None` of a mode that nobody sets
+/// going.
 pub fn period_u(means: &Means, swing: &PlannedSwing, mode: ModeName, period_s: f64) -> Option<f64> {
     let (angle_rad, omega) = (swing.amplitude_deg.to_radians(), TAU / period_s);
-    // A gyroscope sees the turn's rate; of the lines' lean an accelerometer sees g times the angle. Two modes share a
-    // release.
+    // A gyroscope sees the turn's rate; of the lines' lean an accelerometer sees g times the angle.
+    // Two modes share a release.
     let over_noise = match mode {
         ModeName::Sway => means.gravity_m_s2.value * angle_rad / means.acc_noise_m_s2,
         ModeName::Yaw => angle_rad * omega / means.gyro_noise_rad_s,
@@ -132,15 +157,20 @@ pub fn sets_going(excitation: Excitation, mode: ModeName) -> bool {
     }
 }
 
-/// Cramér–Rao bound of the standard deviation of an angular frequency, rad/s, of A e^(−αt) cos(ωt + φ) in white noise:
-/// var ≥ 2σ² / (A² f_s M₂), M₂ = ∫ e^(−2αt) (t − t̄)² dt with t̄ weighted alike; without damping 24σ²/(A² f_s T³).
+/// Cramér–Rao bound of the standard deviation of an angular frequency, rad/s, of A e^(−αt) cos(ωt +
+/// φ) in white noise: var ≥ 2σ² / (A² f_s M₂), M₂ = ∫ e^(−2αt) (t − t̄)² dt with t̄ weighted alike;
+/// without damping 24σ²/(A² f_s T³).
 pub fn omega_u(amplitude_over_noise: f64, rate_hz: f64, duration_s: f64, decay_s: f64) -> f64 {
     const STEPS: usize = 256;
     let step = duration_s / STEPS as f64;
     let moments = (0..STEPS).fold([0.0; 3], |sum, i| {
         let t = (i as f64 + 0.5) * step;
         let weight = (-2.0 * t / decay_s).exp() * step;
-        [sum[0] + weight, sum[1] + weight * t, sum[2] + weight * t * t]
+        [
+            sum[0] + weight,
+            sum[1] + weight * t,
+            sum[2] + weight * t * t,
+        ]
     });
     let second = moments[2] - moments[1] * moments[1] / moments[0];
     (2.0 / (amplitude_over_noise.powi(2) * rate_hz * second)).sqrt()
@@ -149,9 +179,15 @@ pub fn omega_u(amplitude_over_noise: f64, rate_hz: f64, duration_s: f64, decay_s
 /// The scene of a planned swing, for its lines' tension.
 pub fn scene(hull: &Hull, means: &Means, swing: &PlannedSwing) -> Result<Scene> {
     let pitch_deg = swing.suspension.hull_pitch_deg.map_or(0.0, |q| q.value);
-    let mut body = hull.body().rotated(world_from_hull_pitched(pitch_deg.to_radians()));
+    let mut body = hull
+        .body()
+        .rotated(world_from_hull_pitched(pitch_deg.to_radians()));
     // The points are moved along the deck until the centre hangs below them.
-    body.cm_m = Vec3::new(0.0, 0.0, -hull.cm_depth_m.value / pitch_deg.to_radians().cos());
+    body.cm_m = Vec3::new(
+        0.0,
+        0.0,
+        -hull.cm_depth_m.value / pitch_deg.to_radians().cos(),
+    );
     let orientation = swing.suspension.orientation;
     let value = |q: Option<Quantity>| q.map_or(1.0, |q| q.value);
     let spacing_m = value(swing.suspension.spacing_m);
@@ -163,11 +199,20 @@ pub fn scene(hull: &Hull, means: &Means, swing: &PlannedSwing) -> Result<Scene> 
         dimensions: Dimensions {
             line_length_m: value(swing.suspension.line_length_m),
             spacing_m,
-            top_spacing_m: swing.suspension.top_spacing_m.map_or(spacing_m, |q| q.value),
+            top_spacing_m: swing
+                .suspension
+                .top_spacing_m
+                .map_or(spacing_m, |q| q.value),
             gravity_m_s2: means.gravity_m_s2.value,
             ..Dimensions::default()
         },
-        start: Start { along_m, across_m, turn_rad, yaw_rad, ..Start::default() },
+        start: Start {
+            along_m,
+            across_m,
+            turn_rad,
+            yaw_rad,
+            ..Start::default()
+        },
         effects: vec![],
     })
 }

@@ -44,30 +44,48 @@ impl Request {
     }
 
     fn wanted(&self) -> Result<Vec<Wanted>> {
-        let wanted: Vec<Wanted> = self.wanted.iter().map(|text| text.parse()).collect::<Result<_>>()?;
-        Ok(if wanted.is_empty() { Wanted::usual() } else { wanted })
+        let wanted: Vec<Wanted> = self
+            .wanted
+            .iter()
+            .map(|text| text.parse())
+            .collect::<Result<_>>()?;
+        Ok(if wanted.is_empty() {
+            Wanted::usual()
+        } else {
+            wanted
+        })
     }
 }
 
 /// The plan for a hull of which rough figures are known.
 ///
 /// # Errors
-/// [`Error::Argument`] for what is missing or outside its domain, [`Error::NoResult`] where the hull cannot be hung.
+/// [`Error::Argument`] for what is missing or outside its domain, [`Error::NoResult`] where the
+/// hull cannot be hung.
 pub fn plan(request: &Request) -> Result<Plan> {
     planned(&request.title, request.hull.completed()?, request)
 }
 
-/// The plan for a hull that a session has measured so far; what the request tells of the hull goes before that.
+/// The plan for a hull that a session has measured so far; what the request tells of the hull goes
+/// before that.
 ///
 /// # Errors
 /// As [`plan`], and those of the measurement.
 pub fn plan_on(loaded: &LoadedSession, request: &Request) -> Result<Plan> {
     let measurement = measure(loaded, &MeasureOptions::default())?;
-    planned(&measurement.title, so_far(loaded, &measurement, request)?, request)
+    planned(
+        &measurement.title,
+        so_far(loaded, &measurement, request)?,
+        request,
+    )
 }
 
 /// The hull as a session has it, overlaid by what is told.
-pub(super) fn so_far(loaded: &LoadedSession, measurement: &Measurement, request: &Request) -> Result<Hull> {
+pub(super) fn so_far(
+    loaded: &LoadedSession,
+    measurement: &Measurement,
+    request: &Request,
+) -> Result<Hull> {
     let hull = Hull::so_far(&loaded.session, measurement)?;
     let told = &request.hull;
     let known = RoughHull {
@@ -81,7 +99,10 @@ pub(super) fn so_far(loaded: &LoadedSession, measurement: &Measurement, request:
         cm_depth_m: told.cm_depth_m.or(Some(hull.cm_depth_m)),
         psi_deg: told.psi_deg.or(Some(hull.psi_deg)),
     };
-    Ok(Hull { sources: hull.sources, ..known.completed()? })
+    Ok(Hull {
+        sources: hull.sources,
+        ..known.completed()?
+    })
 }
 
 fn planned(title: &str, hull: Hull, request: &Request) -> Result<Plan> {
@@ -97,7 +118,11 @@ fn planned(title: &str, hull: Hull, request: &Request) -> Result<Plan> {
     ];
     Ok(Plan {
         format: FORMAT.into(),
-        title: if title.is_empty() { "plan".into() } else { title.into() },
+        title: if title.is_empty() {
+            "plan".into()
+        } else {
+            title.into()
+        },
         suspensions: suspensions(&way.steps),
         predicted,
         quantities: quantities(&hull, &wanted, &way),
@@ -113,15 +138,29 @@ fn planned(title: &str, hull: Hull, request: &Request) -> Result<Plan> {
 }
 
 fn quantities(hull: &Hull, wanted: &[Wanted], way: &Way) -> BTreeMap<String, PredictedQuantity> {
-    let mut names: Vec<&str> = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"].to_vec();
-    names.retain(|n| way.expected.quantities.contains_key(*n) || wanted.iter().any(|w| w.quantity == *n));
+    let mut names: Vec<&str> =
+        ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"].to_vec();
+    names.retain(|n| {
+        way.expected.quantities.contains_key(*n) || wanted.iter().any(|w| w.quantity == *n)
+    });
     let of = |name: &str| {
         let u = way.expected.quantities.get(name).and_then(|q| q.u.as_f64());
-        let wanted_u =
-            wanted.iter().filter(|w| w.quantity == name).map(|w| w.u_of(hull)).min_by(f64::total_cmp);
+        let wanted_u = wanted
+            .iter()
+            .filter(|w| w.quantity == name)
+            .map(|w| w.u_of(hull))
+            .min_by(f64::total_cmp);
         let value = hull.quantity(name).map_or(f64::NAN, |q| q.value);
         let is_reached = wanted_u.map(|wanted_u| u.is_some_and(|u| u <= wanted_u));
-        (name.to_owned(), PredictedQuantity { value, u, wanted_u, is_reached })
+        (
+            name.to_owned(),
+            PredictedQuantity {
+                value,
+                u,
+                wanted_u,
+                is_reached,
+            },
+        )
     };
     names.into_iter().map(of).collect()
 }
@@ -130,7 +169,10 @@ fn quantities(hull: &Hull, wanted: &[Wanted], way: &Way) -> BTreeMap<String, Pre
 pub(super) fn suspensions(steps: &[Step]) -> Vec<HangingAdvice> {
     let mut list: Vec<HangingAdvice> = Vec::new();
     for swing in swings(steps) {
-        match list.iter_mut().find(|known| known.suspension == swing.suspension) {
+        match list
+            .iter_mut()
+            .find(|known| known.suspension == swing.suspension)
+        {
             Some(known) => known.swings.push(swing.id.clone()),
             None => list.push(advice(&swing.suspension, &swing.id)),
         }
@@ -138,7 +180,8 @@ pub(super) fn suspensions(steps: &[Step]) -> Vec<HangingAdvice> {
     list
 }
 
-/// Table 4 of the paper; A, H and G are taken to be the corners and the middle of the frame's forward side.
+/// Table 4 of the paper; A, H and G are taken to be the corners and the middle of the frame's
+/// forward side.
 fn advice(hung: &Suspension, id: &str) -> HangingAdvice {
     let tilt_deg = hung.hull_pitch_deg.map_or(0.0, |q| q.value);
     let is_tilted = hung.points_moved_m.is_some();
@@ -146,7 +189,9 @@ fn advice(hung: &Suspension, id: &str) -> HangingAdvice {
         (Orientation::ForeAndAft, ..) => ("H-D", &["k_yaw_m", "k_roll_m", "cm_depth_m"]),
         (Orientation::Athwartships, false, _) => ("B-F", &["k_yaw_m", "k_pitch_m", "cm_depth_m"]),
         (Orientation::Athwartships, true, true) => ("A-G", &["psi_deg", "k_pitch_m", "cm_depth_m"]),
-        (Orientation::Athwartships, true, false) => ("C-E", &["psi_deg", "k_pitch_m", "cm_depth_m"]),
+        (Orientation::Athwartships, true, false) => {
+            ("C-E", &["psi_deg", "k_pitch_m", "cm_depth_m"])
+        }
     };
     let said = said_of(hung, points, tilt_deg);
     HangingAdvice {

@@ -73,7 +73,8 @@ pub struct PredictedSwing {
     pub id: String,
     /// Small-amplitude periods of every mode, s.
     pub periods_s: BTreeMap<ModeName, f64>,
-    /// How much longer yaw and sway take at the amplitude of the release, parts per million (heave included).
+    /// How much longer yaw and sway take at the amplitude of the release, parts per million (heave
+    /// included).
     pub longer_at_release_ppm: BTreeMap<ModeName, f64>,
     /// The beat of yaw against sway.
     pub beat: Option<Beat>,
@@ -95,7 +96,8 @@ pub struct Beat {
 pub struct PredictedQuantity {
     /// As it is assumed, m or degrees.
     pub value: f64,
-    /// Standard uncertainty that the measurement is expected to have, same unit; absent where it will not determine it.
+    /// Standard uncertainty that the measurement is expected to have, same unit; absent where it
+    /// will not determine it.
     pub u: Option<f64>,
     /// What was wanted, same unit.
     pub wanted_u: Option<f64>,

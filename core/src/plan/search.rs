@@ -1,4 +1,5 @@
-//! The way to measure that reaches what is wanted with the least effort; where none does, the one that comes nearest.
+//! The way to measure that reaches what is wanted with the least effort; where none does, the one
+//! that comes nearest.
 
 use super::design::{Design, rounded};
 use super::hull::Hull;
@@ -13,20 +14,22 @@ use crate::inertia::expected::Expected;
 use crate::inertia::words::period_label;
 use crate::parallel::in_parallel;
 
-/// Spacings that are thought of, over twice the yaw gyradius: near to it, and off it by enough for a beat.
+/// Spacings that are thought of, over twice the yaw gyradius: near to it, and off it by enough for
+/// a beat.
 const SPACINGS: [f64; 4] = [0.85, 0.93, 1.07, 1.15];
 /// Nearer to it yaw and sway hardly beat: n > 16 by (12).
 const KEEPS_STEP: f64 = 0.03;
 /// Lengths and spacings that differ by less are one.
 const ALIKE: f64 = 0.03;
-/// A tilt and a steep one, degrees: the paper's were 23° and 31°, and nearer to level the precision deteriorates
-/// rapidly (beside (26)).
+/// A tilt and a steep one, degrees: the paper's were 23° and 31°, and nearer to level the precision
+/// deteriorates rapidly (beside (26)).
 const TILTS_DEG: [f64; 2] = [25.0, 35.0];
 /// Yaw this near to the in-phase mode is swung by itself, sway by itself.
 const APART_FROM: f64 = 0.06;
 /// Ways whose effort is within this of the least count as alike: the most certain of them is taken.
 const ALIKE_EFFORT: f64 = 0.1;
-/// Below this share of what is wanted more certainty is worth nothing: then the spacing nearest to twice the gyradius is.
+/// Below this share of what is wanted more certainty is worth nothing: then the spacing nearest to
+/// twice the gyradius is.
 const COMFORT: f64 = 0.7;
 /// So many of the leading ways are looked at by what their samples would say.
 const LEADING: usize = 3;
@@ -57,25 +60,42 @@ pub struct Way {
 pub fn search(hull: &Hull, means: &Means, wanted: &[Wanted], optima: &Optima) -> Result<Way> {
     let programmes = programmes(means, wanted);
     let judge = |designs: Vec<Design>| {
-        in_parallel(designs.len(), |i| Way::of(hull, means, wanted, &designs[i], false))
+        in_parallel(designs.len(), |i| {
+            Way::of(hull, means, wanted, &designs[i], false)
+        })
     };
-    let simplest = programmes.first().map_or_else(Vec::new, |first| designs(hull, means, first, optima));
+    let simplest = programmes
+        .first()
+        .map_or_else(Vec::new, |first| designs(hull, means, first, optima));
     let (mut ways, errors) = parted(judge(simplest));
-    let reason = || Error::no_result("plan", "the hull can be hung in none of the ways thought of");
+    let reason = || {
+        Error::no_result(
+            "plan",
+            "the hull can be hung in none of the ways thought of",
+        )
+    };
     if ways.is_empty() {
         return Err(errors.into_iter().next().unwrap_or_else(reason));
     }
     in_order(&mut ways);
     // What more can be done is thought of for the best dimensions alone.
-    let best: Vec<Design> = ways.iter().take(LEADING).map(|way| way.design.clone()).collect();
-    let more =
-        programmes.iter().skip(1).flat_map(|programme| best.iter().filter_map(|d| programme.sized(d, means)));
+    let best: Vec<Design> = ways
+        .iter()
+        .take(LEADING)
+        .map(|way| way.design.clone())
+        .collect();
+    let more = programmes
+        .iter()
+        .skip(1)
+        .flat_map(|programme| best.iter().filter_map(|d| programme.sized(d, means)));
     ways.extend(parted(judge(more.collect())).0);
     in_order(&mut ways);
     ways.truncate(LEADING);
     let mut by_samples: Vec<Way> = Vec::new();
     for way in &ways {
-        let Ok(looked_at) = Way::of(hull, means, wanted, &way.design, true) else { continue };
+        let Ok(looked_at) = Way::of(hull, means, wanted, &way.design, true) else {
+            continue;
+        };
         let longer = looked_at.lengthened(hull, means, wanted);
         let is_enough = longer.worst <= 1.0;
         by_samples.push(longer);
@@ -91,8 +111,15 @@ pub fn search(hull: &Hull, means: &Means, wanted: &[Wanted], optima: &Optima) ->
 
 /// Those that reach what is wanted first, by effort; then the others, the nearest to it first.
 fn in_order(ways: &mut [Way]) {
-    let least = ways.iter().filter(|w| w.worst <= 1.0).map(|w| w.effort_s).fold(f64::INFINITY, f64::min);
-    let rank = |way: &Way| match (way.worst <= 1.0, way.effort_s <= (1.0 + ALIKE_EFFORT) * least) {
+    let least = ways
+        .iter()
+        .filter(|w| w.worst <= 1.0)
+        .map(|w| w.effort_s)
+        .fold(f64::INFINITY, f64::min);
+    let rank = |way: &Way| match (
+        way.worst <= 1.0,
+        way.effort_s <= (1.0 + ALIKE_EFFORT) * least,
+    ) {
         (true, true) => (0, way.worst.max(COMFORT) + way.from_gyradius),
         (true, false) => (1, way.effort_s),
         // Ways that come as near as no matter go by effort.
@@ -105,20 +132,39 @@ fn in_order(ways: &mut [Way]) {
 }
 
 impl Way {
-    fn of(hull: &Hull, means: &Means, wanted: &[Wanted], design: &Design, by_samples: bool) -> Result<Self> {
+    fn of(
+        hull: &Hull,
+        means: &Means,
+        wanted: &[Wanted],
+        design: &Design,
+        by_samples: bool,
+    ) -> Result<Self> {
         let mut design = design.clone();
         let mut steps = design.steps(hull, means);
         let shown = predicted(hull, means, &steps)?;
-        let is_near = shown.iter().filter_map(|s| from_in_phase(&s.periods_s)).any(|a| a.abs() < APART_FROM);
+        let is_near = shown
+            .iter()
+            .filter_map(|s| from_in_phase(&s.periods_s))
+            .any(|a| a.abs() < APART_FROM);
         if is_near && design.is_level {
             design.is_apart = true;
             steps = design.steps(hull, means);
         }
         let expected = expected(hull, means, &steps, by_samples)?;
-        let worst = wanted.iter().map(|w| over_wanted(&expected, hull, w)).fold(0.0, f64::max);
+        let worst = wanted
+            .iter()
+            .map(|w| over_wanted(&expected, hull, w))
+            .fold(0.0, f64::max);
         let effort_s = design.effort_s(&steps);
         let from_gyradius = (0.5 * design.spacing_m / hull.k_yaw_m.value).ln().abs();
-        Ok(Self { design, steps, expected, worst, effort_s, from_gyradius })
+        Ok(Self {
+            design,
+            steps,
+            expected,
+            worst,
+            effort_s,
+            from_gyradius,
+        })
     }
 
     /// With longer recordings where their samples are what limits.
@@ -129,7 +175,10 @@ impl Way {
             if duration_s <= best.design.duration_s {
                 break;
             }
-            let design = Design { duration_s, ..best.design.clone() };
+            let design = Design {
+                duration_s,
+                ..best.design.clone()
+            };
             match Way::of(hull, means, wanted, &design, true) {
                 Ok(longer) if longer.worst < best.worst => best = longer,
                 _ => break,
@@ -139,10 +188,15 @@ impl Way {
     }
 
     fn is_limited_by_samples(&self, hull: &Hull, wanted: &[Wanted]) -> bool {
-        wanted.iter().filter(|w| over_wanted(&self.expected, hull, w) > 1.0).any(|w| {
-            let budget = self.expected.budget.get(&w.quantity);
-            budget.and_then(|lines| lines.first()).is_some_and(|line| line.input.starts_with("samples"))
-        })
+        wanted
+            .iter()
+            .filter(|w| over_wanted(&self.expected, hull, w) > 1.0)
+            .any(|w| {
+                let budget = self.expected.budget.get(&w.quantity);
+                budget
+                    .and_then(|lines| lines.first())
+                    .is_some_and(|line| line.input.starts_with("samples"))
+            })
     }
 
     /// Puts into the swings the periods to expect and the uncertainty of a period that is enough.
@@ -163,11 +217,15 @@ impl Way {
 
 /// The expected uncertainty of a quantity over that wanted; infinite where it is not determined.
 pub fn over_wanted(expected: &Expected, hull: &Hull, wanted: &Wanted) -> f64 {
-    let u = expected.quantities.get(&wanted.quantity).and_then(|q| q.u.as_f64());
+    let u = expected
+        .quantities
+        .get(&wanted.quantity)
+        .and_then(|q| q.u.as_f64());
     u.map_or(f64::INFINITY, |u| u / wanted.u_of(hull))
 }
 
-/// The relative uncertainty of a swing's periods at which none takes more than its part of what is wanted.
+/// The relative uncertainty of a swing's periods at which none takes more than its part of what is
+/// wanted.
 fn period_u_wanted(
     hull: &Hull,
     means: &Means,
@@ -175,9 +233,16 @@ fn period_u_wanted(
     wanted: &[Wanted],
     by_periods: &Expected,
 ) -> f64 {
-    let bound = |mode| super::predict::period_u(means, swing, mode, swing.periods_s.get(&mode).copied()?);
+    let bound =
+        |mode| super::predict::period_u(means, swing, mode, swing.periods_s.get(&mode).copied()?);
     let is_going = |mode| swing.excited.iter().any(|e| sets_going(*e, mode));
-    let going = || swing.periods_s.keys().copied().filter(|mode| is_going(*mode));
+    let going = || {
+        swing
+            .periods_s
+            .keys()
+            .copied()
+            .filter(|mode| is_going(*mode))
+    };
     let allowed = |w: &Wanted| {
         let lines = by_periods.budget.get(&w.quantity)?;
         let of_mode = |mode| {
@@ -187,7 +252,11 @@ fn period_u_wanted(
         };
         going().filter_map(of_mode).min_by(f64::total_cmp)
     };
-    wanted.iter().filter_map(allowed).fold(PERIOD_U.1, f64::min).max(PERIOD_U.0)
+    wanted
+        .iter()
+        .filter_map(allowed)
+        .fold(PERIOD_U.1, f64::min)
+        .max(PERIOD_U.0)
 }
 
 fn parted(judged: Vec<Result<Way>>) -> (Vec<Way>, Vec<Error>) {
@@ -204,7 +273,11 @@ fn parted(judged: Vec<Result<Way>>) -> (Vec<Way>, Vec<Error>) {
 /// A programme at all dimensions that are thought of.
 fn designs(hull: &Hull, means: &Means, programme: &Design, optima: &Optima) -> Vec<Design> {
     let spacings = spacings(hull, means);
-    let lengths = lengths(means, optima, programme.is_fore_and_aft && !programme.is_level);
+    let lengths = lengths(
+        means,
+        optima,
+        programme.is_fore_and_aft && !programme.is_level,
+    );
     let at = |line_length_m: f64| {
         spacings.iter().map(move |spacing_m| Design {
             line_length_m,
@@ -216,14 +289,20 @@ fn designs(hull: &Hull, means: &Means, programme: &Design, optima: &Optima) -> V
 }
 
 impl Design {
-    /// This programme at the dimensions of another; `None` where there is no room for a second length.
+    /// This programme at the dimensions of another; `None` where there is no room for a second
+    /// length.
     fn sized(&self, like: &Design, means: &Means) -> Option<Self> {
         let second_length_m = match self.second_length_m {
             Some(_) => Some(second_length(means, like.line_length_m)?),
             None => None,
         };
         let (line_length_m, spacing_m) = (like.line_length_m, like.spacing_m);
-        Some(Design { line_length_m, spacing_m, second_length_m, ..self.clone() })
+        Some(Design {
+            line_length_m,
+            spacing_m,
+            second_length_m,
+            ..self.clone()
+        })
     }
 }
 
@@ -246,17 +325,38 @@ fn programmes(means: &Means, wanted: &[Wanted]) -> Vec<Design> {
     if wants("psi_deg") {
         list.clear();
         for tilt in TILTS_DEG {
-            let one = Design { tilts_deg: vec![-tilt], is_fore_and_aft: true, ..bare.clone() };
-            let both = Design { tilts_deg: vec![tilt, -tilt], ..bare.clone() };
-            let all = Design { is_fore_and_aft: true, ..both.clone() };
+            let one = Design {
+                tilts_deg: vec![-tilt],
+                is_fore_and_aft: true,
+                ..bare.clone()
+            };
+            let both = Design {
+                tilts_deg: vec![tilt, -tilt],
+                ..bare.clone()
+            };
+            let all = Design {
+                is_fore_and_aft: true,
+                ..both.clone()
+            };
             list.extend([one, both, all]);
         }
     }
     if wants("cm_depth_m") || wants("k_pitch_m") || wants("k_roll_m") {
-        let with_incline = |d: &Design| Design { is_inclined: true, ..d.clone() };
+        let with_incline = |d: &Design| Design {
+            is_inclined: true,
+            ..d.clone()
+        };
         let inclined: Vec<Design> = list.iter().take(1).map(with_incline).collect();
-        let twice = |d: &Design| Design { second_length_m: Some(0.0), ..d.clone() };
-        let twice: Vec<Design> = list.iter().take(1).filter(|d| d.is_level).map(twice).collect();
+        let twice = |d: &Design| Design {
+            second_length_m: Some(0.0),
+            ..d.clone()
+        };
+        let twice: Vec<Design> = list
+            .iter()
+            .take(1)
+            .filter(|d| d.is_level)
+            .map(twice)
+            .collect();
         list.extend(inclined.into_iter().chain(twice));
     }
     list
@@ -266,7 +366,10 @@ fn programmes(means: &Means, wanted: &[Wanted]) -> Vec<Design> {
 fn lengths(means: &Means, optima: &Optima, for_roll: bool) -> Vec<f64> {
     let (least, most) = (means.least_line_length_m, means.most_line_length_m);
     let best = if for_roll {
-        [optima.line_length_roll_joint_m, optima.line_length_roll_depth_known_m]
+        [
+            optima.line_length_roll_joint_m,
+            optima.line_length_roll_depth_known_m,
+        ]
     } else {
         [optima.line_length_joint_m, optima.line_length_depth_known_m]
     };
@@ -277,7 +380,11 @@ fn lengths(means: &Means, optima: &Optima, for_roll: bool) -> Vec<f64> {
 
 fn second_length(means: &Means, first_m: f64) -> Option<f64> {
     let (least, most) = (means.least_line_length_m, means.most_line_length_m);
-    let other = if first_m > (least * most).sqrt() { 0.5 * first_m } else { 2.0 * first_m };
+    let other = if first_m > (least * most).sqrt() {
+        0.5 * first_m
+    } else {
+        2.0 * first_m
+    };
     let other = rounded(other).clamp(least, most);
     ((other / first_m).ln().abs() > 0.2).then_some(other)
 }
@@ -286,8 +393,14 @@ fn second_length(means: &Means, first_m: f64) -> Option<f64> {
 fn spacings(hull: &Hull, means: &Means) -> Vec<f64> {
     let (least, most) = means.spacings_m(hull.beam_m);
     let best = 2.0 * hull.k_yaw_m.value;
-    let near = SPACINGS.iter().map(|s| s * best).filter(|s| (least..=most).contains(s));
-    let all = unlike(near.chain([most, least]).map(|spacing| rounded(spacing).clamp(least, most)));
+    let near = SPACINGS
+        .iter()
+        .map(|s| s * best)
+        .filter(|s| (least..=most).contains(s));
+    let all = unlike(
+        near.chain([most, least])
+            .map(|spacing| rounded(spacing).clamp(least, most)),
+    );
     let beats = |spacing: &f64| (spacing / best - 1.0).abs() > KEEPS_STEP;
     let beating: Vec<f64> = all.iter().copied().filter(beats).collect();
     if beating.is_empty() { all } else { beating }

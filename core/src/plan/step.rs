@@ -1,4 +1,5 @@
-//! One thing that the operator is to do, as plain data: made by the planner, followed by the procedure.
+//! One thing that the operator is to do, as plain data: made by the planner, followed by the
+//! procedure.
 
 use std::collections::BTreeMap;
 

@@ -7,16 +7,22 @@ use super::step::PlannedSwing;
 use crate::critique::NextSwing;
 use crate::recording::{Quantity, Session, Suspension};
 
-/// Period that is certain enough, as a part of it: what tells causes apart is the length of the whole recording.
+/// Period that is certain enough, as a part of it: what tells causes apart is the length of the
+/// whole recording.
 const PERIOD_U_WANTED: f64 = 1e-4;
 /// A tilt that is off that of the swing hung alike by less is the same, degrees.
 const SAME_TILT_DEG: f64 = 1.0;
 
-/// The suggested swing: the one of the session that it names, with its masses and its tape, changed as suggested. A tilt asks
-/// for points moved along the deck, which the depth of the centre of mass below the level ones tells.
+/// The suggested swing: the one of the session that it names, with its masses and its tape, changed
+/// as suggested. A tilt asks for points moved along the deck, which the depth of the centre of mass
+/// below the level ones tells.
 ///
 /// `None` where the session does not have the swing that it is to hang like.
-pub fn suggested(next: &NextSwing, session: &Session, cm_depth_m: Option<f64>) -> Option<PlannedSwing> {
+pub fn suggested(
+    next: &NextSwing,
+    session: &Session,
+    cm_depth_m: Option<f64>,
+) -> Option<PlannedSwing> {
     let like = session.swings.iter().find(|swing| swing.id == next.like)?;
     Some(PlannedSwing {
         id: free_id(session),
@@ -31,22 +37,32 @@ pub fn suggested(next: &NextSwing, session: &Session, cm_depth_m: Option<f64>) -
 }
 
 fn hung(next: &NextSwing, like: &Suspension, cm_depth_m: Option<f64>) -> Suspension {
-    let at = |stated: Option<Quantity>, value: f64| stated.map(|known| Quantity::new(value, known.u));
-    let wider = like.spacing_m.map_or(1.0, |spacing| next.spacing_m / spacing.value);
+    let at =
+        |stated: Option<Quantity>, value: f64| stated.map(|known| Quantity::new(value, known.u));
+    let wider = like
+        .spacing_m
+        .map_or(1.0, |spacing| next.spacing_m / spacing.value);
     let level = Suspension {
         line_length_m: at(like.line_length_m, next.line_length_m),
         spacing_m: at(like.spacing_m, next.spacing_m),
-        top_spacing_m: like.top_spacing_m.map(|top| Quantity::new(top.value * wider, top.u)),
+        top_spacing_m: like
+            .top_spacing_m
+            .map(|top| Quantity::new(top.value * wider, top.u)),
         ..like.clone()
     };
     let pitch_deg = next.hull_pitch_deg;
-    let tilt = like.hull_pitch_deg.unwrap_or(Quantity::new(0.0, Means::default().u_hull_pitch_deg));
+    let tilt = like
+        .hull_pitch_deg
+        .unwrap_or(Quantity::new(0.0, Means::default().u_hull_pitch_deg));
     if (pitch_deg - tilt.value).abs() < SAME_TILT_DEG {
         return level;
     }
     // l2 = Δ / tan φ: forward of the level ones, bow up.
     let moved = |depth_m: f64| depth_m * pitch_deg.to_radians().tan();
-    let tape = like.points_moved_m.or(like.spacing_m).map_or(Means::default().u_spacing_m, |read| read.u);
+    let tape = like
+        .points_moved_m
+        .or(like.spacing_m)
+        .map_or(Means::default().u_spacing_m, |read| read.u);
     Suspension {
         hull_pitch_deg: Some(Quantity::new(pitch_deg, tilt.u)),
         points_moved_m: cm_depth_m.map(|depth_m| Quantity::new(moved(depth_m), tape)),
@@ -107,7 +123,12 @@ axis_height = { value = 0.3, u = 0.001 }
     }
 
     fn hung_for(next: &NextSwing) -> PlannedSwing {
-        suggested(next, &read_session(SESSION, "session.toml").unwrap(), Some(0.5)).unwrap()
+        suggested(
+            next,
+            &read_session(SESSION, "session.toml").unwrap(),
+            Some(0.5),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -115,11 +136,23 @@ axis_height = { value = 0.3, u = 0.001 }
         // A fit finds a level hull a little off level: that is no tilt to hang it with.
         let swing = hung_for(&next("extra-1", 0.3));
         assert_eq!(swing.id, "extra-2");
-        assert_eq!(swing.suspension.line_length_m, Some(Quantity::new(2.5, 0.004)));
+        assert_eq!(
+            swing.suspension.line_length_m,
+            Some(Quantity::new(2.5, 0.004))
+        );
         assert_eq!(swing.suspension.spacing_m, Some(Quantity::new(0.9, 0.001)));
         // Half the spacing, half that above: the lines keep their lean.
-        assert_eq!(swing.suspension.top_spacing_m, Some(Quantity::new(1.0, 0.002)));
-        assert_eq!((swing.suspension.hull_pitch_deg, swing.suspension.points_moved_m), (None, None));
+        assert_eq!(
+            swing.suspension.top_spacing_m,
+            Some(Quantity::new(1.0, 0.002))
+        );
+        assert_eq!(
+            (
+                swing.suspension.hull_pitch_deg,
+                swing.suspension.points_moved_m
+            ),
+            (None, None)
+        );
         assert_eq!(swing.added_masses.len(), 1);
         assert_eq!(swing.excited, [Excitation::Yaw, Excitation::Sway]);
         assert_eq!((swing.amplitude_deg, swing.duration_s), (12.0, 300.0));
@@ -131,7 +164,10 @@ axis_height = { value = 0.3, u = 0.001 }
         assert_eq!(hung.hull_pitch_deg, Some(Quantity::new(-20.0, 0.2)));
         let moved = hung.points_moved_m.unwrap();
         // Half a metre deep, bow down: aft by 0.5 tan 20° = 0.18199 m.
-        assert!((moved.value + 0.181985).abs() < 1e-6 && moved.u == 0.001, "{moved:?}");
+        assert!(
+            (moved.value + 0.181985).abs() < 1e-6 && moved.u == 0.001,
+            "{moved:?}"
+        );
     }
 
     #[test]
@@ -139,6 +175,9 @@ axis_height = { value = 0.3, u = 0.001 }
         let hung = hung_for(&next("axle", 0.0)).suspension;
         assert_eq!((hung.line_length_m, hung.spacing_m), (None, None));
         assert_eq!(hung.axis_height_m, Some(Quantity::new(0.3, 0.001)));
-        assert_eq!(suggested(&next("other", 0.0), &Session::default(), None), None);
+        assert_eq!(
+            suggested(&next("other", 0.0), &Session::default(), None),
+            None
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! The swing that tells two causes apart, as a plan. What it is, the criticism's own `next_swing` decides.
+//! The swing that tells two causes apart, as a plan. What it is, the criticism's own `next_swing`
+//! decides.
 
 use std::collections::BTreeMap;
 
@@ -13,11 +14,12 @@ use crate::error::{Error, Result};
 use crate::inertia::{MeasureOptions, measure};
 use crate::recording::LoadedSession;
 
-/// The plan of the one swing that would tell two causes (names of the criticism) apart, for a session that could not.
+/// The plan of the one swing that would tell two causes (names of the criticism) apart, for a
+/// session that could not.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] for a name that is no cause, [`crate::Error::NoResult`] where no swing tells them, and those of
-/// the measurement.
+/// [`crate::Error::Argument`] for a name that is no cause, [`crate::Error::NoResult`] where no
+/// swing tells them, and those of the measurement.
 pub fn plan_to_tell_apart(
     loaded: &LoadedSession,
     causes: [&str; 2],
@@ -30,11 +32,18 @@ pub fn plan_to_tell_apart(
     let measurement = measure(loaded, &MeasureOptions::default())?;
     let hull = so_far(loaded, &measurement, request)?;
     let swing = suggested(&next, &loaded.session, Some(hull.cm_depth_m.value));
-    let missing =
-        || Error::no_result("plan", format!("the session has no swing `{}` to hang it like", next.like));
+    let missing = || {
+        Error::no_result(
+            "plan",
+            format!("the session has no swing `{}` to hang it like", next.like),
+        )
+    };
     let mut swing = swing.ok_or_else(missing)?;
     let predicted = predicted(&hull, means, &[Step::Swing(swing.clone())])?;
-    swing.periods_s = predicted.first().map(|shown| shown.periods_s.clone()).unwrap_or_default();
+    swing.periods_s = predicted
+        .first()
+        .map(|shown| shown.periods_s.clone())
+        .unwrap_or_default();
     let steps = vec![Step::Swing(swing)];
     Ok(Plan {
         format: FORMAT.into(),

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::hull::Hull;
 use crate::error::{Error, Result};
 
-/// Quantities that can be asked for: short name, the name that measurements have, whether it is an angle.
+/// Quantities that can be asked for: short name, the name that measurements have, whether it is an
+/// angle.
 const NAMES: [(&str, &str, bool); 5] = [
     ("k_yaw", "k_yaw_m", false),
     ("k_pitch", "k_pitch_m", false),
@@ -31,12 +32,20 @@ impl Wanted {
     /// The uncertainty in the quantity's own unit, for a hull.
     pub fn u_of(&self, hull: &Hull) -> f64 {
         let value = hull.quantity(&self.quantity).map_or(1.0, |q| q.value);
-        if self.is_relative { self.u * value } else { self.u }
+        if self.is_relative {
+            self.u * value
+        } else {
+            self.u
+        }
     }
 
     /// What is sought where nothing is said: what a class measurer needs.
     pub fn usual() -> Vec<Self> {
-        let relative = |name: &str, u: f64| Self { quantity: name.into(), u, is_relative: true };
+        let relative = |name: &str, u: f64| Self {
+            quantity: name.into(),
+            u,
+            is_relative: true,
+        };
         vec![relative("k_yaw_m", 2e-3), relative("k_pitch_m", 5e-3)]
     }
 }
@@ -46,16 +55,25 @@ impl FromStr for Wanted {
 
     fn from_str(text: &str) -> Result<Self> {
         let refuse = |expected: &str| Error::argument("wanted", expected, format!("`{text}`"));
-        let (name, size) =
-            text.split_once('=').ok_or_else(|| refuse("QUANTITY=UNCERTAINTY, such as k_yaw=0.1%"))?;
-        let known = NAMES.iter().find(|(short, long, _)| [*short, *long].contains(&name.trim()));
+        let (name, size) = text
+            .split_once('=')
+            .ok_or_else(|| refuse("QUANTITY=UNCERTAINTY, such as k_yaw=0.1%"))?;
+        let known = NAMES
+            .iter()
+            .find(|(short, long, _)| [*short, *long].contains(&name.trim()));
         let names = NAMES.map(|(short, _, _)| short).join(", ");
-        let (_, quantity, is_angle) =
-            known.ok_or_else(|| refuse(&format!("one of {names} before the ="))).copied()?;
+        let (_, quantity, is_angle) = known
+            .ok_or_else(|| refuse(&format!("one of {names} before the =")))
+            .copied()?;
         let size = size.trim();
-        let digits = size.find(|c: char| c.is_alphabetic() || c == '%' || c == '°').unwrap_or(size.len());
+        let digits = size
+            .find(|c: char| c.is_alphabetic() || c == '%' || c == '°')
+            .unwrap_or(size.len());
         let (number, unit) = size.split_at(digits);
-        let number: f64 = number.trim().parse().map_err(|_| refuse("a number behind the ="))?;
+        let number: f64 = number
+            .trim()
+            .parse()
+            .map_err(|_| refuse("a number behind the ="))?;
         let (factor, is_relative) = match (unit.trim(), is_angle) {
             ("%", false) => (0.01, true),
             ("ppm", false) => (1e-6, true),
@@ -68,6 +86,10 @@ impl FromStr for Wanted {
         if !(number.is_finite() && number > 0.0) {
             return Err(refuse("an uncertainty above 0"));
         }
-        Ok(Self { quantity: quantity.into(), u: number * factor, is_relative })
+        Ok(Self {
+            quantity: quantity.into(),
+            u: number * factor,
+            is_relative,
+        })
     }
 }

@@ -1,4 +1,5 @@
-//! The sentences of the plan in English: the one place where they stand. Other languages have the same keys.
+//! The sentences of the plan in English: the one place where they stand. Other languages have the
+//! same keys.
 
 use super::german::GERMAN;
 use super::warnings::{Warning, WarningKind};
@@ -8,7 +9,8 @@ use crate::language::{Argument, Language, Text, entry};
 /// What all keys of the plan begin with.
 const OF_PLAN: &str = "plan.";
 
-/// Sentences by key, those of warnings by their kind; `{name}` stands for a number, a name or the swing.
+/// Sentences by key, those of warnings by their kind; `{name}` stands for a number, a name or the
+/// swing.
 const ENGLISH: [(&str, &str); 12] = [
     (
         "yaw_near_in_phase",
@@ -41,7 +43,10 @@ const ENGLISH: [(&str, &str); 12] = [
         "{quantity} reaches u = {reached_u}, not {wanted_u}: most of it comes from {input} ({contribution_u}), which would \
          have to be known {times_better} times better.",
     ),
-    ("not_determined", "{quantity} is not determined by these swings."),
+    (
+        "not_determined",
+        "{quantity} is not determined by these swings.",
+    ),
     (
         "rough_hull",
         "{quantity} of the hull is known to {u_percent} % only, and what is predicted from it no better: plan again with the \
@@ -67,17 +72,28 @@ const ENGLISH: [(&str, &str); 12] = [
 
 /// A sentence of the plan with what it names.
 pub fn said<'a>(key: &str, arguments: impl IntoIterator<Item = (&'a str, Argument)>) -> Text {
-    let arguments = arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    let arguments = arguments
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect();
     Text::of(format!("{OF_PLAN}{key}"), arguments, sentence)
 }
 
 impl Warning {
     /// Its sentence.
     pub fn said(&self) -> Text {
-        let swing = self.swing.iter().map(|id| ("swing", Argument::Id(id.clone())));
-        let numbers = self.numbers.iter().map(|(n, value)| (n.as_str(), Argument::Figure(shown(n, *value))));
-        let names =
-            self.names.iter().map(|(n, name)| (n.as_str(), Argument::Texts(vec![inertia::input(name)])));
+        let swing = self
+            .swing
+            .iter()
+            .map(|id| ("swing", Argument::Id(id.clone())));
+        let numbers = self
+            .numbers
+            .iter()
+            .map(|(n, value)| (n.as_str(), Argument::Figure(shown(n, *value))));
+        let names = self
+            .names
+            .iter()
+            .map(|(n, name)| (n.as_str(), Argument::Texts(vec![inertia::input(name)])));
         said(key(self.kind), swing.chain(numbers).chain(names))
     }
 }
@@ -96,9 +112,12 @@ fn key(kind: WarningKind) -> &'static str {
     }
 }
 
-/// The sentence of a key in a language, those of `inertia` among them; absent where the key is another room's, or unknown.
+/// The sentence of a key in a language, those of `inertia` among them; absent where the key is
+/// another room's, or unknown.
 pub(crate) fn sentence(key: &str, language: Language) -> Option<String> {
-    let Some(key) = key.strip_prefix(OF_PLAN) else { return inertia::sentence(key, language) };
+    let Some(key) = key.strip_prefix(OF_PLAN) else {
+        return inertia::sentence(key, language);
+    };
     entry(table(language), key)
 }
 

@@ -39,16 +39,27 @@ pub struct Heard {
 }
 
 impl Feed {
-    /// Simulates a swing. `from_ns` is the phone's clock at its first sample, `seed` that of all chance; the same seed gives the
-    /// same samples. Fails as the simulation does.
-    pub fn of(swing: &RiggedSwing, seed: u64, from_ns: i64, silence: Option<Silence>) -> Result<Self> {
+    /// Simulates a swing. `from_ns` is the phone's clock at its first sample, `seed` that of all
+    /// chance; the same seed gives the same samples. Fails as the simulation does.
+    pub fn of(
+        swing: &RiggedSwing,
+        seed: u64,
+        from_ns: i64,
+        silence: Option<Silence>,
+    ) -> Result<Self> {
         let t_s = swing.sampling.times_s();
-        let record = swing.experiment.record(&t_s, &swing.draws(Some(seed), t_s.len())?)?;
+        let record = swing
+            .experiment
+            .record(&t_s, &swing.draws(Some(seed), t_s.len())?)?;
         let stamp = |t_s: &f64| from_ns.saturating_add((t_s * 1e9).round() as i64);
         let reading = |six: [f64; 6]| [[six[0], six[1], six[2]], [six[3], six[4], six[5]]];
         Ok(Self {
             stamps_ns: record.t_s.iter().map(stamp).collect(),
-            readings: record.readings.iter().map(|one| reading(one.six())).collect(),
+            readings: record
+                .readings
+                .iter()
+                .map(|one| reading(one.six()))
+                .collect(),
             from_ns,
             next: 0,
             silence,
@@ -60,23 +71,34 @@ impl Feed {
         let first = *self.stamps_ns.get(self.next)?;
         let until = first.saturating_add((seconds.max(0.0) * 1e9) as i64);
         let rest = &self.stamps_ns[self.next..];
-        let count = rest.iter().position(|stamp| *stamp >= until).unwrap_or(rest.len()).max(1);
+        let count = rest
+            .iter()
+            .position(|stamp| *stamp >= until)
+            .unwrap_or(rest.len())
+            .max(1);
         let rows = self.next..self.next + count;
         self.next += count;
-        Some([(Sensor::Gyroscope, 0), (Sensor::Accelerometer, 1)].map(|(sensor, which)| {
-            let kept = rows.clone().filter(|row| !self.is_silent(sensor, self.stamps_ns[*row]));
-            let kept: Vec<usize> = kept.collect();
-            Heard {
-                sensor,
-                stamps_ns: kept.iter().map(|row| self.stamps_ns[*row]).collect(),
-                values: kept.iter().map(|row| self.readings[*row][which]).collect(),
-            }
-        }))
+        Some(
+            [(Sensor::Gyroscope, 0), (Sensor::Accelerometer, 1)].map(|(sensor, which)| {
+                let kept = rows
+                    .clone()
+                    .filter(|row| !self.is_silent(sensor, self.stamps_ns[*row]));
+                let kept: Vec<usize> = kept.collect();
+                Heard {
+                    sensor,
+                    stamps_ns: kept.iter().map(|row| self.stamps_ns[*row]).collect(),
+                    values: kept.iter().map(|row| self.readings[*row][which]).collect(),
+                }
+            }),
+        )
     }
 
     /// The phone's clock after the last sample that has come, ns.
     pub fn now_ns(&self) -> i64 {
-        let last = self.next.checked_sub(1).and_then(|last| self.stamps_ns.get(last));
+        let last = self
+            .next
+            .checked_sub(1)
+            .and_then(|last| self.stamps_ns.get(last));
         last.map_or(self.from_ns, |last| last.saturating_add(1))
     }
 

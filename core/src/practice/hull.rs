@@ -18,12 +18,20 @@ pub struct Hull {
 impl Hull {
     /// The hull and what rides on it, hung so that the centre of mass of all lies straight below.
     pub fn with(&self, attachments: &[Attachment]) -> RigidBody {
-        let moment: Vec3 = attachments.iter().map(|a| Vec3::from(a.position_m) * a.mass_kg.value).sum();
+        let moment: Vec3 = attachments
+            .iter()
+            .map(|a| Vec3::from(a.position_m) * a.mass_kg.value)
+            .sum();
         let mut cm_m = -moment / self.mass_kg;
         cm_m.z = -self.cm_depth_m;
-        let hull = RigidBody { mass_kg: self.mass_kg, inertia_kg_m2: self.inertia(), cm_m };
-        let body =
-            |a: &Attachment| RigidBody::from_gyradii(a.mass_kg.value, a.gyradii_m, Vec3::from(a.position_m));
+        let hull = RigidBody {
+            mass_kg: self.mass_kg,
+            inertia_kg_m2: self.inertia(),
+            cm_m,
+        };
+        let body = |a: &Attachment| {
+            RigidBody::from_gyradii(a.mass_kg.value, a.gyradii_m, Vec3::from(a.position_m))
+        };
         joined(std::iter::once(hull).chain(attachments.iter().map(body)))
     }
 
@@ -40,12 +48,21 @@ impl Hull {
 /// One body of several (parallel-axis theorem).
 fn joined(parts: impl Iterator<Item = RigidBody> + Clone) -> RigidBody {
     let mass_kg: f64 = parts.clone().map(|part| part.mass_kg).sum();
-    let cm_m = parts.clone().map(|part| part.cm_m * part.mass_kg).sum::<Vec3>() / mass_kg;
+    let cm_m = parts
+        .clone()
+        .map(|part| part.cm_m * part.mass_kg)
+        .sum::<Vec3>()
+        / mass_kg;
     let about = |part: RigidBody| {
         let arm = part.cm_m - cm_m;
-        part.inertia_kg_m2 + (Mat3::identity() * arm.norm_squared() - arm * arm.transpose()) * part.mass_kg
+        part.inertia_kg_m2
+            + (Mat3::identity() * arm.norm_squared() - arm * arm.transpose()) * part.mass_kg
     };
-    RigidBody { mass_kg, inertia_kg_m2: parts.map(about).sum(), cm_m }
+    RigidBody {
+        mass_kg,
+        inertia_kg_m2: parts.map(about).sum(),
+        cm_m,
+    }
 }
 
 /// A body hung at an angle, in hanging axes.
@@ -56,17 +73,28 @@ pub struct Hung {
     pub origin_m: Vec3,
 }
 
-/// The body pitched bow up, the suspension points moved along the deck until they are above the centre of mass as they
-/// were when level; then what is added for the swing.
+/// The body pitched bow up, the suspension points moved along the deck until they are above the
+/// centre of mass as they were when level; then what is added for the swing.
 pub fn hung(level: &RigidBody, bow_up_rad: f64, added: &[AddedMass]) -> Hung {
     let hanging_from_hull = world_from_hull_pitched(bow_up_rad);
     let cm_m = Vec3::new(level.cm_m.x, level.cm_m.y, level.cm_m.z / bow_up_rad.cos());
-    let tilted = RigidBody { cm_m, ..level.rotated(hanging_from_hull) };
+    let tilted = RigidBody {
+        cm_m,
+        ..level.rotated(hanging_from_hull)
+    };
     let point = |one: &AddedMass| {
-        RigidBody::from_gyradii(one.mass_kg.value, [0.0; 3], hanging_from_hull * Vec3::from(one.position_m))
+        RigidBody::from_gyradii(
+            one.mass_kg.value,
+            [0.0; 3],
+            hanging_from_hull * Vec3::from(one.position_m),
+        )
     };
     let body = joined(std::iter::once(tilted).chain(added.iter().map(point)));
-    Hung { hanging_from_hull, body, origin_m: cm_m - hanging_from_hull * level.cm_m }
+    Hung {
+        hanging_from_hull,
+        body,
+        origin_m: cm_m - hanging_from_hull * level.cm_m,
+    }
 }
 
 /// The named numbers of a body.
@@ -76,5 +104,9 @@ pub fn numbers(body: &RigidBody) -> Body {
 
 /// The body of named numbers.
 pub fn rigid(body: &Body) -> RigidBody {
-    RigidBody { mass_kg: body.mass_kg, inertia_kg_m2: body.inertia(), cm_m: body.cm() }
+    RigidBody {
+        mass_kg: body.mass_kg,
+        inertia_kg_m2: body.inertia(),
+        cm_m: body.cm(),
+    }
 }

@@ -49,18 +49,28 @@ struct SwingTruth<'a> {
 
 /// Simulates every swing of a rig. The same seed gives the same bytes.
 pub fn practise(rig: &RigFile, seed: u64) -> Result<Practised> {
-    let records = rig.swings.iter().map(|swing| record(swing, seed)).collect::<Result<Vec<_>>>()?;
+    let records = rig
+        .swings
+        .iter()
+        .map(|swing| record(swing, seed))
+        .collect::<Result<Vec<_>>>()?;
     let pairs = || rig.swings.iter().zip(&records);
     let truth = TruthFile {
         format: TRUTH_FORMAT,
         title: &rig.session.title,
         seed,
         truth: rig.truth.all(),
-        swings: pairs().map(|(swing, record)| swing_truth(swing, record)).collect(),
+        swings: pairs()
+            .map(|(swing, record)| swing_truth(swing, record))
+            .collect(),
     };
-    let truth = serde_json::to_string_pretty(&truth).map_err(|e| Error::no_result("truth", e.to_string()))?;
+    let truth = serde_json::to_string_pretty(&truth)
+        .map_err(|e| Error::no_result("truth", e.to_string()))?;
     let file = |(swing, record): (&RiggedSwing, &Record)| {
-        (swing.file.clone(), write_recording(&recording(&swing.file, record)))
+        (
+            swing.file.clone(),
+            write_recording(&recording(&swing.file, record)),
+        )
     };
     Ok(Practised {
         session: rig.session.clone(),
@@ -71,7 +81,9 @@ pub fn practise(rig: &RigFile, seed: u64) -> Result<Practised> {
 
 fn record(swing: &RiggedSwing, seed: u64) -> Result<Record> {
     let t_s = swing.sampling.times_s();
-    swing.experiment.record(&t_s, &swing.draws(Some(seed), t_s.len())?)
+    swing
+        .experiment
+        .record(&t_s, &swing.draws(Some(seed), t_s.len())?)
 }
 
 fn swing_truth<'a>(swing: &'a RiggedSwing, record: &Record) -> SwingTruth<'a> {
@@ -89,7 +101,13 @@ fn recording(name: &str, record: &Record) -> Recording {
     let t_s: Vec<f64> = record.t_s.iter().map(|t| short(*t)).collect();
     let triad = |first: usize| Triad {
         t_s: t_s.clone(),
-        axes: [0, 1, 2].map(|axis| record.readings.iter().map(|r| short(r.six()[first + axis])).collect()),
+        axes: [0, 1, 2].map(|axis| {
+            record
+                .readings
+                .iter()
+                .map(|r| short(r.six()[first + axis]))
+                .collect()
+        }),
     };
     Recording {
         name: name.into(),
@@ -108,7 +126,10 @@ pub fn save_practised(
 ) -> Result<()> {
     let (folder, truth_file) = (folder.as_ref(), truth_file.as_ref());
     let refuse = |reason: &str| {
-        Err(Error::Unwritable { file: truth_file.display().to_string(), reason: reason.into() })
+        Err(Error::Unwritable {
+            file: truth_file.display().to_string(),
+            reason: reason.into(),
+        })
     };
     fs::create_dir_all(folder).map_err(|e| Error::unwritable(folder.display(), "", &e))?;
     if lies_inside(truth_file, folder) {
@@ -118,7 +139,8 @@ pub fn save_practised(
         return refuse("it exists already and is not overwritten");
     }
     save_session(folder, &practised.session, &practised.recordings, overwrite)?;
-    fs::write(truth_file, &practised.truth).map_err(|e| Error::unwritable(truth_file.display(), "", &e))
+    fs::write(truth_file, &practised.truth)
+        .map_err(|e| Error::unwritable(truth_file.display(), "", &e))
 }
 
 fn lies_inside(file: &Path, folder: &Path) -> bool {

@@ -1,7 +1,8 @@
-//! Practice: a rig file, which says what is stated and what is true, becomes a session that was never swung.
+//! Practice: a rig file, which says what is stated and what is true, becomes a session that was
+//! never swung.
 //!
-//! The rig format is described in this folder's `README.md`. Knows `recording` (the form of a session) and `dynamics`
-//! (the motion); nothing of what is made of a session.
+//! The rig format is described in this folder's `README.md`. Knows `recording` (the form of a
+//! session) and `dynamics` (the motion); nothing of what is made of a session.
 
 mod draws;
 mod feed;

@@ -10,9 +10,11 @@ use crate::recording::{Excitation, Swing};
 use super::rig::{RigFile, RiggedSwing, Sampling, is_of_sensors};
 use super::truth::{experiment, keys};
 
-/// What goes along with a turn swings by this part of its angle: sway beside yaw, surge beside pitch.
+/// What goes along with a turn swings by this part of its angle: sway beside yaw, surge beside
+/// pitch.
 const BESIDE: f64 = 1.0 / 3.0;
-/// A touch lasts so long, s, and pushes so hard for each kg of the hull, N s and N m s: 60 N at the bow of 600 kg.
+/// A touch lasts so long, s, and pushes so hard for each kg of the hull, N s and N m s: 60 N at the
+/// bow of 600 kg.
 const TOUCH_S: f64 = 0.3;
 const TOUCH_N_S_PER_KG: f64 = 0.03;
 const TOUCH_N_M_S_PER_KG: f64 = 0.06;
@@ -47,10 +49,12 @@ pub struct Mistakes {
 }
 
 impl RigFile {
-    /// The rig's hull hung and released so, with the effects that act in every swing. `told` are keys of `[truth]` that
-    /// go before those of the rig; `place` tells its chance from that of other swings.
+    /// The rig's hull hung and released so, with the effects that act in every swing. `told` are
+    /// keys of `[truth]` that go before those of the rig; `place` tells its chance from that of
+    /// other swings.
     ///
-    /// Fails with [`Error::Argument`] for an unknown key, and for a release that the lines do not leave free.
+    /// Fails with [`Error::Argument`] for an unknown key, and for a release that the lines do not
+    /// leave free.
     pub fn rehung(
         &self,
         swing: &Swing,
@@ -65,18 +69,34 @@ impl RigFile {
         starts.extend(told.clone());
         for (name, value) in &starts {
             let known = keys.iter().find(|(key, _)| key == name);
-            let (key, _) = known.ok_or_else(|| Error::argument("told", "a key of [truth]", name))?;
+            let (key, _) =
+                known.ok_or_else(|| Error::argument("told", "a key of [truth]", name))?;
             truth.set(key, *value);
         }
         let mass_kg = self.session.body.mass_kg.map_or(100.0, |mass| mass.value);
         let mut all = self.effects.clone();
-        all.extend(mistakes.touch_s.map(|at_s| touch(at_s - release.held_s, mass_kg)).transpose()?);
+        all.extend(
+            mistakes
+                .touch_s
+                .map(|at_s| touch(at_s - release.held_s, mass_kg))
+                .transpose()?,
+        );
         all.extend(mistakes.slip_s.map(slip).transpose()?);
         let (of_sensors, of_hull) = all.into_iter().partition(is_of_sensors);
         let experiment = experiment(&self.session, swing, &truth, [of_hull, of_sensors])?;
         let rate_hz = truth.sampling().rate_hz;
-        let sampling = Sampling { duration_s: release.held_s + release.swings_s, rate_hz };
-        Ok(RiggedSwing { id: swing.id.clone(), place, file: String::new(), experiment, sampling, truth })
+        let sampling = Sampling {
+            duration_s: release.held_s + release.swings_s,
+            rate_hz,
+        };
+        Ok(RiggedSwing {
+            id: swing.id.clone(),
+            place,
+            file: String::new(),
+            experiment,
+            sampling,
+            truth,
+        })
     }
 }
 
@@ -85,7 +105,10 @@ fn start(swing: &Swing, release: &Release, mistakes: &Mistakes) -> BTreeMap<Stri
     let angle_deg = release.amplitude_deg * mistakes.amplitude.unwrap_or(1.0);
     let turns = release.excited.iter().any(|one| one.turns());
     let lines_deg = if turns { BESIDE * angle_deg } else { angle_deg };
-    let length_m = swing.suspension.line_length_m.map_or(1.0, |length| length.value);
+    let length_m = swing
+        .suspension
+        .line_length_m
+        .map_or(1.0, |length| length.value);
     let aside_m = length_m * lines_deg.to_radians().sin();
     let mut start = BTreeMap::from([("held_s".to_owned(), release.held_s)]);
     if angle_deg != 0.0 {
@@ -108,7 +131,12 @@ fn touch(at_s: f64, mass_kg: f64) -> Result<EffectValues> {
     EffectValues::of(
         &effects::catalogue(),
         Knock::<f64>::ID,
-        &[("at_s", at_s), ("over_s", TOUCH_S), ("impulse_y_n_s", push), ("turn_z_n_m_s", turn)],
+        &[
+            ("at_s", at_s),
+            ("over_s", TOUCH_S),
+            ("impulse_y_n_s", push),
+            ("turn_z_n_m_s", turn),
+        ],
     )
 }
 
@@ -116,6 +144,11 @@ fn slip(at_s: f64) -> Result<EffectValues> {
     EffectValues::of(
         &sensors::catalogue(),
         PhoneSlip::<f64>::ID,
-        &[("at_s", at_s), ("over_s", SLIP_S), ("turn_x_rad", SLIP_RAD), ("shift_x_m", 0.02)],
+        &[
+            ("at_s", at_s),
+            ("over_s", SLIP_S),
+            ("turn_x_rad", SLIP_RAD),
+            ("shift_x_m", 0.02),
+        ],
     )
 }

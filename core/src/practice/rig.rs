@@ -78,21 +78,38 @@ fn rig(root: &Table<'_>) -> Result<RigFile> {
     let of_swing = [SWING, &["truth"]].concat();
     let parsed = session(root, &of_swing)?.session;
     let everywhere = truth(root, &Truth::default())?;
-    let ids: Vec<&str> = parsed.swings.iter().map(|swing| swing.id.as_str()).collect();
+    let ids: Vec<&str> = parsed
+        .swings
+        .iter()
+        .map(|swing| swing.id.as_str())
+        .collect();
     let effects = switched(root, &ids)?;
     let mut swings = Vec::new();
     for (table, swing) in root.open_tables("swing")?.iter().zip(&parsed.swings) {
         let truth = truth(table, &everywhere)?;
-        let mine = effects.iter().filter(|e| e.swing.as_ref().is_none_or(|id| *id == swing.id));
+        let mine = effects
+            .iter()
+            .filter(|e| e.swing.as_ref().is_none_or(|id| *id == swing.id));
         let (of_sensors, of_hull) = mine.map(|e| e.values.clone()).partition(is_of_sensors);
-        swings.push(rigged(table, &parsed, swings.len(), &truth, [of_hull, of_sensors])?);
+        swings.push(rigged(
+            table,
+            &parsed,
+            swings.len(),
+            &truth,
+            [of_hull, of_sensors],
+        )?);
     }
     if swings.is_empty() {
         return Err(root.error("at least one [[swing]]", "none"));
     }
     let everywhere_too = effects.into_iter().filter(|effect| effect.swing.is_none());
     let effects = everywhere_too.map(|effect| effect.values).collect();
-    Ok(RigFile { session: parsed, truth: everywhere, swings, effects })
+    Ok(RigFile {
+        session: parsed,
+        truth: everywhere,
+        swings,
+        effects,
+    })
 }
 
 fn rigged(
@@ -110,7 +127,11 @@ fn rigged(
         ));
     };
     let at_table = |error: Error| match error {
-        Error::Argument { expected, found, name } => table.error(format!("`{name}`: {expected}"), found),
+        Error::Argument {
+            expected,
+            found,
+            name,
+        } => table.error(format!("`{name}`: {expected}"), found),
         other => other,
     };
     let experiment = experiment(session, swing, truth, effects).map_err(at_table)?;
@@ -135,7 +156,9 @@ fn rigged(
 /// `[truth]` of a table, on top of what is true everywhere.
 fn truth(table: &Table<'_>, everywhere: &Truth) -> Result<Truth> {
     let mut truth = everywhere.clone();
-    let Some(field) = table.get("truth") else { return Ok(truth) };
+    let Some(field) = table.get("truth") else {
+        return Ok(truth);
+    };
     let keys = keys();
     for (key, value) in field.by_name(&keys)? {
         truth.set(key.name, value.number(key.domain)?);
@@ -152,11 +175,16 @@ struct Switched {
 fn switched(root: &Table<'_>, swings: &[&str]) -> Result<Vec<Switched>> {
     let all = effects::catalogue().into_iter().chain(sensors::catalogue());
     let kinds: Vec<(&str, EffectKind)> = all.map(|kind| (kind.id, kind)).collect();
-    root.open_tables("effect")?.iter().map(|table| effect(table, &kinds, swings)).collect()
+    root.open_tables("effect")?
+        .iter()
+        .map(|table| effect(table, &kinds, swings))
+        .collect()
 }
 
 pub(super) fn is_of_sensors(effect: &EffectValues) -> bool {
-    sensors::catalogue().iter().any(|kind| kind.id == effect.kind.id)
+    sensors::catalogue()
+        .iter()
+        .any(|kind| kind.id == effect.kind.id)
 }
 
 fn effect(table: &Table<'_>, kinds: &[(&str, EffectKind)], swings: &[&str]) -> Result<Switched> {
@@ -164,8 +192,17 @@ fn effect(table: &Table<'_>, kinds: &[(&str, EffectKind)], swings: &[&str]) -> R
     let names: Vec<&str> = kind.numbers.iter().map(|n| n.name).collect();
     table.refuse_beside(&[&["id", "swing"], &*names].concat())?;
     let ids: Vec<(&str, usize)> = swings.iter().enumerate().map(|(i, id)| (*id, i)).collect();
-    let swing = table.get("swing").map(|field| field.choice(&ids)).transpose()?;
+    let swing = table
+        .get("swing")
+        .map(|field| field.choice(&ids))
+        .transpose()?;
     let number = |name: &&str| Ok(table.number(name, ANY)?.unwrap_or(0.0));
-    let values = EffectValues { kind, values: names.iter().map(number).collect::<Result<_>>()? };
-    Ok(Switched { swing: swing.map(|i| swings[i].to_owned()), values })
+    let values = EffectValues {
+        kind,
+        values: names.iter().map(number).collect::<Result<_>>()?,
+    };
+    Ok(Switched {
+        swing: swing.map(|i| swings[i].to_owned()),
+        values,
+    })
 }

@@ -35,33 +35,52 @@ pub fn read_rig_file(path: impl AsRef<Path>) -> Result<RigFile> {
     let file = path.as_ref().display().to_string();
     match fs::read(path) {
         Ok(bytes) => read_rig_bytes(&bytes, &file),
-        Err(error) => Err(Error::Unreadable { file, reason: error.to_string() }),
+        Err(error) => Err(Error::Unreadable {
+            file,
+            reason: error.to_string(),
+        }),
     }
 }
 
 impl RigFile {
     /// The swing of an id. Fails with [`Error::Argument`] that lists the ids.
     pub fn swing(&self, id: &str) -> Result<&RiggedSwing> {
-        let ids = || self.swings.iter().map(|swing| swing.id.as_str()).collect::<Vec<_>>().join(", ");
+        let ids = || {
+            self.swings
+                .iter()
+                .map(|swing| swing.id.as_str())
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
         let found = self.swings.iter().find(|swing| swing.id == id);
         found.ok_or_else(|| Error::argument("swing", ids(), id))
     }
 }
 
 impl RiggedSwing {
-    /// Simulates it. Fails with [`Error::Argument`] for a number that it does not have, and as the simulation does.
+    /// Simulates it. Fails with [`Error::Argument`] for a number that it does not have, and as the
+    /// simulation does.
     pub fn simulated(&self, varied: &Variation) -> Result<Simulated> {
         let mut numbers = self.experiment.values();
         for (name, value) in &varied.values {
             numbers[self.experiment.index(name)?] = *value;
         }
         let experiment = self.experiment.with_values(&numbers)?;
-        let wanted =
-            varied.derivatives.iter().map(|name| experiment.index(name)).collect::<Result<Vec<_>>>()?;
-        let t_s = varied.t_s.clone().unwrap_or_else(|| self.sampling.times_s());
+        let wanted = varied
+            .derivatives
+            .iter()
+            .map(|name| experiment.index(name))
+            .collect::<Result<Vec<_>>>()?;
+        let t_s = varied
+            .t_s
+            .clone()
+            .unwrap_or_else(|| self.sampling.times_s());
         let draws = self.draws(varied.seed, t_s.len())?;
         let record = experiment.record(&t_s, &draws)?;
         let derivatives = experiment.derivatives(&wanted, &t_s, &draws)?;
-        Ok(Simulated { record, derivatives })
+        Ok(Simulated {
+            record,
+            derivatives,
+        })
     }
 }

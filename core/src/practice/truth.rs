@@ -1,8 +1,10 @@
-//! What is true of a swing: keys of `[truth]`, and the experiment that they make with what is stated.
+//! What is true of a swing: keys of `[truth]`, and the experiment that they make with what is
+//! stated.
 //!
 //! # Conventions
-//! Truth is told in hull axes, whatever the hull's pitch; the experiment's numbers are in hanging axes. Starts count
-//! from rest: yaw to port, sway to port, surge forward, pitch bow up, roll to starboard (a right-handed turn about x).
+//! Truth is told in hull axes, whatever the hull's pitch; the experiment's numbers are in hanging
+//! axes. Starts count from rest: yaw to port, sway to port, surge forward, pitch bow up, roll to
+//! starboard (a right-handed turn about x).
 
 use std::collections::BTreeMap;
 
@@ -35,20 +37,62 @@ pub struct Key {
 }
 
 const OWN: &[Key] = &[
-    Key { name: "k_yaw_m", domain: POSITIVE },
-    Key { name: "k_pitch_m", domain: POSITIVE },
-    Key { name: "k_roll_m", domain: POSITIVE },
-    Key { name: "psi_deg", domain: PSI },
-    Key { name: "cm_depth_m", domain: POSITIVE },
-    Key { name: "hull_pitch_deg", domain: Domain::PITCH },
-    Key { name: "yaw_deg", domain: START_ANGLE },
-    Key { name: "sway_m", domain: ANY },
-    Key { name: "surge_m", domain: ANY },
-    Key { name: "pitch_deg", domain: START_ANGLE },
-    Key { name: "roll_deg", domain: START_ANGLE },
-    Key { name: "held_s", domain: NOT_NEGATIVE },
-    Key { name: "duration_s", domain: DURATION },
-    Key { name: "rate_hz", domain: RATE },
+    Key {
+        name: "k_yaw_m",
+        domain: POSITIVE,
+    },
+    Key {
+        name: "k_pitch_m",
+        domain: POSITIVE,
+    },
+    Key {
+        name: "k_roll_m",
+        domain: POSITIVE,
+    },
+    Key {
+        name: "psi_deg",
+        domain: PSI,
+    },
+    Key {
+        name: "cm_depth_m",
+        domain: POSITIVE,
+    },
+    Key {
+        name: "hull_pitch_deg",
+        domain: Domain::PITCH,
+    },
+    Key {
+        name: "yaw_deg",
+        domain: START_ANGLE,
+    },
+    Key {
+        name: "sway_m",
+        domain: ANY,
+    },
+    Key {
+        name: "surge_m",
+        domain: ANY,
+    },
+    Key {
+        name: "pitch_deg",
+        domain: START_ANGLE,
+    },
+    Key {
+        name: "roll_deg",
+        domain: START_ANGLE,
+    },
+    Key {
+        name: "held_s",
+        domain: NOT_NEGATIVE,
+    },
+    Key {
+        name: "duration_s",
+        domain: DURATION,
+    },
+    Key {
+        name: "rate_hz",
+        domain: RATE,
+    },
 ];
 
 /// Numbers that only make sense above zero.
@@ -74,8 +118,17 @@ pub fn keys() -> Vec<(&'static str, Key)> {
         <Phone as Numbers<f64>>::NUMBERS,
     ]
     .concat();
-    let domain = |name: &str| if ABOVE_ZERO.contains(&name) { POSITIVE } else { ANY };
-    let key = |n: &Number| Key { name: n.name, domain: domain(n.name) };
+    let domain = |name: &str| {
+        if ABOVE_ZERO.contains(&name) {
+            POSITIVE
+        } else {
+            ANY
+        }
+    };
+    let key = |n: &Number| Key {
+        name: n.name,
+        domain: domain(n.name),
+    };
     let all = OWN.iter().copied().chain(numbers.iter().map(key));
     all.map(|key| (key.name, key)).collect()
 }
@@ -104,13 +157,16 @@ impl Truth {
     }
 
     fn require(&self, name: &'static str) -> Result<f64> {
-        self.get(name).ok_or_else(|| Error::argument("truth", format!("`{name}`"), "no such key"))
+        self.get(name)
+            .ok_or_else(|| Error::argument("truth", format!("`{name}`"), "no such key"))
     }
 
     /// Numbers by their names, each that is told put in place.
     fn told<T: Numbers<f64>>(&self, numbers: T) -> T {
         let values = T::NUMBERS.iter().zip(numbers.to_numbers());
-        let told: Vec<f64> = values.map(|(n, value)| self.get(n.name).unwrap_or(value)).collect();
+        let told: Vec<f64> = values
+            .map(|(n, value)| self.get(n.name).unwrap_or(value))
+            .collect();
         T::from_numbers(&mut told.into_iter()).unwrap_or(numbers)
     }
 
@@ -123,7 +179,8 @@ impl Truth {
     }
 }
 
-/// The experiment of a swing with the effects on the hull and on the sensors. What is neither told nor stated is an [`Error::Argument`] that names the key.
+/// The experiment of a swing with the effects on the hull and on the sensors. What is neither told
+/// nor stated is an [`Error::Argument`] that names the key.
 pub fn experiment(
     session: &Session,
     swing: &Swing,
@@ -131,7 +188,9 @@ pub fn experiment(
     [effects, sensors]: [Vec<EffectValues>; 2],
 ) -> Result<Experiment> {
     let level = rigid(&truth.told(numbers(&hull(session, truth)?.with(&session.attachments))));
-    let pitch_deg = truth.or_stated("hull_pitch_deg", swing.suspension.hull_pitch_deg).unwrap_or(0.0);
+    let pitch_deg = truth
+        .or_stated("hull_pitch_deg", swing.suspension.hull_pitch_deg)
+        .unwrap_or(0.0);
     let hung = hung(&level, pitch_deg.to_radians(), &swing.added_masses);
     let axis = match swing.suspension.orientation {
         Orientation::Athwartships => SuspensionAxis::Athwartships,
@@ -154,20 +213,28 @@ pub fn experiment(
     let place = hung.origin_m + hung.hanging_from_hull * place;
     (phone.position_x_m, phone.position_y_m, phone.position_z_m) = (place.x, place.y, place.z);
     let held_s = truth.get("held_s").unwrap_or(0.0);
-    Ok(Experiment { scene, hull_from_phone: hung.hanging_from_hull, phone, sensors, held_s })
+    Ok(Experiment {
+        scene,
+        hull_from_phone: hung.hanging_from_hull,
+        phone,
+        sensors,
+        held_s,
+    })
 }
 
 fn hull(session: &Session, truth: &Truth) -> Result<Hull> {
     let all_kg = truth.or_stated("mass_kg", session.body.mass_kg);
-    let all_kg =
-        all_kg.ok_or_else(|| Error::argument("truth", "`mass_kg`, or a mass in [body]", "neither"))?;
+    let all_kg = all_kg
+        .ok_or_else(|| Error::argument("truth", "`mass_kg`, or a mass in [body]", "neither"))?;
     let attached_kg: f64 = session.attachments.iter().map(|a| a.mass_kg.value).sum();
     // Whoever tells the whole tensor need not tell the gyradii.
     let gyradius = |key: &'static str, element: &str| match truth.get(element) {
         Some(inertia) => Ok(truth.get(key).unwrap_or((inertia / all_kg).sqrt())),
         None => truth.require(key),
     };
-    let depth = truth.get("cm_z_m").map_or_else(|| truth.require("cm_depth_m"), |z| Ok(-z));
+    let depth = truth
+        .get("cm_z_m")
+        .map_or_else(|| truth.require("cm_depth_m"), |z| Ok(-z));
     Ok(Hull {
         mass_kg: all_kg - attached_kg,
         gyradii_m: [
@@ -182,16 +249,28 @@ fn hull(session: &Session, truth: &Truth) -> Result<Hull> {
 
 fn dimensions(session: &Session, swing: &Swing, truth: &Truth) -> Result<Dimensions> {
     let stated = &swing.suspension;
-    let spacing_m = truth.or_stated("spacing_m", stated.spacing_m).unwrap_or(1.0);
-    let axis_height_m = truth.or_stated("axis_height_m", stated.axis_height_m).unwrap_or(0.0);
+    let spacing_m = truth
+        .or_stated("spacing_m", stated.spacing_m)
+        .unwrap_or(1.0);
+    let axis_height_m = truth
+        .or_stated("axis_height_m", stated.axis_height_m)
+        .unwrap_or(0.0);
     let gravity = truth.or_stated("gravity_m_s2", session.site.gravity_m_s2);
     if gravity.is_none() && session.site.latitude_deg.is_some() {
-        return Err(Error::argument("truth", "`gravity_m_s2` beside a latitude", "no such key"));
+        return Err(Error::argument(
+            "truth",
+            "`gravity_m_s2` beside a latitude",
+            "no such key",
+        ));
     }
     Ok(Dimensions {
-        line_length_m: truth.or_stated("line_length_m", stated.line_length_m).unwrap_or(0.0),
+        line_length_m: truth
+            .or_stated("line_length_m", stated.line_length_m)
+            .unwrap_or(0.0),
         spacing_m,
-        top_spacing_m: truth.or_stated("top_spacing_m", stated.top_spacing_m).unwrap_or(spacing_m),
+        top_spacing_m: truth
+            .or_stated("top_spacing_m", stated.top_spacing_m)
+            .unwrap_or(spacing_m),
         axis_height_m,
         spread_m: truth.get("spread_m").unwrap_or(axis_height_m),
         gravity_m_s2: gravity.unwrap_or(STANDARD_GRAVITY_M_S2),
@@ -206,10 +285,18 @@ fn start(scene: &Scene, truth: &Truth) -> Result<Start> {
     let rest_rad = scene.rest_turn_rad()?;
     // The axis is +y or +x; across is then +x or −y.
     let (along_m, across_m, turn_rad) = match scene.hanging.axis() {
-        SuspensionAxis::Athwartships => (get("sway_m"), get("surge_m"), rest_rad - rad("pitch_deg")),
+        SuspensionAxis::Athwartships => {
+            (get("sway_m"), get("surge_m"), rest_rad - rad("pitch_deg"))
+        }
         SuspensionAxis::ForeAndAft => (get("surge_m"), -get("sway_m"), rest_rad + rad("roll_deg")),
     };
-    Ok(truth.told(Start { along_m, across_m, turn_rad, yaw_rad: rad("yaw_deg"), ..Start::default() }))
+    Ok(truth.told(Start {
+        along_m,
+        across_m,
+        turn_rad,
+        yaw_rad: rad("yaw_deg"),
+        ..Start::default()
+    }))
 }
 
 /// Motions that the lines do not leave free.
@@ -220,10 +307,15 @@ fn refuse_bound(hanging: Hanging, truth: &Truth) -> Result<()> {
         Hanging::Compound(SuspensionAxis::Athwartships) => &["roll_deg", "yaw_deg", "surge_m"],
         Hanging::Compound(SuspensionAxis::ForeAndAft) => &["pitch_deg", "yaw_deg", "sway_m"],
     };
-    match bound.iter().find(|name| truth.get(name).is_some_and(|value| value != 0.0)) {
-        Some(name) => {
-            Err(Error::argument("truth", format!("no `{name}` (the lines do not leave it free)"), "it"))
-        }
+    match bound
+        .iter()
+        .find(|name| truth.get(name).is_some_and(|value| value != 0.0))
+    {
+        Some(name) => Err(Error::argument(
+            "truth",
+            format!("no `{name}` (the lines do not leave it free)"),
+            "it",
+        )),
         None => Ok(()),
     }
 }

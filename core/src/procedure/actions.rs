@@ -28,7 +28,10 @@ pub(super) fn action_of(event: &Event) -> Option<Action> {
 
 /// An action as JSON names it.
 pub(super) fn name_of(action: Action) -> String {
-    serde_json::to_value(action).ok().and_then(|name| name.as_str().map(String::from)).unwrap_or_default()
+    serde_json::to_value(action)
+        .ok()
+        .and_then(|name| name.as_str().map(String::from))
+        .unwrap_or_default()
 }
 
 impl Measured {

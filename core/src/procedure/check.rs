@@ -22,7 +22,11 @@ pub(super) fn task(task: &Task) -> Result<()> {
         if let Step::Swing(swing) = step {
             let id = &swing.id;
             if id.is_empty() || !ids.insert(id) {
-                return Err(Error::argument("steps", "swings with ids of their own", format!("`{id}`")));
+                return Err(Error::argument(
+                    "steps",
+                    "swings with ids of their own",
+                    format!("`{id}`"),
+                ));
             }
             for (name, value) in [
                 ("amplitude_deg", swing.amplitude_deg),
@@ -30,14 +34,21 @@ pub(super) fn task(task: &Task) -> Result<()> {
                 ("period_u_wanted", swing.period_u_wanted),
             ] {
                 if !(value > 0.0 && value.is_finite()) {
-                    return Err(Error::argument("steps", format!("`{name}` of `{id}` above 0"), value));
+                    return Err(Error::argument(
+                        "steps",
+                        format!("`{name}` of `{id}` above 0"),
+                        value,
+                    ));
                 }
             }
         }
     }
-    // Figures that are no numbers are lost in JSON: they must not become a journal that cannot be read.
+    // Figures that are no numbers are lost in JSON: they must not become a journal that cannot be
+    // read.
     let round = serde_json::to_string(task).and_then(|text| serde_json::from_str::<Task>(&text));
-    round.map(|_| ()).map_err(|error| Error::argument("task", "numbers everywhere", error))
+    round
+        .map(|_| ())
+        .map_err(|error| Error::argument("task", "numbers everywhere", error))
 }
 
 /// A journal of this format.
@@ -61,7 +72,12 @@ pub(super) fn format(folder: &Path, first: Option<&Entry>) -> Result<()> {
 /// A phone whose figures are numbers.
 pub(super) fn phone(phone: &PhoneInfo) -> Result<()> {
     let wrong = |scale: &f64| !(*scale > 0.0 && scale.is_finite());
-    match phone.sensors.iter().filter_map(|sensor| sensor.full_scale).find(wrong) {
+    match phone
+        .sensors
+        .iter()
+        .filter_map(|sensor| sensor.full_scale)
+        .find(wrong)
+    {
         Some(scale) => Err(Error::argument("phone", "`full_scale` above 0", scale)),
         None => Ok(()),
     }
@@ -81,22 +97,36 @@ pub(super) fn measured(step: &StepMemory, measured: Measured) -> Result<()> {
         ("depth_m", measured.depth_m, false),
     ];
     for (name, quantity, positive) in lengths {
-        let Some(Quantity { value, u }) = quantity else { continue };
+        let Some(Quantity { value, u }) = quantity else {
+            continue;
+        };
         let fine = value.is_finite() && (!positive || value > 0.0) && u >= 0.0 && u.is_finite();
         if !fine {
-            let expected = if positive { "a number above 0 and its u" } else { "a number and its u" };
+            let expected = if positive {
+                "a number above 0 and its u"
+            } else {
+                "a number and its u"
+            };
             return Err(Error::argument(name, expected, format!("{value} ± {u}")));
         }
     }
     match missing(step, measured) {
-        Some(name) => Err(Error::argument(name, "to be measured for this step", "nothing")),
+        Some(name) => Err(Error::argument(
+            name,
+            "to be measured for this step",
+            "nothing",
+        )),
         None => Ok(()),
     }
 }
 
 fn missing(step: &StepMemory, measured: Measured) -> Option<&'static str> {
-    let first =
-        |needed: &[(&'static str, bool)]| needed.iter().find(|(_, there)| !there).map(|(name, _)| *name);
+    let first = |needed: &[(&'static str, bool)]| {
+        needed
+            .iter()
+            .find(|(_, there)| !there)
+            .map(|(name, _)| *name)
+    };
     match &step.planned {
         Step::Incline(_) => first(&[
             ("mass_kg", measured.mass_kg.is_some()),
@@ -105,12 +135,24 @@ fn missing(step: &StepMemory, measured: Measured) -> Option<&'static str> {
         ]),
         Step::Swing(swing) => match swing.suspension.kind {
             SuspensionKind::Bifilar => first(&[
-                ("line_length_m", measured.line_length_m.or(swing.suspension.line_length_m).is_some()),
-                ("spacing_m", measured.spacing_m.or(swing.suspension.spacing_m).is_some()),
+                (
+                    "line_length_m",
+                    measured
+                        .line_length_m
+                        .or(swing.suspension.line_length_m)
+                        .is_some(),
+                ),
+                (
+                    "spacing_m",
+                    measured.spacing_m.or(swing.suspension.spacing_m).is_some(),
+                ),
             ]),
             SuspensionKind::Compound => first(&[(
                 "axis_height_m",
-                measured.axis_height_m.or(swing.suspension.axis_height_m).is_some(),
+                measured
+                    .axis_height_m
+                    .or(swing.suspension.axis_height_m)
+                    .is_some(),
             )]),
         },
     }

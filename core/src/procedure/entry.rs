@@ -1,4 +1,5 @@
-//! What the journal keeps: every decision, in order. Everything else follows from them and the recordings.
+//! What the journal keeps: every decision, in order. Everything else follows from them and the
+//! recordings.
 
 use serde::{Deserialize, Serialize};
 

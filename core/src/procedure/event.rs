@@ -1,4 +1,5 @@
-//! What can happen to a procedure, as plain data: what the operator does, and what the phone reports.
+//! What can happen to a procedure, as plain data: what the operator does, and what the phone
+//! reports.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,8 +14,8 @@ pub enum Event {
     Begin {
         /// Wall clock, UTC, as text (`2026-05-04T09:30:00Z`); kept, never computed with.
         at_utc: String,
-        /// The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
-        /// absent.
+        /// The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the
+        /// day of `at_utc` where absent.
         #[serde(default)]
         measured_on: Option<String>,
         /// The phone.
@@ -129,7 +130,8 @@ pub struct PhoneSensor {
 impl PhoneInfo {
     pub(super) fn full_scale(&self, channel: Channel) -> Option<f64> {
         let of = self.sensors.iter().find(|sensor| sensor.channel == channel);
-        of.and_then(|sensor| sensor.full_scale).filter(|scale| *scale > 0.0 && scale.is_finite())
+        of.and_then(|sensor| sensor.full_scale)
+            .filter(|scale| *scale > 0.0 && scale.is_finite())
     }
 
     pub(super) fn header(&self) -> Header {
@@ -150,16 +152,20 @@ impl PhoneInfo {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Placement {
-    /// Flat on a surface that is level when the hull is, screen up, top edge to the bow: tilts are absolute.
+    /// Flat on a surface that is level when the hull is, screen up, top edge to the bow: tilts are
+    /// absolute.
     FlatTopToBow,
-    /// Anyhow: a tilt has a size, and no direction, against the reading at which the operator said "level".
+    /// Anyhow: a tilt has a size, and no direction, against the reading at which the operator said
+    /// "level".
     #[default]
     AnyWay,
 }
 
-/// What the operator measured; what is absent stays as planned, or as measured for an earlier step that hung alike.
+/// What the operator measured; what is absent stays as planned, or as measured for an earlier step
+/// that hung alike.
 ///
-/// An incline must be given its `mass_kg`, `arm_m` and `depth_m`: nothing else says how well they are known.
+/// An incline must be given its `mass_kg`, `arm_m` and `depth_m`: nothing else says how well they
+/// are known.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Measured {

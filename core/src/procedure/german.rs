@@ -22,7 +22,10 @@ pub const GERMAN: [(&str, &str); 85] = [
         "level_no_gravity",
         "Den Rumpf waagerecht hängen. Der Beschleunigungssensor zeigt noch keine Schwerkraft.",
     ),
-    ("rest", "Den Rumpf hängen lassen, nichts berühren: {still_s} von {wanted_s} s Ruhe."),
+    (
+        "rest",
+        "Den Rumpf hängen lassen, nichts berühren: {still_s} von {wanted_s} s Ruhe.",
+    ),
     (
         "rest_moving",
         "Der Rumpf bewegt sich, mit {rate_deg_s} °/s und {tilt_deg}° Neigung: mit den Händen beruhigen, langsam loslassen. Die Ruhe zählt ab dann.",
@@ -84,8 +87,14 @@ pub const GERMAN: [(&str, &str); 85] = [
         "Die Aufnahme von {id} wurde unterbrochen, bevor etwas aufgenommen war. Wiederholen.",
     ),
     ("judge_accept", "{id} ist gut: annehmen."),
-    ("judge_repeat", "{id} sollte wiederholt werden. Wiederholen oder trotzdem annehmen."),
-    ("measure", "Alle Schritte sind getan. Die Sitzung wird geschrieben und ausgewertet."),
+    (
+        "judge_repeat",
+        "{id} sollte wiederholt werden. Wiederholen oder trotzdem annehmen.",
+    ),
+    (
+        "measure",
+        "Alle Schritte sind getan. Die Sitzung wird geschrieben und ausgewertet.",
+    ),
     (
         "failed",
         "Kein Ergebnis: {reason}. Einen Schritt wieder öffnen und wiederholen, oder noch einmal versuchen.",
@@ -103,8 +112,14 @@ pub const GERMAN: [(&str, &str); 85] = [
         "Eine weitere Schwingung würde {count} Ursachen unterscheiden, die diese Schwingungen nicht trennen: die Achse {axis_height_m} m über den Punkten, {extras}; {excited} mit {amplitude_deg}° für {duration_s} s. Ausführen oder lassen.",
     ),
     ("done", "Fertig. Die Sitzung liegt in {session}."),
-    ("reason_no_swing", "keine freie Schwingung von vier Perioden wurde darin gefunden"),
-    ("reason_slip", "das Telefon hat sich bei {at_s} s am Rumpf bewegt, um {tilt_deg}°: neu festkleben"),
+    (
+        "reason_no_swing",
+        "keine freie Schwingung von vier Perioden wurde darin gefunden",
+    ),
+    (
+        "reason_slip",
+        "das Telefon hat sich bei {at_s} s am Rumpf bewegt, um {tilt_deg}°: neu festkleben",
+    ),
     ("reason_slip_seen", "das Telefon wurde rutschen gesehen"),
     (
         "reason_touched",
@@ -118,15 +133,27 @@ pub const GERMAN: [(&str, &str); 85] = [
         "reason_period",
         "das Rauschen lässt die Periode auf {u_ppm} ppm unsicher, gewünscht sind {wanted_ppm} ppm: länger schwingen lassen oder weiter auslenken",
     ),
-    ("reason_small", "bei {released_deg}° statt {wanted_deg}° losgelassen"),
+    (
+        "reason_small",
+        "bei {released_deg}° statt {wanted_deg}° losgelassen",
+    ),
     (
         "reason_large",
         "bei {released_deg}° statt {wanted_deg}° losgelassen, wo Luftwiderstand und endlicher Ausschlag mehr ausmachen",
     ),
-    ("reason_saturated", "{samples} Werte des {sensor}s liegen an seiner Grenze: weniger weit auslenken"),
-    ("reason_gaps", "der {sensor} hat eine Lücke von {longest_s} s"),
+    (
+        "reason_saturated",
+        "{samples} Werte des {sensor}s liegen an seiner Grenze: weniger weit auslenken",
+    ),
+    (
+        "reason_gaps",
+        "der {sensor} hat eine Lücke von {longest_s} s",
+    ),
     ("reason_silent", "der {sensor} ist verstummt"),
-    ("reason_moving", "der Rumpf war nicht {wanted_s} s lang in Ruhe"),
+    (
+        "reason_moving",
+        "der Rumpf war nicht {wanted_s} s lang in Ruhe",
+    ),
     (
         "reason_no_tilt",
         "die Neigung ist nicht zu ermitteln: es wurde keine Ruhe mit Beschleunigungssensor aufgenommen",
@@ -143,28 +170,55 @@ pub const GERMAN: [(&str, &str); 85] = [
         "note_period",
         "das Rauschen lässt die Periode auf {u_ppm} ppm unsicher; {wanted_ppm} ppm waren erlaubt",
     ),
-    ("note_amplitude", "bei {released_deg}° losgelassen, {left_deg}° am Ende"),
+    (
+        "note_amplitude",
+        "bei {released_deg}° losgelassen, {left_deg}° am Ende",
+    ),
     ("note_tilt", "das Gewicht neigt den Rumpf um {angle_deg}°"),
-    ("note_gaps", "der {sensor} hat {gaps} Lücken, die längste von {longest_s} s"),
-    ("note_interrupted", "die Aufnahme wurde unterbrochen und ging weiter"),
-    ("advice_small", "Er schwingt mit {amplitude_deg}° statt {wanted_deg}°: anhalten und weiter auslenken."),
+    (
+        "note_gaps",
+        "der {sensor} hat {gaps} Lücken, die längste von {longest_s} s",
+    ),
+    (
+        "note_interrupted",
+        "die Aufnahme wurde unterbrochen und ging weiter",
+    ),
+    (
+        "advice_small",
+        "Er schwingt mit {amplitude_deg}° statt {wanted_deg}°: anhalten und weiter auslenken.",
+    ),
     (
         "advice_large",
         "Er schwingt mit {amplitude_deg}° statt {wanted_deg}°: anhalten und weniger weit auslenken.",
     ),
-    ("advice_moving", "Der Rumpf bewegt sich noch: warten oder langsam beruhigen."),
-    ("warn_silent", "Seit {silent_s} s kommen keine Werte: die App auf dem Bildschirm lassen."),
-    ("warn_sensor_stopped", "Das System des Telefons hat den {sensor} angehalten."),
+    (
+        "advice_moving",
+        "Der Rumpf bewegt sich noch: warten oder langsam beruhigen.",
+    ),
+    (
+        "warn_silent",
+        "Seit {silent_s} s kommen keine Werte: die App auf dem Bildschirm lassen.",
+    ),
+    (
+        "warn_sensor_stopped",
+        "Das System des Telefons hat den {sensor} angehalten.",
+    ),
     (
         "warn_disk",
         "Der Speicher ist voll. Was bisher aufgenommen ist, bleibt erhalten: Platz schaffen, dann weitermachen, behalten, was da ist, oder wiederholen.",
     ),
-    ("warn_unwritable", "Die Aufnahme kann nicht geschrieben werden: {reason}"),
+    (
+        "warn_unwritable",
+        "Die Aufnahme kann nicht geschrieben werden: {reason}",
+    ),
     (
         "warn_journal_cut",
         "Die letzten {bytes} Bytes des Protokolls waren unvollständig und wurden abgeschnitten: die letzte Entscheidung wird noch einmal erfragt.",
     ),
-    ("warn_unused", "{files} Aufnahmen im Ordner gehören zu keinem Schritt; sie bleiben erhalten."),
+    (
+        "warn_unused",
+        "{files} Aufnahmen im Ordner gehören zu keinem Schritt; sie bleiben erhalten.",
+    ),
     (
         "warn_no_rest",
         "Es wurde keine Ruhe aufgenommen: Nullpunkt, Rauschen und Raten sind vorher nicht bekannt.",
@@ -186,8 +240,14 @@ pub const GERMAN: [(&str, &str); 85] = [
     ("fore_and_aft", "längsschiffs"),
     ("gyroscope", "Drehratensensor"),
     ("accelerometer", "Beschleunigungssensor"),
-    ("gravity-free_accelerometer", "schwerkraftfreie Beschleunigungssensor"),
+    (
+        "gravity-free_accelerometer",
+        "schwerkraftfreie Beschleunigungssensor",
+    ),
     ("rangefinder", "Entfernungsmesser"),
     ("timer", "Zeitgeber"),
-    ("reason_lines_unknown", "Leinenlänge und Abstand sind nicht bekannt"),
+    (
+        "reason_lines_unknown",
+        "Leinenlänge und Abstand sind nicht bekannt",
+    ),
 ];

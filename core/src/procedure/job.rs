@@ -1,4 +1,5 @@
-//! Work that takes longer than a screen may wait: the session written and measured, its result criticised.
+//! Work that takes longer than a screen may wait: the session written and measured, its result
+//! criticised.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +16,8 @@ use crate::plan::{PlannedIncline, PlannedSwing, Step, suggested};
 use crate::progress::{Progress, tell};
 use crate::recorder::convert;
 use crate::recording::{
-    Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session, save_session,
+    Incline, InclineAngle, Overwrite, Quantity, Session, Swing, SwingData, load_session,
+    save_session,
 };
 
 /// Folder of the session inside the procedure's.
@@ -46,10 +48,27 @@ pub enum Outcome {
 
 impl Job {
     pub(super) fn of(work: Work, folder: &Path, memory: &Memory) -> Self {
-        let measured_on = memory.begun.as_ref().map(|begun| begun.measured_on.clone()).unwrap_or_default();
-        let session = Session { measured_on, ..memory.task.head() };
-        let mut job = Self { work, folder: folder.to_owned(), session, takes: Vec::new() };
-        for (index, step) in memory.steps.iter().enumerate().filter(|(_, step)| !step.skipped) {
+        let measured_on = memory
+            .begun
+            .as_ref()
+            .map(|begun| begun.measured_on.clone())
+            .unwrap_or_default();
+        let session = Session {
+            measured_on,
+            ..memory.task.head()
+        };
+        let mut job = Self {
+            work,
+            folder: folder.to_owned(),
+            session,
+            takes: Vec::new(),
+        };
+        for (index, step) in memory
+            .steps
+            .iter()
+            .enumerate()
+            .filter(|(_, step)| !step.skipped)
+        {
             job.add(index, step);
         }
         job
@@ -60,13 +79,23 @@ impl Job {
         match &step.planned {
             Step::Swing(planned) => {
                 let name = name_of(index, &planned.id);
-                self.takes.push((self.folder.join(file_of(index, &step.id(), take.number)), name.clone()));
-                self.session.swings.extend(swing(step, planned, format!("{name}.csv")));
+                self.takes.push((
+                    self.folder.join(file_of(index, &step.id(), take.number)),
+                    name.clone(),
+                ));
+                self.session
+                    .swings
+                    .extend(swing(step, planned, format!("{name}.csv")));
             }
             Step::Incline(planned) => {
-                let reading = take.judgement.as_ref().and_then(|judgement| judgement.incline);
+                let reading = take
+                    .judgement
+                    .as_ref()
+                    .and_then(|judgement| judgement.incline);
                 let angle = reading.map(|reading| Quantity::new(reading.angle_deg, reading.u_deg));
-                self.session.inclines.extend(angle.and_then(|angle| incline(step, planned, angle)));
+                self.session
+                    .inclines
+                    .extend(angle.and_then(|angle| incline(step, planned, angle)));
             }
         }
     }
@@ -76,10 +105,11 @@ impl Job {
         self.work
     }
 
-    /// Does it; the callback is told a share and a text, and stops the criticism by answering false.
+    /// Does it; the callback is told a share and a text, and stops the criticism by answering
+    /// false.
     ///
-    /// What the data do not allow is an [`Outcome::Failed`]. Fails with [`Error::Cancelled`] where it was stopped, and as
-    /// reading and writing do.
+    /// What the data do not allow is an [`Outcome::Failed`]. Fails with [`Error::Cancelled`] where
+    /// it was stopped, and as reading and writing do.
     pub fn run(&self, progress: &Progress) -> Result<Outcome> {
         let done = match self.work {
             Work::Measure => self.measured(progress),
@@ -95,18 +125,26 @@ impl Job {
 
     fn measured(&self, progress: &Progress) -> Result<Outcome> {
         if self.session.swings.is_empty() {
-            return Err(Error::no_result("the session", "no recording of a swing was accepted"));
+            return Err(Error::no_result(
+                "the session",
+                "no recording of a swing was accepted",
+            ));
         }
         let folder = self.folder.join(SESSION);
         let mut session = self.session.clone();
         for (place, (file, name)) in self.takes.iter().enumerate() {
-            tell(progress, 0.5 * place as f64 / self.takes.len() as f64, "writing the session")?;
+            tell(
+                progress,
+                0.5 * place as f64 / self.takes.len() as f64,
+                "writing the session",
+            )?;
             session.recorded.push(convert(file, &folder, name)?);
         }
         save_session(&folder, &session, &[], Overwrite::Replace)?;
         let measuring = |share: f64, text: &str| progress(0.5 + 0.5 * share, text);
         let options = MeasureOptions::default();
-        let measurement = analyse_watched(&load_session(&folder)?, &options, &measuring)?.measurement;
+        let measurement =
+            analyse_watched(&load_session(&folder)?, &options, &measuring)?.measurement;
         write_json(&self.folder.join(MEASUREMENT), &measurement)?;
         // Of a session that is no more.
         forget_criticism(&self.folder)?;
@@ -124,7 +162,11 @@ impl Job {
 
 /// The swing that the criticism suggests, hung by the depth that it found.
 fn next_step(critique: &Critique, session: &Session) -> Option<Step> {
-    let depth = critique.extended.quantities.get("cm_depth_m").and_then(|depth| depth.value.as_f64());
+    let depth = critique
+        .extended
+        .quantities
+        .get("cm_depth_m")
+        .and_then(|depth| depth.value.as_f64());
     suggested(critique.verdict.next_swing.as_ref()?, session, depth).map(Step::Swing)
 }
 
@@ -176,7 +218,11 @@ fn doubtful(verdict: &crate::critique::CauseVerdict) -> usize {
 /// Name of a recording in the session: the id where it can be one of a file.
 fn name_of(index: usize, id: &str) -> String {
     let fits = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    if id.chars().all(fits) { id.to_owned() } else { format!("swing-{}", index + 1) }
+    if id.chars().all(fits) {
+        id.to_owned()
+    } else {
+        format!("swing-{}", index + 1)
+    }
 }
 
 fn swing(step: &StepMemory, planned: &PlannedSwing, file: String) -> Option<Swing> {
@@ -191,7 +237,18 @@ fn swing(step: &StepMemory, planned: &PlannedSwing, file: String) -> Option<Swin
 }
 
 fn incline(step: &StepMemory, planned: &PlannedIncline, angle_deg: Quantity) -> Option<Incline> {
-    let Measured { mass_kg, arm_m, depth_m, .. } = step.measured?;
+    let Measured {
+        mass_kg,
+        arm_m,
+        depth_m,
+        ..
+    } = step.measured?;
     let angle = InclineAngle::Stated(angle_deg);
-    Some(Incline { end: planned.end, mass_kg: mass_kg?, arm_m: arm_m?, depth_m: depth_m?, angle })
+    Some(Incline {
+        end: planned.end,
+        mass_kg: mass_kg?,
+        arm_m: arm_m?,
+        depth_m: depth_m?,
+        angle,
+    })
 }

@@ -11,7 +11,8 @@ use crate::live::{Advice, Estimate, GapList, Line, LineKind, SwingState, TimeLef
 use crate::plan::{PlannedIncline, PlannedSwing};
 use crate::recording::{Excitation, Sensor};
 
-/// A motion that nobody asked for is worth another release from this share of the main one on: as the live advice has it.
+/// A motion that nobody asked for is worth another release from this share of the main one on: as
+/// the live advice has it.
 const UNWANTED_SHARE: f64 = 0.05;
 /// A release below this part of the planned amplitude, or above this multiple of it, is a bad one.
 pub(super) const TOO_SMALL: f64 = 0.6;
@@ -20,7 +21,8 @@ pub(super) const TOO_LARGE: f64 = 1.6;
 const LONG_GAP_S: f64 = 1.0;
 /// A sensor that was silent at the end for longer than this did not record the swing, s.
 const SILENT_S: f64 = 1.0;
-/// An incline is another one than planned where it differs by more than this part of it and this angle, degrees.
+/// An incline is another one than planned where it differs by more than this part of it and this
+/// angle, degrees.
 const FAR_PART: f64 = 0.3;
 const FAR_DEG: f64 = 1.0;
 
@@ -86,21 +88,43 @@ impl Judgement {
         for advice in &heard.estimate.advice {
             of_advice(advice, swing, &mut reasons, &mut notes);
         }
-        let silent = |sensor: &Sensor| Text::new("reason_silent", [("sensor", words::sensor(*sensor))]);
+        let silent =
+            |sensor: &Sensor| Text::new("reason_silent", [("sensor", words::sensor(*sensor))]);
         reasons.extend(heard.stopped.iter().map(silent));
         match swing {
             None => reasons.push(Text::new("reason_no_swing", [])),
             Some(swing) => {
-                reasons.extend(swing.lines.iter().filter(|line| is_unwanted(line, planned)).map(unwanted));
+                reasons.extend(
+                    swing
+                        .lines
+                        .iter()
+                        .filter(|line| is_unwanted(line, planned))
+                        .map(unwanted),
+                );
                 of_period(swing, planned.period_u_wanted, &mut reasons, &mut notes);
-                of_amplitude(swing, planned.amplitude_deg, heard.released_deg, &mut reasons, &mut notes);
+                of_amplitude(
+                    swing,
+                    planned.amplitude_deg,
+                    heard.released_deg,
+                    &mut reasons,
+                    &mut notes,
+                );
             }
         }
         if heard.resumed {
             notes.push(Text::new("note_interrupted", []));
         }
         let gaps = heard.estimate.gaps.clone();
-        Self { gaps, ..Self::from(reasons, notes, heard.recorded_s, swing.cloned(), heard.released_deg) }
+        Self {
+            gaps,
+            ..Self::from(
+                reasons,
+                notes,
+                heard.recorded_s,
+                swing.cloned(),
+                heard.released_deg,
+            )
+        }
     }
 
     pub(super) fn of_incline(
@@ -111,24 +135,37 @@ impl Judgement {
     ) -> Self {
         let mut reasons = Vec::new();
         if still.still_s() < still.wanted_s() {
-            reasons.push(Text::new("reason_moving", [("wanted_s", number(still.wanted_s(), 0))]));
+            reasons.push(Text::new(
+                "reason_moving",
+                [("wanted_s", number(still.wanted_s(), 0))],
+            ));
         }
-        let angle_deg = level.zip(still.up()).map(|(level, up)| level.angle(&up).to_degrees());
+        let angle_deg = level
+            .zip(still.up())
+            .map(|(level, up)| level.angle(&up).to_degrees());
         match angle_deg {
             None => reasons.push(Text::new("reason_no_tilt", [])),
             Some(angle_deg) => {
                 let expected_deg = planned.pitch_deg.abs();
                 if (angle_deg - expected_deg).abs() > (FAR_PART * expected_deg).max(FAR_DEG) {
-                    let arguments =
-                        [("angle_deg", number(angle_deg, 2)), ("expected_deg", number(expected_deg, 2))];
+                    let arguments = [
+                        ("angle_deg", number(angle_deg, 2)),
+                        ("expected_deg", number(expected_deg, 2)),
+                    ];
                     reasons.push(Text::new("reason_far", arguments));
                 }
             }
         }
         let note = |angle_deg| Text::new("note_tilt", [("angle_deg", number(angle_deg, 2))]);
         let notes = angle_deg.map(note).into_iter().collect();
-        let incline = angle_deg.map(|angle_deg| InclineReading { angle_deg, u_deg: PHONE_TILT_U_DEG });
-        Self { incline, ..Self::from(reasons, notes, recorded_s, None, None) }
+        let incline = angle_deg.map(|angle_deg| InclineReading {
+            angle_deg,
+            u_deg: PHONE_TILT_U_DEG,
+        });
+        Self {
+            incline,
+            ..Self::from(reasons, notes, recorded_s, None, None)
+        }
     }
 
     fn from(
@@ -138,7 +175,11 @@ impl Judgement {
         swing: Option<SwingState>,
         released_deg: Option<f64>,
     ) -> Self {
-        let recommend = if reasons.is_empty() { Recommend::Accept } else { Recommend::Repeat };
+        let recommend = if reasons.is_empty() {
+            Recommend::Accept
+        } else {
+            Recommend::Repeat
+        };
         Self {
             recommend,
             reasons,
@@ -153,24 +194,47 @@ impl Judgement {
 }
 
 /// What the live estimator found that stays true after the end.
-fn of_advice(advice: &Advice, swing: Option<&SwingState>, reasons: &mut Vec<Text>, notes: &mut Vec<Text>) {
+fn of_advice(
+    advice: &Advice,
+    swing: Option<&SwingState>,
+    reasons: &mut Vec<Text>,
+    notes: &mut Vec<Text>,
+) {
     match *advice {
-        Advice::PhoneMoved { at_s, tilt_deg } => reasons
-            .push(Text::new("reason_slip", [("at_s", number(at_s, 0)), ("tilt_deg", number(tilt_deg, 1))])),
+        Advice::PhoneMoved { at_s, tilt_deg } => reasons.push(Text::new(
+            "reason_slip",
+            [("at_s", number(at_s, 0)), ("tilt_deg", number(tilt_deg, 1))],
+        )),
         Advice::Touched { at_s } => {
             let enough = swing.is_some_and(|swing| swing.time_left == TimeLeft::Reached);
-            let (key, to) = if enough { ("note_touched", notes) } else { ("reason_touched", reasons) };
+            let (key, to) = if enough {
+                ("note_touched", notes)
+            } else {
+                ("reason_touched", reasons)
+            };
             to.push(Text::new(key, [("at_s", number(at_s, 0))]));
         }
         Advice::Saturated { sensor, samples } => reasons.push(Text::new(
             "reason_saturated",
-            [("sensor", words::sensor(sensor)), ("samples", number(samples as f64, 0))],
+            [
+                ("sensor", words::sensor(sensor)),
+                ("samples", number(samples as f64, 0)),
+            ],
         )),
-        Advice::Gaps { sensor, longest_s, .. } if longest_s > LONG_GAP_S => reasons.push(Text::new(
+        Advice::Gaps {
+            sensor, longest_s, ..
+        } if longest_s > LONG_GAP_S => reasons.push(Text::new(
             "reason_gaps",
-            [("sensor", words::sensor(sensor)), ("longest_s", number(longest_s, 1))],
+            [
+                ("sensor", words::sensor(sensor)),
+                ("longest_s", number(longest_s, 1)),
+            ],
         )),
-        Advice::Gaps { sensor, gaps, longest_s } => notes.push(Text::new(
+        Advice::Gaps {
+            sensor,
+            gaps,
+            longest_s,
+        } => notes.push(Text::new(
             "note_gaps",
             [
                 ("sensor", words::sensor(sensor)),
@@ -178,8 +242,13 @@ fn of_advice(advice: &Advice, swing: Option<&SwingState>, reasons: &mut Vec<Text
                 ("longest_s", number(longest_s, 2)),
             ],
         )),
-        Advice::SensorSilent { sensor, since_s } if since_s.is_none_or(|since_s| since_s > SILENT_S) => {
-            reasons.push(Text::new("reason_silent", [("sensor", words::sensor(sensor))]));
+        Advice::SensorSilent { sensor, since_s }
+            if since_s.is_none_or(|since_s| since_s > SILENT_S) =>
+        {
+            reasons.push(Text::new(
+                "reason_silent",
+                [("sensor", words::sensor(sensor))],
+            ));
         }
         // Amplitude, unwanted motion and what is reached are judged against what was planned.
         Advice::SensorSilent { .. }
@@ -195,18 +264,31 @@ pub(super) fn is_unwanted(line: &Line, planned: &PlannedSwing) -> bool {
     let asked = |wanted: &[Excitation]| planned.excited.iter().any(|one| wanted.contains(one));
     let turns = planned.excited.iter().filter(|one| one.turns());
     let fine = match line.kind {
-        // A hull that pitches or surges on two lines has two modes that turn about the same axis, and one of them mostly swings along.
-        LineKind::Sway => asked(&[Excitation::Sway, Excitation::Surge, Excitation::Pitch, Excitation::Roll]),
-        LineKind::SameTurn => {
-            asked(&[Excitation::Pitch, Excitation::Roll, Excitation::Surge, Excitation::Sway])
-        }
+        // A hull that pitches or surges on two lines has two modes that turn about the same axis,
+        // and one of them mostly swings along.
+        LineKind::Sway => asked(&[
+            Excitation::Sway,
+            Excitation::Surge,
+            Excitation::Pitch,
+            Excitation::Roll,
+        ]),
+        LineKind::SameTurn => asked(&[
+            Excitation::Pitch,
+            Excitation::Roll,
+            Excitation::Surge,
+            Excitation::Sway,
+        ]),
         LineKind::OtherTurn => turns.count() > 1,
     };
     line.share >= UNWANTED_SHARE && !fine
 }
 
 fn unwanted(line: &Line) -> Text {
-    let kind = if line.kind == LineKind::Sway { "sway" } else { "turn" };
+    let kind = if line.kind == LineKind::Sway {
+        "sway"
+    } else {
+        "turn"
+    };
     let arguments = [
         ("kind", words(std::iter::once(kind))),
         ("percent", number(100.0 * line.share, 0)),
@@ -217,8 +299,18 @@ fn unwanted(line: &Line) -> Text {
 
 fn of_period(swing: &SwingState, wanted: f64, reasons: &mut Vec<Text>, notes: &mut Vec<Text>) {
     let u = swing.period_noise_u_s / swing.period_s;
-    let (key, to) = if u <= wanted { ("note_period", notes) } else { ("reason_period", reasons) };
-    to.push(Text::new(key, [("u_ppm", number(1e6 * u, 0)), ("wanted_ppm", number(1e6 * wanted, 0))]));
+    let (key, to) = if u <= wanted {
+        ("note_period", notes)
+    } else {
+        ("reason_period", reasons)
+    };
+    to.push(Text::new(
+        key,
+        [
+            ("u_ppm", number(1e6 * u, 0)),
+            ("wanted_ppm", number(1e6 * wanted, 0)),
+        ],
+    ));
 }
 
 fn of_amplitude(
@@ -228,15 +320,23 @@ fn of_amplitude(
     reasons: &mut Vec<Text>,
     notes: &mut Vec<Text>,
 ) {
-    let Some(released_deg) = released_deg else { return };
-    let arguments = [("released_deg", number(released_deg, 1)), ("wanted_deg", number(wanted_deg, 1))];
+    let Some(released_deg) = released_deg else {
+        return;
+    };
+    let arguments = [
+        ("released_deg", number(released_deg, 1)),
+        ("wanted_deg", number(wanted_deg, 1)),
+    ];
     if released_deg < TOO_SMALL * wanted_deg {
         reasons.push(Text::new("reason_small", arguments));
     } else if released_deg > TOO_LARGE * wanted_deg {
         reasons.push(Text::new("reason_large", arguments));
     }
     if let Some(left_deg) = swing.amplitude_deg {
-        let arguments = [("released_deg", number(released_deg, 1)), ("left_deg", number(left_deg, 1))];
+        let arguments = [
+            ("released_deg", number(released_deg, 1)),
+            ("left_deg", number(left_deg, 1)),
+        ];
         notes.push(Text::new("note_amplitude", arguments));
     }
 }

@@ -1,4 +1,5 @@
-//! A criticism kept beside its session: its result as `gyradius-critique/1`, and the curves that its pictures are drawn from.
+//! A criticism kept beside its session: its result as `gyradius-critique/1`, and the curves that
+//! its pictures are drawn from.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -14,13 +15,17 @@ use crate::recording::replace_file;
 const CRITIQUE: &str = "critique.json";
 const TRACES: &str = "critique-traces.json";
 
-/// Keeps a criticism in a folder, in the place of an earlier one. The result is written last: where it is, the curves are.
+/// Keeps a criticism in a folder, in the place of an earlier one. The result is written last: where
+/// it is, the curves are.
 pub fn keep_criticism(folder: impl AsRef<Path>, criticism: &Criticism) -> Result<()> {
     let folder = folder.as_ref();
     forget_criticism(folder)?;
     // JSON has no word for what is not a number.
     let is_sound = |trace: &&SwingTrace| {
-        [&trace.measured, &trace.base, &trace.extended].into_iter().flatten().all(|value| value.is_finite())
+        [&trace.measured, &trace.base, &trace.extended]
+            .into_iter()
+            .flatten()
+            .all(|value| value.is_finite())
     };
     let traces: Vec<&SwingTrace> = criticism.traces.iter().filter(is_sound).collect();
     write(&folder.join(TRACES), serde_json::to_string(&traces))?;
@@ -30,9 +35,14 @@ pub fn keep_criticism(folder: impl AsRef<Path>, criticism: &Criticism) -> Result
 /// The criticism that a folder keeps, if it keeps one; without curves where there are none.
 pub fn kept_criticism(folder: impl AsRef<Path>) -> Result<Option<Criticism>> {
     let folder = folder.as_ref();
-    let Some(critique) = read::<Critique>(&folder.join(CRITIQUE))? else { return Ok(None) };
+    let Some(critique) = read::<Critique>(&folder.join(CRITIQUE))? else {
+        return Ok(None);
+    };
     let traces = read(&folder.join(TRACES))?.unwrap_or_default();
-    Ok(Some(Criticism { critique: critique.with_words(), traces }))
+    Ok(Some(Criticism {
+        critique: critique.with_words(),
+        traces,
+    }))
 }
 
 /// Takes away what is kept, if anything is.
@@ -56,7 +66,10 @@ pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<()> {
 
 fn write(path: &Path, text: serde_json::Result<String>) -> Result<()> {
     let file = path.display().to_string();
-    let text = text.map_err(|error| Error::Unwritable { file: file.clone(), reason: error.to_string() })?;
+    let text = text.map_err(|error| Error::Unwritable {
+        file: file.clone(),
+        reason: error.to_string(),
+    })?;
     replace_file(path, text.as_bytes()).map_err(|error| Error::unwritable(file, "", &error))
 }
 
@@ -64,7 +77,12 @@ fn read<T: DeserializeOwned>(path: &Path) -> Result<Option<T>> {
     let file = path.display().to_string();
     let text = match fs::read_to_string(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(Error::Unreadable { file, reason: error.to_string() }),
+        Err(error) => {
+            return Err(Error::Unreadable {
+                file,
+                reason: error.to_string(),
+            });
+        }
         Ok(text) => text,
     };
     let malformed = |error: serde_json::Error| Error::Malformed {

@@ -1,4 +1,5 @@
-//! The procedure: what happens goes in, the journal and the recordings are written, and where it stands comes out.
+//! The procedure: what happens goes in, the journal and the recordings are written, and where it
+//! stands comes out.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,13 +22,15 @@ use crate::error::{Error, Result};
 use crate::frames::Vec3;
 use crate::language::Text;
 
-/// Stillness that a rest is taken over, s: the mean of white noise of 0.005 rad/s at 100 Hz is then known to 0.13 mrad/s.
+/// Stillness that a rest is taken over, s: the mean of white noise of 0.005 rad/s at 100 Hz is then
+/// known to 0.13 mrad/s.
 const REST_S: f64 = 15.0;
 
 /// One hull being measured, from hanging it level to the result.
 ///
-/// Everything is decided by the events that it is given: it reads no clock and draws no chance. What is decided is on
-/// the disk before [`Procedure::handle`] returns, samples at the latest half a second of their own stamps afterwards.
+/// Everything is decided by the events that it is given: it reads no clock and draws no chance.
+/// What is decided is on the disk before [`Procedure::handle`] returns, samples at the latest half
+/// a second of their own stamps afterwards.
 pub struct Procedure {
     pub(super) folder: PathBuf,
     journal: Journal,
@@ -47,35 +50,51 @@ pub struct Procedure {
 impl Procedure {
     /// Begins a procedure in a folder, which is made if it is not there.
     ///
-    /// Fails with [`Error::Unwritable`] where one has begun there already, with [`Error::Argument`] where the task has
-    /// no step, two steps of one id, or figures that are not numbers.
+    /// Fails with [`Error::Unwritable`] where one has begun there already, with [`Error::Argument`]
+    /// where the task has no step, two steps of one id, or figures that are not numbers.
     pub fn create(folder: impl AsRef<Path>, task: Task) -> Result<Self> {
         check::task(&task)?;
         let folder = folder.as_ref().to_owned();
-        let first = Entry::Created { format: FORMAT.to_owned(), task };
+        let first = Entry::Created {
+            format: FORMAT.to_owned(),
+            task,
+        };
         let journal = Journal::create(&folder, &first)?;
         let takes = folder.join(TAKES);
-        fs::create_dir_all(&takes).map_err(|error| Error::unwritable(takes.display(), "", &error))?;
+        fs::create_dir_all(&takes)
+            .map_err(|error| Error::unwritable(takes.display(), "", &error))?;
         Self::from(folder, journal, vec![first], Vec::new())
     }
 
     /// Goes on with a procedure wherever it was left, by itself or by a killed app.
     ///
-    /// Fails with [`Error::Unreadable`] where there is no journal, and with [`Error::Malformed`] where it is none, is of
-    /// another major version, or not even its first line is whole: then nothing was begun, and
-    /// [`Procedure::create`] begins anew there.
+    /// Fails with [`Error::Unreadable`] where there is no journal, and with [`Error::Malformed`]
+    /// where it is none, is of another major version, or not even its first line is whole: then
+    /// nothing was begun, and [`Procedure::create`] begins anew there.
     pub fn open(folder: impl AsRef<Path>) -> Result<Self> {
         let folder = folder.as_ref().to_owned();
-        let Opened { journal, entries, cut_bytes } = Journal::open(&folder)?;
+        let Opened {
+            journal,
+            entries,
+            cut_bytes,
+        } = Journal::open(&folder)?;
         check::format(&folder, entries.first())?;
         let mut told = Vec::new();
         if cut_bytes > 0 {
-            told.push(Text::new("warn_journal_cut", [("bytes", number(cut_bytes as f64, 0))]));
+            told.push(Text::new(
+                "warn_journal_cut",
+                [("bytes", number(cut_bytes as f64, 0))],
+            ));
         }
         Self::from(folder, journal, entries, told)
     }
 
-    fn from(folder: PathBuf, journal: Journal, entries: Vec<Entry>, told: Vec<Text>) -> Result<Self> {
+    fn from(
+        folder: PathBuf,
+        journal: Journal,
+        entries: Vec<Entry>,
+        told: Vec<Text>,
+    ) -> Result<Self> {
         let mut procedure = Self {
             folder,
             journal,
@@ -100,14 +119,20 @@ impl Procedure {
         for step in 0..self.memory.steps.len() {
             let id = self.memory.steps[step].id();
             let takes = self.memory.steps[step].takes.len();
-            let lost = (takes + 1..).take_while(|take| self.folder.join(file_of(step, &id, *take)).exists());
+            let lost = (takes + 1..)
+                .take_while(|take| self.folder.join(file_of(step, &id, *take)).exists());
             let lost: Vec<usize> = lost.collect();
             known += takes + lost.len();
             for take in lost {
-                self.write(Entry::Started { step, take, at_utc: String::new() })?;
+                self.write(Entry::Started {
+                    step,
+                    take,
+                    at_utc: String::new(),
+                })?;
             }
         }
-        let files = fs::read_dir(self.folder.join(TAKES)).map_or(0, |files| files.flatten().count());
+        let files =
+            fs::read_dir(self.folder.join(TAKES)).map_or(0, |files| files.flatten().count());
         if files > known {
             let files = number((files - known) as f64, 0);
             self.told.push(Text::new("warn_unused", [("files", files)]));
@@ -116,16 +141,20 @@ impl Procedure {
     }
 
     fn look_at_cut_off(&mut self) {
-        let open = self.open_take().filter(|(_, _, take)| take.judgement.is_none());
+        let open = self
+            .open_take()
+            .filter(|(_, _, take)| take.judgement.is_none());
         self.cut_off = open.map_or(Extent::default(), |(_, file, _)| extent(&file));
     }
 
-    /// Takes what happened. What is not offered in the present phase is an [`Error::Argument`] that says what is;
-    /// nothing has changed then. Samples, ticks and the phone's reports are taken in every phase.
+    /// Takes what happened. What is not offered in the present phase is an [`Error::Argument`] that
+    /// says what is; nothing has changed then. Samples, ticks and the phone's reports are taken in
+    /// every phase.
     ///
-    /// A recording that cannot be written is interrupted, and [`State::warnings`](super::State::warnings) says why; what was
-    /// written before stays. Fails with [`Error::Unwritable`] or [`Error::DiskFull`] where a decision cannot be: then it was not
-    /// taken.
+    /// A recording that cannot be written is interrupted, and
+    /// [`State::warnings`](super::State::warnings) says why; what was written before stays. Fails
+    /// with [`Error::Unwritable`] or [`Error::DiskFull`] where a decision cannot be: then it was
+    /// not taken.
     pub fn handle(&mut self, event: Event) -> Result<()> {
         if let Some(action) = action_of(&event) {
             let offered = self.actions();
@@ -145,7 +174,10 @@ impl Procedure {
                 Ok(())
             }
             Event::SensorStopped { sensor, stamp_ns } => {
-                self.tell(Text::new("warn_sensor_stopped", [("sensor", words::sensor(sensor))]));
+                self.tell(Text::new(
+                    "warn_sensor_stopped",
+                    [("sensor", words::sensor(sensor))],
+                ));
                 self.of_running(|running| running.sensor_stopped(stamp_ns, sensor))
             }
             Event::SlipSeen { stamp_ns } => self.of_running(|running| running.slip_seen(stamp_ns)),
@@ -160,10 +192,20 @@ impl Procedure {
     fn decide(&mut self, event: Event) -> Result<()> {
         let phase = self.phase();
         match event {
-            Event::Begin { at_utc, measured_on, phone, placement } => {
+            Event::Begin {
+                at_utc,
+                measured_on,
+                phone,
+                placement,
+            } => {
                 check::phone(&phone)?;
                 let measured_on = measured_on.or_else(|| day_of(&at_utc)).unwrap_or_default();
-                self.write(Entry::Begun { at_utc, measured_on, phone, placement })
+                self.write(Entry::Begun {
+                    at_utc,
+                    measured_on,
+                    phone,
+                    placement,
+                })
             }
             Event::SetReference => {
                 self.reference = Some(self.up()?);
@@ -196,7 +238,8 @@ impl Procedure {
                 Ok(())
             }
             Phase::Rest => {
-                let missing = || Error::argument("event", format!("{REST_S} s of stillness"), "less");
+                let missing =
+                    || Error::argument("event", format!("{REST_S} s of stillness"), "less");
                 let rest = self.rest.found().ok_or_else(missing)?;
                 self.write(Entry::Rested { rest })
             }
@@ -232,13 +275,19 @@ impl Procedure {
 
     fn reopen(&mut self, step: usize) -> Result<()> {
         if !self.memory.step(step).is_some_and(StepMemory::is_done) {
-            return Err(Error::argument("step", "the place of a step that is done", step));
+            return Err(Error::argument(
+                "step",
+                "the place of a step that is done",
+                step,
+            ));
         }
         self.write(Entry::Reopened { step })
     }
 
     fn measured(&mut self, measured: super::event::Measured) -> Result<()> {
-        let Some(step) = self.memory.present() else { return Ok(()) };
+        let Some(step) = self.memory.present() else {
+            return Ok(());
+        };
         let measured = measured.over(self.memory.measured_alike(step));
         if let Some(memory) = self.memory.step(step) {
             check::measured(memory, measured)?;
@@ -247,8 +296,16 @@ impl Procedure {
     }
 
     fn start(&mut self, at_utc: String) -> Result<()> {
-        let Some((step, memory)) = self.present() else { return Ok(()) };
-        let take = memory.takes.iter().map(|take| take.number).max().unwrap_or(0) + 1;
+        let Some((step, memory)) = self.present() else {
+            return Ok(());
+        };
+        let take = memory
+            .takes
+            .iter()
+            .map(|take| take.number)
+            .max()
+            .unwrap_or(0)
+            + 1;
         let (planned, id) = (memory.planned.clone(), memory.id());
         self.write(Entry::Started { step, take, at_utc })?;
         let file = self.folder.join(file_of(step, &id, take));
@@ -259,12 +316,18 @@ impl Procedure {
     }
 
     fn stop(&mut self) -> Result<()> {
-        let Some(running) = self.running.take() else { return Ok(()) };
+        let Some(running) = self.running.take() else {
+            return Ok(());
+        };
         let (follow, ended) = running.end();
-        self.cut_off =
-            Extent { recorded_s: follow.recorded_s(), ended: true, newest_ns: Some(follow.last_ns()) };
+        self.cut_off = Extent {
+            recorded_s: follow.recorded_s(),
+            ended: true,
+            newest_ns: Some(follow.last_ns()),
+        };
         self.judge(&follow)?;
-        // A missing end mark is told by whoever reads the file; what was recorded is judged all the same.
+        // A missing end mark is told by whoever reads the file; what was recorded is judged all the
+        // same.
         if let Err(error) = ended {
             self.tell(words::not_written(&error));
         }
@@ -272,14 +335,22 @@ impl Procedure {
     }
 
     fn judge(&mut self, follow: &Follow) -> Result<()> {
-        let Some((step, _, take)) = self.open_take() else { return Ok(()) };
+        let Some((step, _, take)) = self.open_take() else {
+            return Ok(());
+        };
         let judgement = sound(follow.judgement(self.level()));
         let take = take.number;
-        self.write(Entry::Ended { step, take, judgement })
+        self.write(Entry::Ended {
+            step,
+            take,
+            judgement,
+        })
     }
 
     fn go_on(&mut self) -> Result<()> {
-        let Some((step, file, _)) = self.open_take() else { return Ok(()) };
+        let Some((step, file, _)) = self.open_take() else {
+            return Ok(());
+        };
         let planned = self.memory.steps[step].planned.clone();
         self.told.clear();
         self.running = Some(Running::resume(&file, &planned, &self.before())?);
@@ -287,16 +358,24 @@ impl Procedure {
     }
 
     fn keep(&mut self) -> Result<()> {
-        let Some((step, file, _)) = self.open_take() else { return Ok(()) };
+        let Some((step, file, _)) = self.open_take() else {
+            return Ok(());
+        };
         let planned = self.memory.steps[step].planned.clone();
         let follow = Follow::replayed(&file, &planned, &self.before())?;
         self.judge(&follow)
     }
 
     fn decided(&mut self, accepted: bool) -> Result<()> {
-        let Some((step, _, take)) = self.open_take() else { return Ok(()) };
+        let Some((step, _, take)) = self.open_take() else {
+            return Ok(());
+        };
         let take = take.number;
-        self.write(Entry::Decided { step, take, accepted })?;
+        self.write(Entry::Decided {
+            step,
+            take,
+            accepted,
+        })?;
         // Recordings whose lines were lost come up one after the other.
         self.look_at_cut_off();
         Ok(())
@@ -304,7 +383,11 @@ impl Procedure {
 
     fn samples(&mut self, batch: &Batch) -> Result<()> {
         if batch.stamps_ns.len() != batch.values.len() {
-            let found = format!("{} stamps and {} values", batch.stamps_ns.len(), batch.values.len());
+            let found = format!(
+                "{} stamps and {} values",
+                batch.stamps_ns.len(),
+                batch.values.len()
+            );
             return Err(Error::argument("values", "as many values as stamps", found));
         }
         if let Some(last) = batch.stamps_ns.iter().max() {
@@ -315,17 +398,26 @@ impl Procedure {
             self.tilt.push(&batch.stamps_ns, &batch.values);
         }
         if self.phase() == Phase::Rest {
-            self.rest.push(batch.channel, &batch.stamps_ns, &batch.values);
+            self.rest
+                .push(batch.channel, &batch.stamps_ns, &batch.values);
         }
         self.of_running(|running| running.push(batch))?;
-        if self.running.as_ref().is_some_and(Running::is_over) { self.stop() } else { Ok(()) }
+        if self.running.as_ref().is_some_and(Running::is_over) {
+            self.stop()
+        } else {
+            Ok(())
+        }
     }
 
-    /// Does something with the recording that runs. Where that fails, it is interrupted; a file that cannot be written is told
-    /// among the warnings, and no error beside them.
+    /// Does something with the recording that runs. Where that fails, it is interrupted; a file
+    /// that cannot be written is told among the warnings, and no error beside them.
     fn of_running(&mut self, act: impl FnOnce(&mut Running) -> Result<()>) -> Result<()> {
-        let Some(running) = &mut self.running else { return Ok(()) };
-        let Err(error) = act(running) else { return Ok(()) };
+        let Some(running) = &mut self.running else {
+            return Ok(());
+        };
+        let Err(error) = act(running) else {
+            return Ok(());
+        };
         self.interrupt(words::not_written(&error));
         match error {
             Error::Unwritable { .. } | Error::DiskFull { .. } => Ok(()),
@@ -358,7 +450,8 @@ impl Procedure {
         Some(Job::of(work, &self.folder, &self.memory))
     }
 
-    /// Takes what a job came to. Fails with [`Error::Argument`] where that work is not wanted (any more).
+    /// Takes what a job came to. Fails with [`Error::Argument`] where that work is not wanted (any
+    /// more).
     pub fn finish(&mut self, outcome: Outcome) -> Result<()> {
         let wanted = self.job().map(|job| job.work());
         if wanted != Some(outcome.work()) {
@@ -382,7 +475,9 @@ impl Procedure {
     /// The newest stamp of all recordings, ns.
     pub(super) fn newest_ns(&self) -> Option<i64> {
         let files = fs::read_dir(self.folder.join(TAKES)).ok()?.flatten();
-        files.filter_map(|file| extent(&file.path()).newest_ns).max()
+        files
+            .filter_map(|file| extent(&file.path()).newest_ns)
+            .max()
     }
 
     /// The folder that it is kept in.
@@ -399,7 +494,11 @@ impl Procedure {
             return Phase::Record;
         }
         if let Some((_, _, take)) = self.open_take() {
-            return if take.judgement.is_some() { Phase::Judge } else { Phase::Interrupted };
+            return if take.judgement.is_some() {
+                Phase::Judge
+            } else {
+                Phase::Interrupted
+            };
         }
         if memory.level.is_none() {
             return Phase::Level;
@@ -434,8 +533,17 @@ impl Procedure {
         use Action::*;
         let mut actions = match self.phase() {
             Phase::Start => vec![Begin],
-            Phase::Level => self.tilt.up().map_or_else(Vec::new, |_| vec![SetReference, Accept]),
-            Phase::Rest => self.rest.found().map(|_| Accept).into_iter().chain([Repeat, Skip]).collect(),
+            Phase::Level => self
+                .tilt
+                .up()
+                .map_or_else(Vec::new, |_| vec![SetReference, Accept]),
+            Phase::Rest => self
+                .rest
+                .found()
+                .map(|_| Accept)
+                .into_iter()
+                .chain([Repeat, Skip])
+                .collect(),
             Phase::Hang => vec![Measured, Skip],
             Phase::Ready => vec![StartRecording, Measured, Skip],
             Phase::Record => vec![StopRecording],
@@ -447,8 +555,10 @@ impl Procedure {
             Phase::Suggest => vec![Accept, Skip],
             Phase::Done => vec![],
         };
-        let after_steps =
-            matches!(self.phase(), Phase::Failed | Phase::Critique | Phase::Suggest | Phase::Done);
+        let after_steps = matches!(
+            self.phase(),
+            Phase::Failed | Phase::Critique | Phase::Suggest | Phase::Done
+        );
         if after_steps || matches!(self.phase(), Phase::Hang | Phase::Ready) {
             let any = self.memory.steps.iter().any(StepMemory::is_done);
             actions.extend(any.then_some(Reopen));
@@ -457,9 +567,17 @@ impl Procedure {
     }
 
     fn actions_of_cut_off(&self) -> Vec<Action> {
-        let Extent { recorded_s, ended, newest_ns } = self.cut_off;
-        // A phone that was switched off counts anew: what it says now cannot follow what it said then.
-        let restarted = self.now_ns.zip(newest_ns).is_some_and(|(now, newest)| now < newest);
+        let Extent {
+            recorded_s,
+            ended,
+            newest_ns,
+        } = self.cut_off;
+        // A phone that was switched off counts anew: what it says now cannot follow what it said
+        // then.
+        let restarted = self
+            .now_ns
+            .zip(newest_ns)
+            .is_some_and(|(now, newest)| now < newest);
         if recorded_s <= 0.0 {
             vec![Action::Repeat]
         } else if ended || restarted {
@@ -478,18 +596,28 @@ impl Procedure {
     pub(super) fn open_take(&self) -> Option<(usize, PathBuf, &Take)> {
         let open = |(index, step): (usize, &'_ StepMemory)| {
             let number = step.open_take()?.number;
-            Some((index, number, self.folder.join(file_of(index, &step.id(), number))))
+            Some((
+                index,
+                number,
+                self.folder.join(file_of(index, &step.id(), number)),
+            ))
         };
         let (index, number, file) = self.memory.steps.iter().enumerate().find_map(open)?;
-        let take = self.memory.steps[index].takes.iter().find(|take| take.number == number)?;
+        let take = self.memory.steps[index]
+            .takes
+            .iter()
+            .find(|take| take.number == number)?;
         Some((index, file, take))
     }
 
     /// Direction of gravity's reaction at rest, or when it was level.
     pub(super) fn level(&self) -> Option<Vec3> {
         let rest = self.memory.rest.as_ref().and_then(Option::as_ref);
-        let mean = rest.and_then(|rest| rest.accelerometer).map(|rest| Vec3::from(rest.mean));
-        mean.and_then(|mean| mean.try_normalize(1.0)).or(self.memory.level)
+        let mean = rest
+            .and_then(|rest| rest.accelerometer)
+            .map(|rest| Vec3::from(rest.mean));
+        mean.and_then(|mean| mean.try_normalize(1.0))
+            .or(self.memory.level)
     }
 
     fn up(&self) -> Result<Vec3> {
@@ -498,8 +626,16 @@ impl Procedure {
     }
 
     fn before(&self) -> Before {
-        let phone = self.memory.begun.clone().map(|begun| begun.phone).unwrap_or_default();
-        Before { phone, rest: self.memory.rest.clone().flatten() }
+        let phone = self
+            .memory
+            .begun
+            .clone()
+            .map(|begun| begun.phone)
+            .unwrap_or_default();
+        Before {
+            phone,
+            rest: self.memory.rest.clone().flatten(),
+        }
     }
 
     /// Writes a decision, and only then holds it for true.
@@ -520,6 +656,11 @@ fn sound(judgement: Judgement) -> Judgement {
     let text = serde_json::to_string(&judgement).unwrap_or_default();
     match serde_json::from_str::<Judgement>(&text) {
         Ok(_) => judgement,
-        Err(_) => Judgement { swing: None, released_deg: None, incline: None, ..judgement },
+        Err(_) => Judgement {
+            swing: None,
+            released_deg: None,
+            incline: None,
+            ..judgement
+        },
     }
 }

@@ -55,14 +55,20 @@ pub(super) struct Take {
 
 impl StepMemory {
     pub fn new(planned: Step) -> Self {
-        Self { planned, measured: None, takes: Vec::new(), skipped: false }
+        Self {
+            planned,
+            measured: None,
+            takes: Vec::new(),
+            skipped: false,
+        }
     }
 
     pub fn accepted(&self) -> Option<&Take> {
         self.takes.iter().find(|take| take.accepted == Some(true))
     }
 
-    /// Left out, or recorded and measured: a recording whose dimensions were lost with the journal's end is not enough.
+    /// Left out, or recorded and measured: a recording whose dimensions were lost with the
+    /// journal's end is not enough.
     pub fn is_done(&self) -> bool {
         self.skipped || (self.accepted().is_some() && self.measured.is_some())
     }
@@ -70,7 +76,10 @@ impl StepMemory {
     /// The recording that waits for a decision.
     pub fn open_take(&self) -> Option<&Take> {
         let is_settled = self.skipped || self.accepted().is_some();
-        self.takes.iter().rev().find(|take| take.accepted.is_none() && !is_settled)
+        self.takes
+            .iter()
+            .rev()
+            .find(|take| take.accepted.is_none() && !is_settled)
     }
 
     pub fn id(&self) -> String {
@@ -83,10 +92,17 @@ impl StepMemory {
         }
     }
 
-    /// How a swing hangs, as far as it was measured and as planned otherwise. Points count as moved only where that was measured: how
-    /// far they were planned to go follows from a depth that is itself sought.
+    /// How a swing hangs, as far as it was measured and as planned otherwise. Points count as moved
+    /// only where that was measured: how far they were planned to go follows from a depth that is
+    /// itself sought.
     pub fn hanging(&self) -> Option<Suspension> {
-        let Step::Swing(PlannedSwing { suspension: planned, .. }) = &self.planned else { return None };
+        let Step::Swing(PlannedSwing {
+            suspension: planned,
+            ..
+        }) = &self.planned
+        else {
+            return None;
+        };
         let measured = self.measured.unwrap_or_default();
         let or = |measured: Option<Quantity>, planned: Option<Quantity>| measured.or(planned);
         Some(Suspension {
@@ -120,12 +136,18 @@ impl Memory {
 
     /// What was measured of an earlier step that is planned to hang as this one.
     pub fn measured_alike(&self, index: usize) -> Option<Measured> {
-        let Some(Step::Swing(mine)) = self.steps.get(index).map(|step| &step.planned) else { return None };
+        let Some(Step::Swing(mine)) = self.steps.get(index).map(|step| &step.planned) else {
+            return None;
+        };
         let alike = |step: &&StepMemory| match &step.planned {
             Step::Swing(other) => other.suspension == mine.suspension,
             Step::Incline(_) => false,
         };
-        self.steps.iter().filter(alike).rev().find_map(|step| step.measured)
+        self.steps
+            .iter()
+            .filter(alike)
+            .rev()
+            .find_map(|step| step.measured)
     }
 
     pub fn take(&mut self, entry: Entry) {
@@ -134,19 +156,39 @@ impl Memory {
                 self.steps = task.steps.iter().cloned().map(StepMemory::new).collect();
                 self.task = task;
             }
-            Entry::Begun { measured_on, phone, placement, .. } => {
-                self.begun = Some(Begun { measured_on, phone, placement });
+            Entry::Begun {
+                measured_on,
+                phone,
+                placement,
+                ..
+            } => {
+                self.begun = Some(Begun {
+                    measured_on,
+                    phone,
+                    placement,
+                });
             }
             Entry::Levelled { up } => self.level = Some(Vec3::from(up)),
             Entry::Rested { rest } => self.rest = Some(Some(rest)),
             Entry::RestSkipped => self.rest = Some(None),
-            Entry::Measured { result } => (self.result, self.failed) = (Some(result.with_words()), None),
-            Entry::Failed { work: Work::Measure, reason } => self.failed = Some((Work::Measure, reason)),
-            Entry::Failed { work: Work::Critique, reason } => {
+            Entry::Measured { result } => {
+                (self.result, self.failed) = (Some(result.with_words()), None)
+            }
+            Entry::Failed {
+                work: Work::Measure,
+                reason,
+            } => self.failed = Some((Work::Measure, reason)),
+            Entry::Failed {
+                work: Work::Critique,
+                reason,
+            } => {
                 (self.critique, self.critique_failed) = (Some(None), Some(reason));
             }
             Entry::Retried => self.failed = None,
-            Entry::Criticised { critique, suggestion } => {
+            Entry::Criticised {
+                critique,
+                suggestion,
+            } => {
                 (self.critique, self.suggestion) = (Some(Some(critique.with_words())), suggestion);
             }
             Entry::CritiqueSkipped => self.critique = Some(None),
@@ -168,13 +210,21 @@ impl Memory {
         if matches!(entry, Entry::Reopened { .. }) {
             self.forget_result();
         }
-        let Some(step) = self.steps.get_mut(index) else { return };
-        let numbered =
-            |takes: &mut Vec<Take>, number: usize| takes.iter().position(|take| take.number == number);
+        let Some(step) = self.steps.get_mut(index) else {
+            return;
+        };
+        let numbered = |takes: &mut Vec<Take>, number: usize| {
+            takes.iter().position(|take| take.number == number)
+        };
         match entry {
             Entry::Hung { measured, .. } => step.measured = Some(measured),
-            Entry::Started { take, .. } => step.takes.push(Take { number: take, ..Take::default() }),
-            Entry::Ended { take, judgement, .. } => {
+            Entry::Started { take, .. } => step.takes.push(Take {
+                number: take,
+                ..Take::default()
+            }),
+            Entry::Ended {
+                take, judgement, ..
+            } => {
                 if let Some(at) = numbered(&mut step.takes, take) {
                     step.takes[at].judgement = Some(judgement);
                 }
@@ -188,7 +238,9 @@ impl Memory {
             Entry::Reopened { .. } => {
                 step.skipped = false;
                 step.measured = None;
-                step.takes.iter_mut().for_each(|take| take.accepted = Some(false));
+                step.takes
+                    .iter_mut()
+                    .for_each(|take| take.accepted = Some(false));
             }
             _ => {}
         }
@@ -210,12 +262,25 @@ mod tests {
     fn what_an_older_journal_has_in_english_is_told_in_every_language() {
         let mut memory = Memory::default();
         let result = r#"{"session": "s", "quantities": {}, "warnings": ["It sways."]}"#;
-        memory.take(Entry::Measured { result: serde_json::from_str(result).unwrap() });
-        let critique = r#"{"status": "adequate", "text": "It swings.", "causes": 0, "quantities": {}}"#;
-        memory
-            .take(Entry::Criticised { critique: serde_json::from_str(critique).unwrap(), suggestion: None });
+        memory.take(Entry::Measured {
+            result: serde_json::from_str(result).unwrap(),
+        });
+        let critique =
+            r#"{"status": "adequate", "text": "It swings.", "causes": 0, "quantities": {}}"#;
+        memory.take(Entry::Criticised {
+            critique: serde_json::from_str(critique).unwrap(),
+            suggestion: None,
+        });
         let warnings = memory.result.unwrap().warnings_said;
         assert_eq!(warnings[0].in_language(Language::German), "It sways.");
-        assert_eq!(memory.critique.flatten().unwrap().said.in_language(Language::German), "It swings.");
+        assert_eq!(
+            memory
+                .critique
+                .flatten()
+                .unwrap()
+                .said
+                .in_language(Language::German),
+            "It swings."
+        );
     }
 }

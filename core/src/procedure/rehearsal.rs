@@ -1,7 +1,9 @@
-//! The whole procedure against the simulation: a hull that never was, a phone on it, and an operator who plays by the book.
+//! The whole procedure against the simulation: a hull that never was, a phone on it, and an
+//! operator who plays by the book.
 //!
-//! A rig file says what is true. What the operator measures, the hull's hanging and the phone's noise are drawn from the
-//! seed that is given: the same rig, seed and events give the same session.
+//! A rig file says what is true. What the operator measures, the hull's hanging and the phone's
+//! noise are drawn from the seed that is given: the same rig, seed and events give the same
+//! session.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -19,7 +21,8 @@ use crate::error::{Error, Result};
 use crate::plan::{PlannedIncline, PlannedSwing, Step};
 use crate::practice::{Feed, Mistakes, Release, RigFile, Silence};
 use crate::recording::{
-    AddedMass, End, Excitation, Orientation, Quantity, Sensor, Suspension, SuspensionKind, Swing, SwingData,
+    AddedMass, End, Excitation, Orientation, Quantity, Sensor, Suspension, SuspensionKind, Swing,
+    SwingData,
 };
 
 /// Samples come in batches of this length, s.
@@ -30,7 +33,8 @@ const HELD_S: f64 = 3.0;
 const ALONE_S: f64 = 30.0;
 /// Recordings go on for this long after their time, s: they end by themselves.
 const AFTER_S: f64 = 5.0;
-/// Length of the recordings, s, amplitude, degrees, and certainty of the period that a practice plan asks for.
+/// Length of the recordings, s, amplitude, degrees, and certainty of the period that a practice
+/// plan asks for.
 const DURATION_S: f64 = 120.0;
 const AMPLITUDE_DEG: f64 = 6.0;
 const PERIOD_U: f64 = 1e-4;
@@ -38,7 +42,8 @@ const PERIOD_U: f64 = 1e-4;
 const BOOT_NS: i64 = 7_000_000_000_000;
 /// An app that was killed is back after this time, ns.
 const AWAY_NS: i64 = 2_000_000_000;
-/// A rest that has not been found after this time, s, is done without: wind moves some hulls all the time.
+/// A rest that has not been found after this time, s, is done without: wind moves some hulls all
+/// the time.
 const LONGEST_REST_S: f64 = 120.0;
 /// An operator who plays by the book makes a swing so often before a bad one is taken all the same.
 const MOST_TAKES: usize = 3;
@@ -81,7 +86,11 @@ enum Scene {
 pub fn practice_task(rig: &RigFile) -> Task {
     let session = &rig.session;
     let step = |swing: &Swing| {
-        let excited = if swing.excited.is_empty() { vec![Excitation::Yaw] } else { swing.excited.clone() };
+        let excited = if swing.excited.is_empty() {
+            vec![Excitation::Yaw]
+        } else {
+            swing.excited.clone()
+        };
         Step::Swing(PlannedSwing {
             id: swing.id.clone(),
             suspension: swing.suspension.clone(),
@@ -105,14 +114,22 @@ pub fn practice_task(rig: &RigFile) -> Task {
 impl Rehearsal {
     /// Begins a procedure in a folder on the hull of a rig. Fails as [`Procedure::create`] does.
     pub fn create(folder: impl AsRef<Path>, rig: RigFile, task: Task, seed: u64) -> Result<Self> {
-        Ok(Self::of(Procedure::create(folder, task)?, rig, seed, BOOT_NS))
+        Ok(Self::of(
+            Procedure::create(folder, task)?,
+            rig,
+            seed,
+            BOOT_NS,
+        ))
     }
 
-    /// Goes on with one that was left: two seconds have gone by on the phone's clock, and a recording that goes on finds
-    /// the hull held aside once more. Fails as [`Procedure::open`] does.
+    /// Goes on with one that was left: two seconds have gone by on the phone's clock, and a
+    /// recording that goes on finds the hull held aside once more. Fails as [`Procedure::open`]
+    /// does.
     pub fn open(folder: impl AsRef<Path>, rig: RigFile, seed: u64) -> Result<Self> {
         let procedure = Procedure::open(folder)?;
-        let now_ns = procedure.newest_ns().map_or(BOOT_NS, |newest| newest.saturating_add(AWAY_NS));
+        let now_ns = procedure
+            .newest_ns()
+            .map_or(BOOT_NS, |newest| newest.saturating_add(AWAY_NS));
         Ok(Self::of(procedure, rig, seed, now_ns))
     }
 
@@ -158,8 +175,8 @@ impl Rehearsal {
         Ok(())
     }
 
-    /// Lets so much time go by on the simulated hull, s; less where the recording ends meanwhile, and none where the
-    /// phone is not listened to. Returns what went by.
+    /// Lets so much time go by on the simulated hull, s; less where the recording ends meanwhile,
+    /// and none where the phone is not listened to. Returns what went by.
     pub fn advance(&mut self, seconds: f64) -> Result<f64> {
         self.heard.clear();
         let from_ns = self.now_ns;
@@ -169,7 +186,9 @@ impl Rehearsal {
             if self.feed.as_ref().is_none_or(|(of, _)| *of != scene) {
                 self.feed = Some((scene.clone(), self.simulate(&scene)?));
             }
-            let Some((_, feed)) = &mut self.feed else { break };
+            let Some((_, feed)) = &mut self.feed else {
+                break;
+            };
             let left_s = seconds - gone_s(self.now_ns);
             let Some(heard) = feed.next(left_s.min(BATCH_S)) else {
                 self.feed = None;
@@ -181,7 +200,11 @@ impl Rehearsal {
                     Sensor::Gyroscope => Channel::Gyroscope,
                     _ => Channel::Accelerometer,
                 };
-                let batch = Batch { channel, stamps_ns: one.stamps_ns, values: one.values };
+                let batch = Batch {
+                    channel,
+                    stamps_ns: one.stamps_ns,
+                    values: one.values,
+                };
                 self.procedure.handle(Event::Samples(batch.clone()))?;
                 self.heard.push(batch);
             }
@@ -194,13 +217,17 @@ impl Rehearsal {
         &self.heard
     }
 
-    /// What an operator who plays by the book does now; nothing while there is to be waited or worked.
+    /// What an operator who plays by the book does now; nothing while there is to be waited or
+    /// worked.
     pub fn by_the_book(&self, at_utc: &str) -> Result<Option<Event>> {
         let state = self.state();
         let offered = |action| state.actions.contains(&action);
         Ok(match state.phase {
             Phase::Start => {
-                let phone = PhoneInfo { model: PHONE.to_owned(), sensors: Vec::new() };
+                let phone = PhoneInfo {
+                    model: PHONE.to_owned(),
+                    sensors: Vec::new(),
+                };
                 Some(Event::Begin {
                     at_utc: at_utc.to_owned(),
                     measured_on: None,
@@ -211,11 +238,15 @@ impl Rehearsal {
             Phase::Level => offered(Action::Accept).then_some(Event::Accept),
             Phase::Rest if offered(Action::Accept) => Some(Event::Accept),
             Phase::Rest => {
-                let rested_s = self.rest_ns.map_or(0.0, |from| self.now_ns.saturating_sub(from) as f64 / 1e9);
+                let rested_s = self
+                    .rest_ns
+                    .map_or(0.0, |from| self.now_ns.saturating_sub(from) as f64 / 1e9);
                 (rested_s > LONGEST_REST_S).then_some(Event::Skip)
             }
             Phase::Hang => Some(Event::Measured(self.tape()?)),
-            Phase::Ready => Some(Event::StartRecording { at_utc: at_utc.to_owned() }),
+            Phase::Ready => Some(Event::StartRecording {
+                at_utc: at_utc.to_owned(),
+            }),
             Phase::Interrupted => [
                 (Action::Continue, Event::Continue),
                 (Action::Keep, Event::Keep),
@@ -225,18 +256,26 @@ impl Rehearsal {
             .find_map(|(action, event)| offered(action).then_some(event)),
             Phase::Judge => {
                 let take = state.step.map_or(0, |step| step.take);
-                let good = state.judgement.is_some_and(|judgement| judgement.recommend == Recommend::Accept);
-                Some(if good || take >= MOST_TAKES { Event::Accept } else { Event::Repeat })
+                let good = state
+                    .judgement
+                    .is_some_and(|judgement| judgement.recommend == Recommend::Accept);
+                Some(if good || take >= MOST_TAKES {
+                    Event::Accept
+                } else {
+                    Event::Repeat
+                })
             }
             Phase::Suggest => Some(Event::Skip),
             Phase::Record | Phase::Measure | Phase::Failed | Phase::Critique | Phase::Done => None,
         })
     }
 
-    /// What the operator's tape says of the present step: what is true, and an error as large as the plan's uncertainty
-    /// of it makes one.
+    /// What the operator's tape says of the present step: what is true, and an error as large as
+    /// the plan's uncertainty of it makes one.
     pub fn tape(&self) -> Result<Measured> {
-        let Some(step) = self.state().step else { return Ok(Measured::default()) };
+        let Some(step) = self.state().step else {
+            return Ok(Measured::default());
+        };
         match &step.planned {
             Step::Swing(swing) => Ok(self.tape_of(&swing.suspension)),
             Step::Incline(incline) => Ok(Measured {
@@ -251,20 +290,40 @@ impl Rehearsal {
     fn tape_of(&self, planned: &Suspension) -> Measured {
         let mut measured = Measured::default();
         let lengths = [
-            ("line_length", planned.line_length_m, &mut measured.line_length_m),
+            (
+                "line_length",
+                planned.line_length_m,
+                &mut measured.line_length_m,
+            ),
             ("spacing", planned.spacing_m, &mut measured.spacing_m),
-            ("top_spacing", planned.top_spacing_m, &mut measured.top_spacing_m),
-            ("hull_pitch", planned.hull_pitch_deg, &mut measured.hull_pitch_deg),
-            ("axis_height", planned.axis_height_m, &mut measured.axis_height_m),
+            (
+                "top_spacing",
+                planned.top_spacing_m,
+                &mut measured.top_spacing_m,
+            ),
+            (
+                "hull_pitch",
+                planned.hull_pitch_deg,
+                &mut measured.hull_pitch_deg,
+            ),
+            (
+                "axis_height",
+                planned.axis_height_m,
+                &mut measured.axis_height_m,
+            ),
         ];
         for (name, planned, stated) in lengths {
-            *stated = planned.map(|p| Quantity::new(p.value + p.u * self.chance(name, p.value), p.u));
+            *stated =
+                planned.map(|p| Quantity::new(p.value + p.u * self.chance(name, p.value), p.u));
         }
-        measured.points_moved_m = planned.points_moved_m.map(|points| self.moved(planned, points.u));
+        measured.points_moved_m = planned
+            .points_moved_m
+            .map(|points| self.moved(planned, points.u));
         measured
     }
 
-    /// Points are moved until the hull hangs at the planned tilt, (26): how far that is, only the tape tells.
+    /// Points are moved until the hull hangs at the planned tilt, (26): how far that is, only the
+    /// tape tells.
     fn moved(&self, planned: &Suspension, u_m: f64) -> Quantity {
         let pitch_deg = planned.hull_pitch_deg.map_or(0.0, |pitch| pitch.value);
         let depth_m = self.truth().get("cm_depth_m").copied().unwrap_or_default();
@@ -285,7 +344,10 @@ impl Rehearsal {
         let state = self.state();
         match state.phase {
             Phase::Level | Phase::Rest | Phase::Hang | Phase::Ready => Some(Scene::Alone),
-            Phase::Record => state.step.map(|step| Scene::Step { index: step.index, take: step.take }),
+            Phase::Record => state.step.map(|step| Scene::Step {
+                index: step.index,
+                take: step.take,
+            }),
             _ => None,
         }
     }
@@ -294,25 +356,42 @@ impl Rehearsal {
         self.feeds += 1;
         let step = self.state().step;
         let mut swing = self.hanging(step.as_ref().map(|step| &step.planned));
-        let alone = Release { held_s: 0.0, swings_s: ALONE_S, ..Release::default() };
+        let alone = Release {
+            held_s: 0.0,
+            swings_s: ALONE_S,
+            ..Release::default()
+        };
         let (mut release, mut mishap) = (alone, Mishap::default());
         if let (Scene::Step { take, .. }, Some(step)) = (scene, &step) {
-            mishap = self.mishaps.get(&(step.id.clone(), *take)).copied().unwrap_or_default();
+            mishap = self
+                .mishaps
+                .get(&(step.id.clone(), *take))
+                .copied()
+                .unwrap_or_default();
             match &step.planned {
                 Step::Swing(planned) => release = let_go(planned),
                 Step::Incline(incline) => swing.added_masses.push(weight(incline)),
             }
         }
         let told = truth(&swing.suspension);
-        let rigged = self.rig.rehung(&swing, &release, &mishap.mistakes, &told, self.feeds)?;
+        let rigged = self
+            .rig
+            .rehung(&swing, &release, &mishap.mistakes, &told, self.feeds)?;
         Feed::of(&rigged, self.seed, self.now_ns, mishap.silence)
     }
 
     /// The hull as a step hangs it; inclines and rests hang as the first swing does.
     fn hanging(&self, step: Option<&Step>) -> Swing {
-        let first = self.rig.session.swings.first().map(|swing| swing.suspension.clone());
+        let first = self
+            .rig
+            .session
+            .swings
+            .first()
+            .map(|swing| swing.suspension.clone());
         let (suspension, added_masses) = match step {
-            Some(Step::Swing(planned)) => (planned.suspension.clone(), planned.added_masses.clone()),
+            Some(Step::Swing(planned)) => {
+                (planned.suspension.clone(), planned.added_masses.clone())
+            }
             _ => (first.unwrap_or_else(plain_lines), Vec::new()),
         };
         Swing {
@@ -327,7 +406,12 @@ impl Rehearsal {
 
     /// What is true of the hull, by name: the rig's `[truth]`.
     pub fn truth(&self) -> BTreeMap<String, f64> {
-        self.rig.truth.all().iter().map(|(name, value)| ((*name).to_owned(), *value)).collect()
+        self.rig
+            .truth
+            .all()
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), *value))
+            .collect()
     }
 }
 
@@ -335,13 +419,28 @@ impl Rehearsal {
 fn truth(planned: &Suspension) -> BTreeMap<String, f64> {
     let spacing = planned.spacing_m.map(|spacing| spacing.value);
     let dimensions = [
-        ("line_length_m", planned.line_length_m.map(|length| length.value)),
+        (
+            "line_length_m",
+            planned.line_length_m.map(|length| length.value),
+        ),
         ("spacing_m", spacing),
-        ("top_spacing_m", planned.top_spacing_m.map(|top| top.value).or(spacing)),
-        ("hull_pitch_deg", planned.hull_pitch_deg.map(|pitch| pitch.value)),
-        ("axis_height_m", planned.axis_height_m.map(|height| height.value)),
+        (
+            "top_spacing_m",
+            planned.top_spacing_m.map(|top| top.value).or(spacing),
+        ),
+        (
+            "hull_pitch_deg",
+            planned.hull_pitch_deg.map(|pitch| pitch.value),
+        ),
+        (
+            "axis_height_m",
+            planned.axis_height_m.map(|height| height.value),
+        ),
     ];
-    dimensions.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect()
+    dimensions
+        .into_iter()
+        .filter_map(|(name, value)| Some((name.to_owned(), value?)))
+        .collect()
 }
 
 fn let_go(planned: &PlannedSwing) -> Release {
@@ -391,10 +490,18 @@ impl std::str::FromStr for Mishap {
             "touch" => mistakes.touch_s = Some(80.0),
             "slip" => mistakes.slip_s = Some(50.0),
             "silence" => {
-                mishap.silence = Some(Silence { sensor: Sensor::Gyroscope, from_s: 30.0, until_s: 60.0 });
+                mishap.silence = Some(Silence {
+                    sensor: Sensor::Gyroscope,
+                    from_s: 30.0,
+                    until_s: 60.0,
+                });
             }
             other => {
-                return Err(Error::argument("mishap", "bad_release, sway, touch, slip or silence", other));
+                return Err(Error::argument(
+                    "mishap",
+                    "bad_release, sway, touch, slip or silence",
+                    other,
+                ));
             }
         }
         Ok(mishap)

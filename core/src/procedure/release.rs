@@ -1,8 +1,8 @@
 //! The release: when the hull began to move, and how far it swings, read half swing by half swing.
 //!
-//! Between two moments at which the rate is nought a turn goes from one end to the other: half the integral of the rate
-//! is its amplitude, whatever its period. A swing without turning is read off the accelerometer: the force across
-//! gravity over gravity is the lines' angle.
+//! Between two moments at which the rate is nought a turn goes from one end to the other: half the
+//! integral of the rate is its amplitude, whatever its period. A swing without turning is read off
+//! the accelerometer: the force across gravity over gravity is the lines' angle.
 
 use super::event::Channel;
 use super::rest::Rest;
@@ -12,7 +12,8 @@ use crate::frames::Vec3;
 const CELL_NS: i64 = 100_000_000;
 /// Motion is what exceeds noise by so many standard deviations …
 const SIGMAS: f64 = 8.0;
-/// … and at least this: rad/s of the gyroscope (at a period of 4 s a swing of 0.4°), m/s² of the accelerometer (0.3°).
+/// … and at least this: rad/s of the gyroscope (at a period of 4 s a swing of 0.4°), m/s² of the
+/// accelerometer (0.3°).
 const LEAST: [f64; 2] = [0.01, 0.05];
 /// Half swings below this are noise or the hand, degrees.
 const LEAST_DEG: f64 = 0.2;
@@ -105,11 +106,15 @@ impl Release {
         self.halves.last().map(|half| half.1)
     }
 
-    /// Amplitude after the release, degrees; the free swing begins at `from_ns`, or where motion did.
+    /// Amplitude after the release, degrees; the free swing begins at `from_ns`, or where motion
+    /// did.
     pub fn released_deg(&self, from_ns: Option<i64>) -> Option<f64> {
         let from_ns = from_ns.or(self.moving_ns)?;
         let until_ns = from_ns.saturating_add((RELEASE_S * 1e9) as i64);
-        let within = self.halves.iter().filter(|half| (from_ns..until_ns).contains(&half.0));
+        let within = self
+            .halves
+            .iter()
+            .filter(|half| (from_ns..until_ns).contains(&half.0));
         within.map(|half| half.1).max_by(f64::total_cmp)
     }
 
@@ -134,7 +139,9 @@ impl Release {
     }
 
     fn follow(&mut self, at_ns: i64, along: f64, gravity_m_s2: f64) {
-        let Some((last_ns, last)) = self.last.replace((at_ns, along)) else { return };
+        let Some((last_ns, last)) = self.last.replace((at_ns, along)) else {
+            return;
+        };
         if last * along < 0.0 {
             let size = match self.follows {
                 Follows::Turn => 0.5 * self.half,
@@ -166,8 +173,16 @@ mod tests {
         let omega = TAU / 4.0;
         for i in 0..2000_i64 {
             let t = i as f64 / 100.0 - 3.0;
-            let rate = if t < 0.0 { 0.0 } else { 5_f64.to_radians() * omega * (omega * t).sin() };
-            release.push(Channel::Gyroscope, &[10_000_000 * i], &[[0.02, 0.01 - rate, 0.0]]);
+            let rate = if t < 0.0 {
+                0.0
+            } else {
+                5_f64.to_radians() * omega * (omega * t).sin()
+            };
+            release.push(
+                Channel::Gyroscope,
+                &[10_000_000 * i],
+                &[[0.02, 0.01 - rate, 0.0]],
+            );
         }
         let moving_s = release.moving_ns().unwrap() as f64 / 1e9;
         // The rate passes 0.01 rad/s, of 0.137, after 0.05 s; cells are 0.1 s long.
@@ -183,8 +198,16 @@ mod tests {
         let mut release = Release::new(Follows::Lines, None);
         for i in 0..2000_i64 {
             let t = i as f64 / 100.0 - 3.0;
-            let across = if t < 0.0 { 0.0 } else { 9.81 * 2_f64.to_radians() * (1.6 * t).sin() };
-            release.push(Channel::Accelerometer, &[10_000_000 * i], &[[across, 0.0, 9.81]]);
+            let across = if t < 0.0 {
+                0.0
+            } else {
+                9.81 * 2_f64.to_radians() * (1.6 * t).sin()
+            };
+            release.push(
+                Channel::Accelerometer,
+                &[10_000_000 * i],
+                &[[across, 0.0, 9.81]],
+            );
         }
         let released = release.released_deg(None).unwrap();
         assert!((released - 2.0).abs() < 0.1, "{released}");

@@ -1,7 +1,9 @@
-//! The sensors at rest: bias, noise, gravity and real rates, taken only from a hull that hangs still.
+//! The sensors at rest: bias, noise, gravity and real rates, taken only from a hull that hangs
+//! still.
 //!
-//! Samples are kept in blocks of half a second. A block whose mean is off that of the still blocks before it, by more than
-//! noise allows and by more than matters, says that the hull moves, and stillness begins anew.
+//! Samples are kept in blocks of half a second. A block whose mean is off that of the still blocks
+//! before it, by more than noise allows and by more than matters, says that the hull moves, and
+//! stillness begins anew.
 
 use std::collections::VecDeque;
 
@@ -32,7 +34,8 @@ pub struct Rest {
     pub gyroscope: SensorRest,
     /// Accelerometer, m/s²; its mean is the reaction to gravity and the sensor's own error.
     pub accelerometer: Option<SensorRest>,
-    /// Size of the accelerometer's mean, m/s²: gravity to within the sensor's own error, which may be 0.5 %.
+    /// Size of the accelerometer's mean, m/s²: gravity to within the sensor's own error, which may
+    /// be 0.5 %.
     pub gravity_m_s2: Option<f64>,
 }
 
@@ -47,7 +50,8 @@ pub struct SensorRest {
     pub gaps: usize,
     /// Mean by axis, unit of the sensor, phone axes.
     pub mean: [f64; 3],
-    /// Standard deviation of a sample by axis, from the differences of neighbours: slow motion is not in it.
+    /// Standard deviation of a sample by axis, from the differences of neighbours: slow motion is
+    /// not in it.
     pub noise: [f64; 3],
 }
 
@@ -74,7 +78,11 @@ impl Block {
 
     /// Variance of a sample, all axes together, from the differences of neighbours.
     fn variance(&self) -> f64 {
-        let squares: f64 = self.values.windows(2).map(|pair| (pair[1] - pair[0]).norm_squared()).sum();
+        let squares: f64 = self
+            .values
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0]).norm_squared())
+            .sum();
         0.5 * squares / self.values.len().saturating_sub(1).max(1) as f64
     }
 }
@@ -100,8 +108,17 @@ pub(super) struct RestReader {
 
 impl RestReader {
     pub fn new(wanted_s: f64) -> Self {
-        let sensed = || Sensed { open: Block::default(), still: VecDeque::new(), latest: VecDeque::new() };
-        Self { wanted_s, gyroscope: sensed(), accelerometer: sensed(), moved_ns: None }
+        let sensed = || Sensed {
+            open: Block::default(),
+            still: VecDeque::new(),
+            latest: VecDeque::new(),
+        };
+        Self {
+            wanted_s,
+            gyroscope: sensed(),
+            accelerometer: sensed(),
+            moved_ns: None,
+        }
     }
 
     pub fn wanted_s(&self) -> f64 {
@@ -112,10 +129,16 @@ impl RestReader {
         // A little more than is wanted is kept, so that both sensors have it.
         let most = (self.wanted_s * 1e9 / BLOCK_NS as f64).ceil() as usize + 2;
         let (sensed, other, least) = match channel {
-            Channel::Gyroscope => (&mut self.gyroscope, &mut self.accelerometer, LEAST_RATE_RAD_S),
-            Channel::Accelerometer => {
-                (&mut self.accelerometer, &mut self.gyroscope, LEAST_TILT_RAD * STANDARD_GRAVITY_M_S2)
-            }
+            Channel::Gyroscope => (
+                &mut self.gyroscope,
+                &mut self.accelerometer,
+                LEAST_RATE_RAD_S,
+            ),
+            Channel::Accelerometer => (
+                &mut self.accelerometer,
+                &mut self.gyroscope,
+                LEAST_TILT_RAD * STANDARD_GRAVITY_M_S2,
+            ),
             Channel::GyroscopeBias => return,
         };
         for (&stamp, value) in stamps_ns.iter().zip(values) {
@@ -131,16 +154,27 @@ impl RestReader {
     /// So long it has been still, s: by the gyroscope, and by the accelerometer where there is one.
     pub fn still_s(&self) -> f64 {
         let gyroscope_s = self.gyroscope.still_s();
-        let has_other = !self.accelerometer.latest.is_empty() || !self.accelerometer.open.values.is_empty();
-        if has_other { gyroscope_s.min(self.accelerometer.still_s()) } else { gyroscope_s }
+        let has_other =
+            !self.accelerometer.latest.is_empty() || !self.accelerometer.open.values.is_empty();
+        if has_other {
+            gyroscope_s.min(self.accelerometer.still_s())
+        } else {
+            gyroscope_s
+        }
     }
 
     /// How the hull moves, while it has not been still for long enough since it did.
     pub fn moving(&self) -> Option<Moving> {
         let unsettled = self.moved_ns.is_some() && self.still_s() < self.wanted_s;
         unsettled.then(|| Moving {
-            rate_deg_s: self.gyroscope.largest(|mean, value| (value - mean).norm()).to_degrees(),
-            tilt_deg: self.accelerometer.largest(|mean, value| mean.angle(value)).to_degrees(),
+            rate_deg_s: self
+                .gyroscope
+                .largest(|mean, value| (value - mean).norm())
+                .to_degrees(),
+            tilt_deg: self
+                .accelerometer
+                .largest(|mean, value| mean.angle(value))
+                .to_degrees(),
         })
     }
 
@@ -152,7 +186,12 @@ impl RestReader {
         let gyroscope = self.gyroscope.rest()?;
         let accelerometer = self.accelerometer.rest();
         let gravity_m_s2 = accelerometer.map(|rest| Vec3::from(rest.mean).norm());
-        Some(Rest { still_s: self.still_s(), gyroscope, accelerometer, gravity_m_s2 })
+        Some(Rest {
+            still_s: self.still_s(),
+            gyroscope,
+            accelerometer,
+            gravity_m_s2,
+        })
     }
 
     /// Mean of the accelerometer over the still part, m/s².
@@ -172,7 +211,11 @@ impl Sensed {
         most: usize,
         moved_ns: Option<i64>,
     ) -> Option<i64> {
-        let steps_back = self.open.stamps_ns.last().is_some_and(|last| stamp <= *last);
+        let steps_back = self
+            .open
+            .stamps_ns
+            .last()
+            .is_some_and(|last| stamp <= *last);
         if steps_back || !value.iter().all(|v| v.is_finite()) {
             return None;
         }
@@ -186,7 +229,12 @@ impl Sensed {
 
     /// Drops what was before the hull last moved.
     fn forget_before(&mut self, moved_ns: i64) {
-        self.still.retain(|block| block.stamps_ns.first().is_some_and(|first| *first >= moved_ns));
+        self.still.retain(|block| {
+            block
+                .stamps_ns
+                .first()
+                .is_some_and(|first| *first >= moved_ns)
+        });
     }
 
     fn close(&mut self, least: f64, most: usize, moved_ns: Option<i64>) -> bool {
@@ -197,12 +245,19 @@ impl Sensed {
             self.latest.pop_front();
         }
         let noise = SIGMAS * (block.variance() / block.values.len() as f64).sqrt();
-        let moved = self.level().is_some_and(|level| (mean - level).norm() > least.max(noise));
+        let moved = self
+            .level()
+            .is_some_and(|level| (mean - level).norm() > least.max(noise));
         if moved {
             self.still.clear();
             return true;
         }
-        if moved_ns.is_some_and(|moved_ns| block.stamps_ns.first().is_none_or(|first| *first < moved_ns)) {
+        if moved_ns.is_some_and(|moved_ns| {
+            block
+                .stamps_ns
+                .first()
+                .is_none_or(|first| *first < moved_ns)
+        }) {
             return false;
         }
         self.still.push_back(block);
@@ -221,31 +276,51 @@ impl Sensed {
     fn still_s(&self) -> f64 {
         let first = self.still.front().and_then(|block| block.stamps_ns.first());
         let last = self.still.back().and_then(|block| block.stamps_ns.last());
-        first.zip(last).map_or(0.0, |(first, last)| last.saturating_sub(*first) as f64 / 1e9)
+        first.zip(last).map_or(0.0, |(first, last)| {
+            last.saturating_sub(*first) as f64 / 1e9
+        })
     }
 
     fn largest(&self, distance: impl Fn(&Vec3, &Vec3) -> f64) -> f64 {
         let mean = self.latest.iter().sum::<Vec3>() / self.latest.len().max(1) as f64;
-        self.latest.iter().map(|value| distance(&mean, value)).fold(0.0, f64::max)
+        self.latest
+            .iter()
+            .map(|value| distance(&mean, value))
+            .fold(0.0, f64::max)
     }
 
     fn rest(&self) -> Option<SensorRest> {
-        let stamps: Vec<i64> = self.still.iter().flat_map(|block| block.stamps_ns.iter().copied()).collect();
-        let values: Vec<Vec3> = self.still.iter().flat_map(|block| block.values.iter().copied()).collect();
-        let mut intervals: Vec<f64> =
-            stamps.windows(2).map(|pair| pair[1].saturating_sub(pair[0]) as f64 / 1e9).collect();
+        let stamps: Vec<i64> = self
+            .still
+            .iter()
+            .flat_map(|block| block.stamps_ns.iter().copied())
+            .collect();
+        let values: Vec<Vec3> = self
+            .still
+            .iter()
+            .flat_map(|block| block.values.iter().copied())
+            .collect();
+        let mut intervals: Vec<f64> = stamps
+            .windows(2)
+            .map(|pair| pair[1].saturating_sub(pair[0]) as f64 / 1e9)
+            .collect();
         intervals.sort_by(f64::total_cmp);
         let usual = *intervals.get(intervals.len() / 2)?;
         let regular = intervals.partition_point(|interval| *interval <= MISSING_INTERVALS * usual);
         let time_s: f64 = intervals[..regular].iter().sum();
         let mean = values.iter().sum::<Vec3>() / values.len() as f64;
-        let squares = values.windows(2).map(|pair| (pair[1] - pair[0]).map(|d| d * d)).sum::<Vec3>();
+        let squares = values
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0]).map(|d| d * d))
+            .sum::<Vec3>();
         Some(SensorRest {
             samples: values.len(),
             rate_hz: regular as f64 / time_s,
             gaps: intervals.len() - regular,
             mean: mean.into(),
-            noise: (squares * (0.5 / (values.len() - 1) as f64)).map(f64::sqrt).into(),
+            noise: (squares * (0.5 / (values.len() - 1) as f64))
+                .map(f64::sqrt)
+                .into(),
         })
     }
 }

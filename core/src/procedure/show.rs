@@ -37,7 +37,9 @@ impl Procedure {
             tilt,
             rest,
             recording,
-            judgement: self.open_take().and_then(|(_, _, take)| take.judgement.clone()),
+            judgement: self
+                .open_take()
+                .and_then(|(_, _, take)| take.judgement.clone()),
             work,
             result: self.memory.result.clone(),
             critique: self.memory.critique.clone().flatten(),
@@ -47,9 +49,21 @@ impl Procedure {
     }
 
     fn tilt_now(&self, phase: Phase) -> Option<Tilt> {
-        let of_use = matches!(phase, Phase::Level | Phase::Rest | Phase::Hang | Phase::Ready);
-        let placement = self.memory.begun.as_ref().map(|begun| begun.placement).unwrap_or_default();
-        let reference: Option<Vec3> = if phase == Phase::Level { self.reference } else { self.level() };
+        let of_use = matches!(
+            phase,
+            Phase::Level | Phase::Rest | Phase::Hang | Phase::Ready
+        );
+        let placement = self
+            .memory
+            .begun
+            .as_ref()
+            .map(|begun| begun.placement)
+            .unwrap_or_default();
+        let reference: Option<Vec3> = if phase == Phase::Level {
+            self.reference
+        } else {
+            self.level()
+        };
         self.tilt.tilt(placement, reference).filter(|_| of_use)
     }
 
@@ -84,7 +98,12 @@ impl Procedure {
 
     fn progress(&self) -> Progress {
         let steps = self.memory.steps.len();
-        let steps_done = self.memory.steps.iter().filter(|step| step.is_done()).count();
+        let steps_done = self
+            .memory
+            .steps
+            .iter()
+            .filter(|step| step.is_done())
+            .count();
         let memory = &self.memory;
         let others = [
             memory.level.is_some(),
@@ -93,10 +112,14 @@ impl Procedure {
             memory.critique.is_some(),
         ];
         let done = steps_done + others.iter().filter(|done| **done).count();
-        let left = memory.steps.iter().filter(|step| !step.is_done()).map(|step| match &step.planned {
-            Step::Swing(swing) => swing.duration_s,
-            Step::Incline(_) => INCLINE_STILL_S,
-        });
+        let left = memory
+            .steps
+            .iter()
+            .filter(|step| !step.is_done())
+            .map(|step| match &step.planned {
+                Step::Swing(swing) => swing.duration_s,
+                Step::Incline(_) => INCLINE_STILL_S,
+            });
         Progress {
             steps_done,
             steps,
@@ -108,7 +131,9 @@ impl Procedure {
     fn recording_view(&self, phase: Phase) -> Option<RecordingView> {
         let (index, _, take) = self.open_take()?;
         let step = self.memory.step(index)?;
-        let file = file_of(index, &step.id(), take.number).display().to_string();
+        let file = file_of(index, &step.id(), take.number)
+            .display()
+            .to_string();
         match &self.running {
             Some(running) if phase == Phase::Record => {
                 Some(running_view(file, &step.planned, &running.follow))
@@ -136,7 +161,10 @@ impl Procedure {
         if let (true, Some(heard), Some(now)) = (listening, self.heard_ns, self.now_ns) {
             let silent_s = now.saturating_sub(heard) as f64 / 1e9;
             if silent_s > SILENT_S {
-                warnings.push(Text::new("warn_silent", [("silent_s", number(silent_s, 0))]));
+                warnings.push(Text::new(
+                    "warn_silent",
+                    [("silent_s", number(silent_s, 0))],
+                ));
             }
         }
         warnings
@@ -149,17 +177,22 @@ impl Procedure {
         rest: Option<&RestView>,
         recording: Option<&RecordingView>,
     ) -> Text {
-        let id = || id(self.shown_step().map(|step| step.1.id()).unwrap_or_default());
+        let id = || {
+            id(self
+                .shown_step()
+                .map(|step| step.1.id())
+                .unwrap_or_default())
+        };
         match phase {
             Phase::Start => self.start_text(),
             Phase::Level => level_text(tilt),
             Phase::Rest => rest.map_or_else(|| Text::new("rest", []), rest_text),
-            Phase::Hang => {
-                self.shown_step().map_or_else(|| Text::new("measure", []), |step| hang_text(step.1))
-            }
-            Phase::Ready => {
-                self.shown_step().map_or_else(|| Text::new("measure", []), |step| ready_text(step.1))
-            }
+            Phase::Hang => self
+                .shown_step()
+                .map_or_else(|| Text::new("measure", []), |step| hang_text(step.1)),
+            Phase::Ready => self
+                .shown_step()
+                .map_or_else(|| Text::new("measure", []), |step| ready_text(step.1)),
             Phase::Record => recording.map_or_else(|| Text::new("waiting", []), record_text),
             Phase::Interrupted => {
                 let recorded_s = self.cut_off.recorded_s;
@@ -173,19 +206,34 @@ impl Procedure {
                 Text::new(key, [("id", id()), ("recorded_s", number(recorded_s, 0))])
             }
             Phase::Judge => {
-                let judgement = self.open_take().and_then(|(_, _, take)| take.judgement.as_ref());
-                let good = judgement.is_some_and(|judgement| judgement.recommend == Recommend::Accept);
-                Text::new(if good { "judge_accept" } else { "judge_repeat" }, [("id", id())])
+                let judgement = self
+                    .open_take()
+                    .and_then(|(_, _, take)| take.judgement.as_ref());
+                let good =
+                    judgement.is_some_and(|judgement| judgement.recommend == Recommend::Accept);
+                Text::new(
+                    if good { "judge_accept" } else { "judge_repeat" },
+                    [("id", id())],
+                )
             }
             Phase::Measure => Text::new("measure", []),
             Phase::Failed => {
-                let reason = self.memory.failed.as_ref().map(|failed| failed.1.clone()).unwrap_or_default();
+                let reason = self
+                    .memory
+                    .failed
+                    .as_ref()
+                    .map(|failed| failed.1.clone())
+                    .unwrap_or_default();
                 Text::new("failed", [("reason", plain(reason))])
             }
             Phase::Critique => Text::new("critique", []),
             Phase::Suggest => self.suggest_text(),
             Phase::Done => {
-                let result = self.memory.result.as_ref().map(|result| result.session.clone());
+                let result = self
+                    .memory
+                    .result
+                    .as_ref()
+                    .map(|result| result.session.clone());
                 let session = self.folder.join(result.unwrap_or_default());
                 Text::new("done", [("session", plain(session.display().to_string()))])
             }
@@ -203,15 +251,29 @@ impl Procedure {
     }
 
     fn suggest_text(&self) -> Text {
-        let Some(Step::Swing(swing)) = &self.memory.suggestion else { return Text::new("suggest", []) };
-        let causes =
-            self.memory.critique.iter().flatten().next().map_or(2, |critique| critique.causes.max(2));
+        let Some(Step::Swing(swing)) = &self.memory.suggestion else {
+            return Text::new("suggest", []);
+        };
+        let causes = self
+            .memory
+            .critique
+            .iter()
+            .flatten()
+            .next()
+            .map_or(2, |critique| critique.causes.max(2));
         let hung = &swing.suspension;
         let (key, lengths) = match hung.kind {
-            SuspensionKind::Bifilar => {
-                ("suggest", vec![("line_length_m", hung.line_length_m), ("spacing_m", hung.spacing_m)])
-            }
-            SuspensionKind::Compound => ("suggest_compound", vec![("axis_height_m", hung.axis_height_m)]),
+            SuspensionKind::Bifilar => (
+                "suggest",
+                vec![
+                    ("line_length_m", hung.line_length_m),
+                    ("spacing_m", hung.spacing_m),
+                ],
+            ),
+            SuspensionKind::Compound => (
+                "suggest_compound",
+                vec![("axis_height_m", hung.axis_height_m)],
+            ),
         };
         let mut arguments = vec![
             ("count", number(causes as f64, 0)),
@@ -220,13 +282,21 @@ impl Procedure {
             ("amplitude_deg", number(swing.amplitude_deg, 0)),
             ("duration_s", number(swing.duration_s, 0)),
         ];
-        arguments.extend(lengths.into_iter().map(|(name, value)| (name, length(value))));
+        arguments.extend(
+            lengths
+                .into_iter()
+                .map(|(name, value)| (name, length(value))),
+        );
         Text::new(key, arguments)
     }
 }
 
 fn running_view(file: String, planned: &Step, follow: &Follow) -> RecordingView {
-    let mut view = RecordingView { file, recorded_s: follow.recorded_s(), ..Default::default() };
+    let mut view = RecordingView {
+        file,
+        recorded_s: follow.recorded_s(),
+        ..Default::default()
+    };
     match planned {
         Step::Swing(swing) => {
             let estimate = follow.live.estimate();
@@ -241,7 +311,12 @@ fn running_view(file: String, planned: &Step, follow: &Follow) -> RecordingView 
         Step::Incline(_) => {
             view.still_s = Some(follow.still.still_s());
             view.left_s = follow.left_s();
-            view.advice = follow.still.moving().map(|_| Text::new("advice_moving", [])).into_iter().collect();
+            view.advice = follow
+                .still
+                .moving()
+                .map(|_| Text::new("advice_moving", []))
+                .into_iter()
+                .collect();
         }
     }
     view
@@ -250,31 +325,49 @@ fn running_view(file: String, planned: &Step, follow: &Follow) -> RecordingView 
 /// What the estimator says, less what the plan asks for, and what the amplitude says beside it.
 fn advice(found: &[Advice], planned: &PlannedSwing, view: &RecordingView) -> Vec<Text> {
     let asked_for = |advice: &&Advice| match **advice {
-        Advice::Unwanted { kind, share, period_s } => {
-            is_unwanted(&crate::live::Line { kind, share, period_s }, planned)
-        }
+        Advice::Unwanted {
+            kind,
+            share,
+            period_s,
+        } => is_unwanted(
+            &crate::live::Line {
+                kind,
+                share,
+                period_s,
+            },
+            planned,
+        ),
         _ => true,
     };
     let mut texts: Vec<Text> = found.iter().filter(asked_for).map(Text::from).collect();
-    let Some(released_deg) = view.released_deg else { return texts };
+    let Some(released_deg) = view.released_deg else {
+        return texts;
+    };
     let key = match released_deg / planned.amplitude_deg {
         ratio if ratio < TOO_SMALL => "advice_small",
         ratio if ratio > TOO_LARGE => "advice_large",
         _ => return texts,
     };
-    let arguments =
-        [("amplitude_deg", number(released_deg, 1)), ("wanted_deg", number(planned.amplitude_deg, 1))];
+    let arguments = [
+        ("amplitude_deg", number(released_deg, 1)),
+        ("wanted_deg", number(planned.amplitude_deg, 1)),
+    ];
     texts.push(Text::new(key, arguments));
     texts
 }
 
 fn level_text(tilt: Option<&Tilt>) -> Text {
-    let Some(tilt) = tilt else { return Text::new("level_no_gravity", []) };
+    let Some(tilt) = tilt else {
+        return Text::new("level_no_gravity", []);
+    };
     let shown = |angle: Option<f64>| number(angle.unwrap_or_default(), 1);
     match tilt.against {
         Against::PhonePlane => Text::new(
             "level_flat",
-            [("bow_up_deg", shown(tilt.bow_up_deg)), ("starboard_down_deg", shown(tilt.starboard_down_deg))],
+            [
+                ("bow_up_deg", shown(tilt.bow_up_deg)),
+                ("starboard_down_deg", shown(tilt.starboard_down_deg)),
+            ],
         ),
         Against::Reference => Text::new("level_reference", [("angle_deg", shown(tilt.angle_deg))]),
         Against::Nothing => Text::new("level_nothing", []),
@@ -286,7 +379,10 @@ fn rest_text(rest: &RestView) -> Text {
         let size = |axes: [f64; 3]| 1e3 * Vec3::from(axes).norm();
         let arguments = [
             ("gyroscope_hz", number(found.gyroscope.rate_hz, 2)),
-            ("noise_mrad_s", number(size(found.gyroscope.noise) / 3_f64.sqrt(), 2)),
+            (
+                "noise_mrad_s",
+                number(size(found.gyroscope.noise) / 3_f64.sqrt(), 2),
+            ),
             ("bias_mrad_s", number(size(found.gyroscope.mean), 2)),
         ];
         return Text::new("rest_found", arguments);
@@ -294,11 +390,18 @@ fn rest_text(rest: &RestView) -> Text {
     match &rest.moving {
         Some(moving) => Text::new(
             "rest_moving",
-            [("rate_deg_s", number(moving.rate_deg_s, 2)), ("tilt_deg", number(moving.tilt_deg, 2))],
+            [
+                ("rate_deg_s", number(moving.rate_deg_s, 2)),
+                ("tilt_deg", number(moving.tilt_deg, 2)),
+            ],
         ),
-        None => {
-            Text::new("rest", [("still_s", number(rest.still_s, 0)), ("wanted_s", number(rest.wanted_s, 0))])
-        }
+        None => Text::new(
+            "rest",
+            [
+                ("still_s", number(rest.still_s, 0)),
+                ("wanted_s", number(rest.wanted_s, 0)),
+            ],
+        ),
     }
 }
 
@@ -357,16 +460,41 @@ fn hang_incline_text(step: &StepMemory, incline: &PlannedIncline) -> Text {
 /// What a swing's hanging has beside lines.
 fn extras(swing: &PlannedSwing) -> Argument {
     let mut extras = Vec::new();
-    if let Some(pitch) = swing.suspension.hull_pitch_deg.filter(|pitch| pitch.value != 0.0) {
-        let key = if pitch.value > 0.0 { "extra_bow_up" } else { "extra_bow_down" };
-        extras.push(Text::new(key, [("pitch_deg", number(pitch.value.abs(), 1))]));
+    if let Some(pitch) = swing
+        .suspension
+        .hull_pitch_deg
+        .filter(|pitch| pitch.value != 0.0)
+    {
+        let key = if pitch.value > 0.0 {
+            "extra_bow_up"
+        } else {
+            "extra_bow_down"
+        };
+        extras.push(Text::new(
+            key,
+            [("pitch_deg", number(pitch.value.abs(), 1))],
+        ));
     }
-    if let Some(points) = swing.suspension.points_moved_m.filter(|points| points.value != 0.0) {
-        let key = if points.value > 0.0 { "extra_points_forward" } else { "extra_points_aft" };
-        extras.push(Text::new(key, [("points_m", number(points.value.abs(), 3))]));
+    if let Some(points) = swing
+        .suspension
+        .points_moved_m
+        .filter(|points| points.value != 0.0)
+    {
+        let key = if points.value > 0.0 {
+            "extra_points_forward"
+        } else {
+            "extra_points_aft"
+        };
+        extras.push(Text::new(
+            key,
+            [("points_m", number(points.value.abs(), 3))],
+        ));
     }
     if !swing.added_masses.is_empty() {
-        extras.push(Text::new("extra_masses", [("count", number(swing.added_masses.len() as f64, 0))]));
+        extras.push(Text::new(
+            "extra_masses",
+            [("count", number(swing.added_masses.len() as f64, 0))],
+        ));
     }
     if extras.is_empty() {
         extras.push(Text::new("no_extras", []));
@@ -388,10 +516,17 @@ fn ready_text(step: &StepMemory) -> Text {
 
 fn record_text(view: &RecordingView) -> Text {
     match (view.still_s, view.swinging_s) {
-        (Some(still_s), _) => {
-            Text::new("still", [("still_s", number(still_s, 0)), ("wanted_s", number(INCLINE_STILL_S, 0))])
-        }
-        (None, Some(_)) => Text::new("swinging", [("left_s", number(view.left_s.unwrap_or(0.0).ceil(), 0))]),
+        (Some(still_s), _) => Text::new(
+            "still",
+            [
+                ("still_s", number(still_s, 0)),
+                ("wanted_s", number(INCLINE_STILL_S, 0)),
+            ],
+        ),
+        (None, Some(_)) => Text::new(
+            "swinging",
+            [("left_s", number(view.left_s.unwrap_or(0.0).ceil(), 0))],
+        ),
         (None, None) => Text::new("waiting", []),
     }
 }

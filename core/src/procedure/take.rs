@@ -24,7 +24,10 @@ const SENSOR_STOPPED: &str = "sensor stopped";
 
 /// File of a recording, inside the procedure's folder: step and take, both from 1.
 pub(super) fn file_of(step: usize, id: &str, take: usize) -> PathBuf {
-    let plain: String = id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let plain: String = id
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+        .collect();
     Path::new(TAKES).join(format!("{:02}-{plain}.{take}.gyr", step + 1))
 }
 
@@ -49,11 +52,14 @@ impl Span {
 
     /// The stamp so long after the first.
     fn at_ns(self, after_s: f64) -> Option<i64> {
-        self.0.map(|(first, _)| first.saturating_add((after_s * 1e9) as i64))
+        self.0
+            .map(|(first, _)| first.saturating_add((after_s * 1e9) as i64))
     }
 
     fn length_s(self) -> f64 {
-        self.0.map_or(0.0, |(first, newest)| newest.saturating_sub(first) as f64 / 1e9)
+        self.0.map_or(0.0, |(first, newest)| {
+            newest.saturating_sub(first) as f64 / 1e9
+        })
     }
 }
 
@@ -189,7 +195,9 @@ impl Follow {
                     resumed: self.resumed,
                 },
             ),
-            Step::Incline(planned) => Judgement::of_incline(planned, &self.still, level, self.recorded_s()),
+            Step::Incline(planned) => {
+                Judgement::of_incline(planned, &self.still, level, self.recorded_s())
+            }
         }
     }
 }
@@ -228,15 +236,25 @@ impl Running {
         let mut follow = Follow::replayed(file, planned, before)?;
         follow.resumed = true;
         let released = follow.release.moving_ns().is_some();
-        Ok(Self { writer: Writer::resume(file)?, follow, released, disturbed_ns: None })
+        Ok(Self {
+            writer: Writer::resume(file)?,
+            follow,
+            released,
+            disturbed_ns: None,
+        })
     }
 
     pub fn push(&mut self, batch: &Batch) -> Result<()> {
-        self.writer.push(batch.channel.into(), &batch.stamps_ns, &batch.values)?;
-        self.follow.push(batch.channel, &batch.stamps_ns, &batch.values)?;
+        self.writer
+            .push(batch.channel.into(), &batch.stamps_ns, &batch.values)?;
+        self.follow
+            .push(batch.channel, &batch.stamps_ns, &batch.values)?;
         if let (false, Some(stamp_ns)) = (self.released, self.follow.release.moving_ns()) {
             self.released = true;
-            self.writer.mark(&Mark { stamp_ns, key: RELEASE.to_owned() })?;
+            self.writer.mark(&Mark {
+                stamp_ns,
+                key: RELEASE.to_owned(),
+            })?;
         }
         let disturbed_ns = self.follow.disturbed_ns();
         if let Some(stamp_ns) = disturbed_ns.filter(|_| disturbed_ns != self.disturbed_ns) {
@@ -286,7 +304,9 @@ pub(super) struct Extent {
 pub(super) fn extent(file: &Path) -> Extent {
     let mut span = Span::default();
     let mut ended = false;
-    let Ok(mut reader) = Reader::open(file) else { return Extent::default() };
+    let Ok(mut reader) = Reader::open(file) else {
+        return Extent::default();
+    };
     while let Ok(Some(piece)) = reader.next_piece() {
         match piece {
             Piece::Samples(samples) if samples.stream != Stream::GyroscopeBias => {
@@ -296,5 +316,9 @@ pub(super) fn extent(file: &Path) -> Extent {
             Piece::Header(_) | Piece::Samples(_) | Piece::Resumed { .. } => {}
         }
     }
-    Extent { recorded_s: span.length_s(), ended, newest_ns: span.0.map(|(_, newest)| newest) }
+    Extent {
+        recorded_s: span.length_s(),
+        ended,
+        newest_ns: span.0.map(|(_, newest)| newest),
+    }
 }

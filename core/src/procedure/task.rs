@@ -42,8 +42,17 @@ impl From<&Plan> for Task {
             length_overall_m: Some(plan.hull.length_m),
             density_kg_m3: None,
         };
-        let site = Site { gravity_m_s2: Some(plan.means.gravity_m_s2), ..Site::default() };
+        let site = Site {
+            gravity_m_s2: Some(plan.means.gravity_m_s2),
+            ..Site::default()
+        };
         let (title, steps) = (plan.title.clone(), plan.steps.clone());
-        Self { title, body, site, attachments: Vec::new(), steps }
+        Self {
+            title,
+            body,
+            site,
+            attachments: Vec::new(),
+            steps,
+        }
     }
 }

@@ -1,6 +1,8 @@
-//! Sentences by key, in English: the one place where they stand. Other languages have the same keys.
+//! Sentences by key, in English: the one place where they stand. Other languages have the same
+//! keys.
 //!
-//! What the live estimator says has its own sentences (`live::sentences`); their keys begin with `live.` here.
+//! What the live estimator says has its own sentences (`live::sentences`); their keys begin with
+//! `live.` here.
 
 use super::german::GERMAN;
 use crate::error::Error;
@@ -30,8 +32,14 @@ const ENGLISH: [(&str, &str); 85] = [
         "level_nothing",
         "Hang the hull level by a spirit level, and say when it is: the phone alone cannot know, as nobody has told it how it sits.",
     ),
-    ("level_no_gravity", "Hang the hull level. The accelerometer gives no reading of gravity yet."),
-    ("rest", "Let the hull hang, touch nothing: {still_s} of {wanted_s} s of stillness."),
+    (
+        "level_no_gravity",
+        "Hang the hull level. The accelerometer gives no reading of gravity yet.",
+    ),
+    (
+        "rest",
+        "Let the hull hang, touch nothing: {still_s} of {wanted_s} s of stillness.",
+    ),
     (
         "rest_moving",
         "The hull moves, by {rate_deg_s} °/s and {tilt_deg}° of tilt: steady it with your hands, let go slowly. Stillness counts from then.",
@@ -59,7 +67,10 @@ const ENGLISH: [(&str, &str); 85] = [
         "extra_points_forward",
         "the points moved forward until it hangs so, by some {points_m} m: measure how far",
     ),
-    ("extra_points_aft", "the points moved aft until it hangs so, by some {points_m} m: measure how far"),
+    (
+        "extra_points_aft",
+        "the points moved aft until it hangs so, by some {points_m} m: measure how far",
+    ),
     ("extra_masses", "{count} added masses fixed on"),
     (
         "ready",
@@ -71,7 +82,10 @@ const ENGLISH: [(&str, &str); 85] = [
     ),
     ("waiting", "Let go without a push, and step back."),
     ("swinging", "Do not touch anything: {left_s} s to go."),
-    ("still", "Do not touch anything: {still_s} of {wanted_s} s of stillness."),
+    (
+        "still",
+        "Do not touch anything: {still_s} of {wanted_s} s of stillness.",
+    ),
     (
         "interrupted",
         "The recording of {id} was cut off after {recorded_s} s. Go on with it if the hull has swung freely all the while; keep what was recorded; or repeat it.",
@@ -85,11 +99,23 @@ const ENGLISH: [(&str, &str); 85] = [
         "The recording of {id} was cut off after {recorded_s} s, and the phone was switched off meanwhile: it cannot go \
          on. Keep what was recorded, or repeat it.",
     ),
-    ("interrupted_empty", "The recording of {id} was cut off before anything was recorded. Repeat it."),
+    (
+        "interrupted_empty",
+        "The recording of {id} was cut off before anything was recorded. Repeat it.",
+    ),
     ("judge_accept", "{id} is good: accept it."),
-    ("judge_repeat", "{id} should be repeated. Repeat it, or accept it all the same."),
-    ("measure", "All steps are done. The session is being written and measured."),
-    ("failed", "No result: {reason}. Open a step again and repeat it, or try once more."),
+    (
+        "judge_repeat",
+        "{id} should be repeated. Repeat it, or accept it all the same.",
+    ),
+    (
+        "measure",
+        "All steps are done. The session is being written and measured.",
+    ),
+    (
+        "failed",
+        "No result: {reason}. Open a step again and repeat it, or try once more.",
+    ),
     (
         "critique",
         "The result is there. What the simulation gets wrong is being looked for; this takes minutes, and can be left out.",
@@ -103,8 +129,14 @@ const ENGLISH: [(&str, &str); 85] = [
         "One more swing would tell {count} causes apart that these swings cannot: the axis {axis_height_m} m above the points, {extras}; {excited} by {amplitude_deg}° for {duration_s} s. Make it, or leave it.",
     ),
     ("done", "Done. The session is in {session}."),
-    ("reason_no_swing", "no free swing of four periods was found in it"),
-    ("reason_slip", "the phone moved on the hull at {at_s} s, by {tilt_deg}°: tape it on anew"),
+    (
+        "reason_no_swing",
+        "no free swing of four periods was found in it",
+    ),
+    (
+        "reason_slip",
+        "the phone moved on the hull at {at_s} s, by {tilt_deg}°: tape it on anew",
+    ),
     ("reason_slip_seen", "the phone was seen to slip"),
     (
         "reason_touched",
@@ -118,16 +150,25 @@ const ENGLISH: [(&str, &str); 85] = [
         "reason_period",
         "noise leaves the period uncertain by {u_ppm} ppm, and {wanted_ppm} ppm are wanted: let it swing longer, or release it farther",
     ),
-    ("reason_small", "it was released at {released_deg}° instead of {wanted_deg}°"),
+    (
+        "reason_small",
+        "it was released at {released_deg}° instead of {wanted_deg}°",
+    ),
     (
         "reason_large",
         "it was released at {released_deg}° instead of {wanted_deg}°, where drag and finite amplitude count for more",
     ),
-    ("reason_saturated", "{samples} samples of the {sensor} stand at its limit: release it less far"),
+    (
+        "reason_saturated",
+        "{samples} samples of the {sensor} stand at its limit: release it less far",
+    ),
     ("reason_gaps", "the {sensor} has a gap of {longest_s} s"),
     ("reason_silent", "the {sensor} fell silent"),
     ("reason_moving", "the hull was not still for {wanted_s} s"),
-    ("reason_no_tilt", "the tilt cannot be told: no rest was taken with an accelerometer"),
+    (
+        "reason_no_tilt",
+        "the tilt cannot be told: no rest was taken with an accelerometer",
+    ),
     (
         "reason_far",
         "the hull tilted by {angle_deg}°, and {expected_deg}° were expected: check weight and arm",
@@ -136,30 +177,60 @@ const ENGLISH: [(&str, &str); 85] = [
         "note_touched",
         "the swing was disturbed at {at_s} s; what swung freely before it or after it is long enough, and is used",
     ),
-    ("note_period", "noise leaves the period uncertain by {u_ppm} ppm; {wanted_ppm} ppm were allowed"),
-    ("note_amplitude", "released at {released_deg}°, {left_deg}° at the end"),
+    (
+        "note_period",
+        "noise leaves the period uncertain by {u_ppm} ppm; {wanted_ppm} ppm were allowed",
+    ),
+    (
+        "note_amplitude",
+        "released at {released_deg}°, {left_deg}° at the end",
+    ),
     ("note_tilt", "the weight tilts the hull by {angle_deg}°"),
-    ("note_gaps", "the {sensor} has {gaps} gaps, the longest of {longest_s} s"),
+    (
+        "note_gaps",
+        "the {sensor} has {gaps} gaps, the longest of {longest_s} s",
+    ),
     ("note_interrupted", "the recording was cut off and went on"),
-    ("advice_small", "It swings by {amplitude_deg}° instead of {wanted_deg}°: stop, and release it farther."),
+    (
+        "advice_small",
+        "It swings by {amplitude_deg}° instead of {wanted_deg}°: stop, and release it farther.",
+    ),
     (
         "advice_large",
         "It swings by {amplitude_deg}° instead of {wanted_deg}°: stop, and release it less far.",
     ),
-    ("advice_moving", "The hull still moves: wait, or steady it slowly."),
-    ("warn_silent", "No samples have come for {silent_s} s: keep the app on the screen."),
-    ("warn_sensor_stopped", "The phone's system stopped the {sensor}."),
+    (
+        "advice_moving",
+        "The hull still moves: wait, or steady it slowly.",
+    ),
+    (
+        "warn_silent",
+        "No samples have come for {silent_s} s: keep the app on the screen.",
+    ),
+    (
+        "warn_sensor_stopped",
+        "The phone's system stopped the {sensor}.",
+    ),
     (
         "warn_disk",
         "The disk is full. What was recorded so far is kept: free some space, then go on with it, keep it as it is, or repeat it.",
     ),
-    ("warn_unwritable", "The recording cannot be written: {reason}"),
+    (
+        "warn_unwritable",
+        "The recording cannot be written: {reason}",
+    ),
     (
         "warn_journal_cut",
         "The journal's last {bytes} bytes were not whole and were cut off: the last decision is asked for again.",
     ),
-    ("warn_unused", "{files} recordings in the folder belong to no step; they are kept."),
-    ("warn_no_rest", "No rest was taken: bias, noise and rates are not known beforehand."),
+    (
+        "warn_unused",
+        "{files} recordings in the folder belong to no step; they are kept.",
+    ),
+    (
+        "warn_no_rest",
+        "No rest was taken: bias, noise and rates are not known beforehand.",
+    ),
     ("warn_critique", "There is no criticism: {reason}"),
     ("yaw", "yaw"),
     ("sway", "sway"),
@@ -180,13 +251,22 @@ const ENGLISH: [(&str, &str); 85] = [
     ("gravity-free_accelerometer", "gravity-free accelerometer"),
     ("rangefinder", "rangefinder"),
     ("timer", "timer"),
-    ("reason_lines_unknown", "line length and spacing are not known"),
+    (
+        "reason_lines_unknown",
+        "line length and spacing are not known",
+    ),
 ];
 
 impl Text {
     /// The sentence of a key with what it names.
-    pub(super) fn new<'a>(key: &str, arguments: impl IntoIterator<Item = (&'a str, Argument)>) -> Self {
-        let arguments = arguments.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    pub(super) fn new<'a>(
+        key: &str,
+        arguments: impl IntoIterator<Item = (&'a str, Argument)>,
+    ) -> Self {
+        let arguments = arguments
+            .into_iter()
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect();
         Self::of(key.to_owned(), arguments, sentence)
     }
 
@@ -259,7 +339,10 @@ pub fn sentences(language: Language) -> &'static [(&'static str, &'static str)] 
 /// The sentence of a key, where there is one: the procedure's own or another room's.
 fn sentence(key: &str, language: Language) -> Option<String> {
     let other_rooms = [critique::sentence, plan::sentence, inertia::sentence];
-    if let Some(found) = other_rooms.iter().find_map(|sentence| sentence(key, language)) {
+    if let Some(found) = other_rooms
+        .iter()
+        .find_map(|sentence| sentence(key, language))
+    {
         return Some(found);
     }
     let (all, key) = match key.strip_prefix(OF_LIVE) {

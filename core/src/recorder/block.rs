@@ -1,9 +1,10 @@
 //! Blocks: what is appended at once, each with its own checksums.
 //!
 //! # Conventions
-//! Little-endian. `sync (4) kind (1) sequence (4) length (4) crc (4)`, `length` bytes of payload, `crc (4)`. The
-//! first checksum covers kind, sequence and length, so that a length is believed only where it is whole; the second
-//! covers everything before it. Both are CRC-32 (ISO-HDLC), which finds every single flipped bit.
+//! Little-endian. `sync (4) kind (1) sequence (4) length (4) crc (4)`, `length` bytes of payload,
+//! `crc (4)`. The first checksum covers kind, sequence and length, so that a length is believed
+//! only where it is whole; the second covers everything before it. Both are CRC-32 (ISO-HDLC),
+//! which finds every single flipped bit.
 
 /// Begins every block; the last byte is the format's major version.
 pub(crate) const SYNC: [u8; 4] = [0x89, b'G', b'R', b'1'];
@@ -73,7 +74,11 @@ pub(super) fn look(bytes: &[u8]) -> Look {
     if crc32fast::hash(&bytes[..end]) != word(bytes, end) {
         return Look::Nothing;
     }
-    Look::Block(Block { kind: bytes[4], sequence: word(bytes, 5), bytes: end + TAIL })
+    Look::Block(Block {
+        kind: bytes[4],
+        sequence: word(bytes, 5),
+        bytes: end + TAIL,
+    })
 }
 
 /// Where the next block may begin, after the first byte.
@@ -105,11 +110,19 @@ mod tests {
     #[test]
     fn a_block_is_recognised_whole_and_asks_for_what_is_missing() {
         let bytes = block();
-        let Look::Block(found) = look(&bytes) else { panic!("{:?}", look(&bytes)) };
-        assert_eq!((found.kind, found.sequence, found.bytes), (2, 7, bytes.len()));
+        let Look::Block(found) = look(&bytes) else {
+            panic!("{:?}", look(&bytes))
+        };
+        assert_eq!(
+            (found.kind, found.sequence, found.bytes),
+            (2, 7, bytes.len())
+        );
         assert_eq!(found.payload(&bytes), b"payload");
         for cut in 0..bytes.len() {
-            assert!(matches!(look(&bytes[..cut]), Look::Needs(n) if n > cut), "{cut}");
+            assert!(
+                matches!(look(&bytes[..cut]), Look::Needs(n) if n > cut),
+                "{cut}"
+            );
         }
     }
 

@@ -11,12 +11,14 @@ use super::types::{Event, Header, Stream};
 use crate::error::{Error, Result};
 use crate::recording::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor, partial_of};
 
-/// Writes a recorder's file as `<name>.csv` into the folder of a session, and beside it `<name>-bias.csv` where the
-/// phone gave its estimate of the gyroscope's bias. Gives what the session says of it, repairs included.
+/// Writes a recorder's file as `<name>.csv` into the folder of a session, and beside it
+/// `<name>-bias.csv` where the phone gave its estimate of the gyroscope's bias. Gives what the
+/// session says of it, repairs included.
 ///
-/// Every stamp and every value reads back to the same bits. Reads the file twice, in constant memory. Fails with
-/// [`Error::NoResult`] where no sample is left, with [`Error::Unreadable`], [`Error::Malformed`] and
-/// [`Error::Unwritable`] as reading and writing do; files that are there already are replaced in one step.
+/// Every stamp and every value reads back to the same bits. Reads the file twice, in constant
+/// memory. Fails with [`Error::NoResult`] where no sample is left, with [`Error::Unreadable`],
+/// [`Error::Malformed`] and [`Error::Unwritable`] as reading and writing do; files that are there
+/// already are replaced in one step.
 pub fn convert(file: impl AsRef<Path>, folder: impl AsRef<Path>, name: &str) -> Result<Recorded> {
     let contents = Contents::of(file.as_ref())?;
     let Some(origin_ns) = contents.origin_ns else {
@@ -26,18 +28,33 @@ pub fn convert(file: impl AsRef<Path>, folder: impl AsRef<Path>, name: &str) -> 
         ));
     };
     let table = format!("{name}.csv");
-    let sensors: Vec<(Stream, &str)> =
-        COLUMNS.into_iter().filter(|(stream, _)| contents.holds[stream.index()]).collect();
-    write_table(file.as_ref(), &folder.as_ref().join(&table), origin_ns, &sensors)?;
+    let sensors: Vec<(Stream, &str)> = COLUMNS
+        .into_iter()
+        .filter(|(stream, _)| contents.holds[stream.index()])
+        .collect();
+    write_table(
+        file.as_ref(),
+        &folder.as_ref().join(&table),
+        origin_ns,
+        &sensors,
+    )?;
     let bias = contents.holds[Stream::GyroscopeBias.index()].then(|| format!("{name}-bias.csv"));
     if let Some(bias) = &bias {
-        write_table(file.as_ref(), &folder.as_ref().join(bias), origin_ns, &[BIAS_COLUMNS])?;
+        write_table(
+            file.as_ref(),
+            &folder.as_ref().join(bias),
+            origin_ns,
+            &[BIAS_COLUMNS],
+        )?;
     }
     Ok(contents.recorded(table, bias, origin_ns))
 }
 
 /// The streams of a recording with the names of their columns.
-const COLUMNS: [(Stream, &str); 2] = [(Stream::Gyroscope, "gx,gy,gz"), (Stream::Accelerometer, "ax,ay,az")];
+const COLUMNS: [(Stream, &str); 2] = [
+    (Stream::Gyroscope, "gx,gy,gz"),
+    (Stream::Accelerometer, "ax,ay,az"),
+];
 const BIAS_COLUMNS: (Stream, &str) = (Stream::GyroscopeBias, "gx,gy,gz");
 
 /// All of a file but its samples.
@@ -62,7 +79,8 @@ impl Contents {
                 Piece::Samples(samples) => {
                     contents.holds[samples.stream.index()] |= !samples.stamps_ns.is_empty();
                     if samples.stream != Stream::GyroscopeBias {
-                        contents.origin_ns = contents.origin_ns.or(samples.stamps_ns.first().copied());
+                        contents.origin_ns =
+                            contents.origin_ns.or(samples.stamps_ns.first().copied());
                     }
                 }
                 Piece::Resumed { .. } => {}
@@ -94,7 +112,10 @@ impl Contents {
             events: self
                 .events
                 .into_iter()
-                .map(|event| RecordedEvent { t_s: since(event.stamp_ns), key: event.key })
+                .map(|event| RecordedEvent {
+                    t_s: since(event.stamp_ns),
+                    key: event.key,
+                })
                 .collect(),
             repairs: self.damage.iter().map(repair).collect(),
         }
@@ -110,14 +131,20 @@ fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &st
         fs::create_dir_all(folder).map_err(fail)?;
     }
     let mut out = BufWriter::new(File::create(&partial).map_err(fail)?);
-    let mut rows: String =
-        std::iter::once("t").chain(columns.iter().map(|column| column.1)).collect::<Vec<_>>().join(",");
+    let mut rows: String = std::iter::once("t")
+        .chain(columns.iter().map(|column| column.1))
+        .collect::<Vec<_>>()
+        .join(",");
     rows.push('\n');
     let mut merge = Merge::new(origin_ns, columns.len());
     let mut reader = Reader::open(file)?;
     while let Some(piece) = reader.next_piece()? {
-        let Piece::Samples(samples) = piece else { continue };
-        let Some(group) = columns.iter().position(|column| column.0 == samples.stream) else { continue };
+        let Piece::Samples(samples) = piece else {
+            continue;
+        };
+        let Some(group) = columns.iter().position(|column| column.0 == samples.stream) else {
+            continue;
+        };
         merge.push(group, &samples, &mut rows);
         out.write_all(rows.as_bytes()).map_err(fail)?;
         rows.clear();

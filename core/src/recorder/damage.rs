@@ -9,7 +9,8 @@ pub enum DamageKind {
     CutTail,
     /// Nothing says that the recording ended: it was cut off between two blocks.
     NoEnd,
-    /// Blocks are absent, or stand in another order than they were written in, although no byte is damaged.
+    /// Blocks are absent, or stand in another order than they were written in, although no byte is
+    /// damaged.
     OutOfSequence,
     /// A whole block that this version of the format does not know.
     UnknownBlock,
@@ -40,21 +41,27 @@ impl Damage {
         let (bytes, at) = (self.bytes, self.at_byte);
         match self.kind {
             DamageKind::LostBlock => {
-                format!("{bytes} damaged bytes at byte {at} of the recorder's file: {} left out", self.lost())
+                format!(
+                    "{bytes} damaged bytes at byte {at} of the recorder's file: {} left out",
+                    self.lost()
+                )
             }
             DamageKind::CutTail => format!(
                 "the recording was cut off: the last {bytes} bytes, from byte {at} on, are no whole block and are \
                  left out; up to one second is missing"
             ),
             DamageKind::NoEnd => {
-                "the recording was cut off without an end mark; up to one second is missing".to_owned()
+                "the recording was cut off without an end mark; up to one second is missing"
+                    .to_owned()
             }
             DamageKind::OutOfSequence => format!(
                 "the numbers of the blocks jump at byte {at} of the recorder's file: {} absent or out of order",
                 self.lost()
             ),
             DamageKind::UnknownBlock => {
-                format!("a block of {bytes} bytes at byte {at} is of a kind that is not known; left out")
+                format!(
+                    "a block of {bytes} bytes at byte {at} is of a kind that is not known; left out"
+                )
             }
             DamageKind::Resumed => format!(
                 "the recorder was stopped and went on at byte {at}; an incomplete block of {bytes} bytes was cut off"

@@ -35,8 +35,19 @@ pub(super) fn samples(samples: &Samples) -> Vec<u8> {
     let mut out = Vec::with_capacity(5 + 32 * samples.values.len());
     out.push(samples.stream.index() as u8);
     out.extend((samples.stamps_ns.len() as u32).to_le_bytes());
-    out.extend(samples.stamps_ns.iter().flat_map(|stamp| stamp.to_le_bytes()));
-    out.extend(samples.values.iter().flatten().flat_map(|value| value.to_le_bytes()));
+    out.extend(
+        samples
+            .stamps_ns
+            .iter()
+            .flat_map(|stamp| stamp.to_le_bytes()),
+    );
+    out.extend(
+        samples
+            .values
+            .iter()
+            .flatten()
+            .flat_map(|value| value.to_le_bytes()),
+    );
     out
 }
 
@@ -62,8 +73,13 @@ pub(super) fn read(kind: u8, payload: &[u8]) -> Option<Piece> {
     let piece = match kind {
         HEADER => Piece::Header(rest.header()?),
         SAMPLES => Piece::Samples(rest.samples()?),
-        EVENT => Piece::Event(Event { stamp_ns: i64::from_le_bytes(rest.take()?), key: rest.text()? }),
-        RESUMED => Piece::Resumed { cut_bytes: u64::from_le_bytes(rest.take()?) },
+        EVENT => Piece::Event(Event {
+            stamp_ns: i64::from_le_bytes(rest.take()?),
+            key: rest.text()?,
+        }),
+        RESUMED => Piece::Resumed {
+            cut_bytes: u64::from_le_bytes(rest.take()?),
+        },
         _ => return None,
     };
     rest.0.is_empty().then_some(piece)
@@ -106,14 +122,21 @@ impl Rest<'_> {
             return None;
         }
         let phone = self.text()?;
-        let mut header = Header { phone, ..Header::default() };
+        let mut header = Header {
+            phone,
+            ..Header::default()
+        };
         for _ in 0..self.count()? {
             let (stream, name, unit) = (self.stream()?, self.text()?, self.text()?);
             let full_scale = Some(self.number()?).filter(|scale| !scale.is_nan());
             if unit != stream.unit() {
                 return None;
             }
-            header.sensors.push(SensorInfo { stream, name, full_scale });
+            header.sensors.push(SensorInfo {
+                stream,
+                name,
+                full_scale,
+            });
         }
         for _ in 0..self.count()? {
             let (key, value) = (self.text()?, self.text()?);
@@ -122,7 +145,8 @@ impl Rest<'_> {
         Some(header)
     }
 
-    /// The number of samples must be what the payload has room for: nothing is reserved on its word.
+    /// The number of samples must be what the payload has room for: nothing is reserved on its
+    /// word.
     fn samples(&mut self) -> Option<Samples> {
         let (stream, count) = (self.stream()?, self.count()?);
         if self.0.len() != count.checked_mul(32)? {
@@ -133,7 +157,9 @@ impl Rest<'_> {
             samples.stamps_ns.push(i64::from_le_bytes(self.take()?));
         }
         for _ in 0..count {
-            samples.values.push([self.number()?, self.number()?, self.number()?]);
+            samples
+                .values
+                .push([self.number()?, self.number()?, self.number()?]);
         }
         Some(samples)
     }

@@ -84,8 +84,8 @@ impl<R: Read> Reader<R> {
 
     /// The next piece; `None` at the end of the file.
     ///
-    /// Fails with [`Error::Unreadable`] where the file cannot be read, and at the end with [`Error::Malformed`]
-    /// where it is no recorder's file at all.
+    /// Fails with [`Error::Unreadable`] where the file cannot be read, and at the end with
+    /// [`Error::Malformed`] where it is no recorder's file at all.
     pub fn next_piece(&mut self) -> Result<Option<Piece>> {
         while !self.done {
             match look(&self.window) {
@@ -108,7 +108,8 @@ impl<R: Read> Reader<R> {
         Ok(None)
     }
 
-    /// What was found damaged so far, in file order; complete once [`Reader::next_piece`] has given `None`.
+    /// What was found damaged so far, in file order; complete once [`Reader::next_piece`] has given
+    /// `None`.
     pub fn damage(&self) -> &[Damage] {
         &self.damage
     }
@@ -128,8 +129,15 @@ impl<R: Read> Reader<R> {
         self.judge_place(block);
         let piece = payload::read(block.kind, block.payload(&self.window));
         match &piece {
-            None => self.tell(DamageKind::UnknownBlock, self.at_byte, block.bytes as u64, 0),
-            Some(Piece::Resumed { cut_bytes }) => self.tell(DamageKind::Resumed, self.at_byte, *cut_bytes, 0),
+            None => self.tell(
+                DamageKind::UnknownBlock,
+                self.at_byte,
+                block.bytes as u64,
+                0,
+            ),
+            Some(Piece::Resumed { cut_bytes }) => {
+                self.tell(DamageKind::Resumed, self.at_byte, *cut_bytes, 0)
+            }
             Some(Piece::Samples(samples)) => self.note_stamps(&samples.stamps_ns),
             Some(Piece::Header(_) | Piece::Event(_)) => {}
         }
@@ -155,18 +163,33 @@ impl<R: Read> Reader<R> {
 
     fn tell(&mut self, kind: DamageKind, at_byte: u64, bytes: u64, blocks: u32) {
         let after_ns = self.last_ns;
-        self.damage.push(Damage { kind, at_byte, bytes, blocks, after_ns, before_ns: None });
+        self.damage.push(Damage {
+            kind,
+            at_byte,
+            bytes,
+            blocks,
+            after_ns,
+            before_ns: None,
+        });
     }
 
     fn note_stamps(&mut self, stamps_ns: &[i64]) {
-        let (Some(first), Some(last)) = (stamps_ns.first(), stamps_ns.last()) else { return };
-        for open in self.damage.iter_mut().rev().take_while(|damage| damage.before_ns.is_none()) {
+        let (Some(first), Some(last)) = (stamps_ns.first(), stamps_ns.last()) else {
+            return;
+        };
+        for open in self
+            .damage
+            .iter_mut()
+            .rev()
+            .take_while(|damage| damage.before_ns.is_none())
+        {
             open.before_ns = Some(*first);
         }
         self.last_ns = Some(*last);
     }
 
-    /// Gives up bytes as far as the next place where a block may begin; at the end of the file, all.
+    /// Gives up bytes as far as the next place where a block may begin; at the end of the file,
+    /// all.
     fn give_up(&mut self) -> Result<()> {
         if self.at_byte == 0 {
             let common = self.window.len().min(SYNC.len());
@@ -207,7 +230,11 @@ impl<R: Read> Reader<R> {
     /// Reads on until the window holds so many bytes; false where the file ends before.
     fn fill(&mut self, bytes: usize) -> Result<bool> {
         let missing = bytes.saturating_sub(self.window.len()) as u64;
-        let read = self.source.by_ref().take(missing).read_to_end(&mut self.window);
+        let read = self
+            .source
+            .by_ref()
+            .take(missing)
+            .read_to_end(&mut self.window);
         match read {
             Ok(_) => Ok(self.window.len() >= bytes),
             Err(error) => Err(unreadable(&self.file, "reading a block", &error)),
@@ -216,5 +243,8 @@ impl<R: Read> Reader<R> {
 }
 
 fn unreadable(file: &str, doing: &str, error: &std::io::Error) -> Error {
-    Error::Unreadable { file: file.to_owned(), reason: format!("{doing}: {error}") }
+    Error::Unreadable {
+        file: file.to_owned(),
+        reason: format!("{doing}: {error}"),
+    }
 }

@@ -15,13 +15,18 @@ pub enum Stream {
     Gyroscope,
     /// Specific force, m/s².
     Accelerometer,
-    /// The phone's own estimate of the bias of an uncalibrated gyroscope, rad/s; not taken off the samples.
+    /// The phone's own estimate of the bias of an uncalibrated gyroscope, rad/s; not taken off the
+    /// samples.
     GyroscopeBias,
 }
 
 impl Stream {
     /// All streams, in the order of their numbers in the file.
-    pub const ALL: [Stream; 3] = [Stream::Gyroscope, Stream::Accelerometer, Stream::GyroscopeBias];
+    pub const ALL: [Stream; 3] = [
+        Stream::Gyroscope,
+        Stream::Accelerometer,
+        Stream::GyroscopeBias,
+    ];
 
     /// Its name in the session and in messages.
     pub const fn name(self) -> &'static str {
@@ -94,6 +99,10 @@ pub struct Samples {
 impl Samples {
     /// A stream without samples.
     pub(super) fn none(stream: Stream) -> Self {
-        Self { stream, stamps_ns: Vec::new(), values: Vec::new() }
+        Self {
+            stream,
+            stamps_ns: Vec::new(),
+            values: Vec::new(),
+        }
     }
 }

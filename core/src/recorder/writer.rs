@@ -1,7 +1,9 @@
-//! Writes a recorder's file: blocks appended as samples arrive, synced at least twice in a second of them.
+//! Writes a recorder's file: blocks appended as samples arrive, synced at least twice in a second
+//! of them.
 //!
-//! Memory does not grow: at most half a second of samples waits. Where a block cannot be written, everything before
-//! it stays readable and the writer takes nothing more, so that no gap can pass unseen; [`Writer::resume`] goes on.
+//! Memory does not grow: at most half a second of samples waits. Where a block cannot be written,
+//! everything before it stays readable and the writer takes nothing more, so that no gap can pass
+//! unseen; [`Writer::resume`] goes on.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
@@ -13,7 +15,8 @@ use super::reader::Reader;
 use super::types::{END, Event, Header, Samples, Stream};
 use crate::error::{Error, Result};
 
-/// Samples of one stream wait no longer than this, ns of their own stamps: half of the second that may be lost.
+/// Samples of one stream wait no longer than this, ns of their own stamps: half of the second that
+/// may be lost.
 const LONGEST_WAIT_NS: u64 = 500_000_000;
 /// … and never are more than this.
 const MOST_WAITING: usize = 4096;
@@ -53,8 +56,9 @@ pub struct Writer {
 }
 
 impl Writer {
-    /// Makes a new file with its header, synced. Fails with [`Error::Unwritable`] where it cannot be made or is
-    /// there already, with [`Error::Argument`] where the header is longer than a block may be.
+    /// Makes a new file with its header, synced. Fails with [`Error::Unwritable`] where it cannot
+    /// be made or is there already, with [`Error::Argument`] where the header is longer than a
+    /// block may be.
     pub fn create(path: impl AsRef<Path>, header: &Header) -> Result<Self> {
         let file = path.as_ref().display().to_string();
         let opened = OpenOptions::new().write(true).create_new(true).open(path);
@@ -64,7 +68,8 @@ impl Writer {
         Ok(Self { blocks })
     }
 
-    /// Goes on with a file after its writer died: cuts off the incomplete block at its end and says so in the file.
+    /// Goes on with a file after its writer died: cuts off the incomplete block at its end and says
+    /// so in the file.
     ///
     /// Fails with [`Error::Unreadable`], [`Error::Malformed`] where it is no recorder's file, and
     /// [`Error::Unwritable`]; a file that is refused is not touched.
@@ -76,19 +81,30 @@ impl Writer {
         let fail = |doing: &str, error: &io::Error| Error::unwritable(&file, doing, error);
         let opened = OpenOptions::new().write(true).open(&path);
         let mut sink = opened.map_err(|error| fail("opening it again", &error))?;
-        let length = sink.seek(SeekFrom::End(0)).map_err(|error| fail("finding its end", &error))?;
-        sink.set_len(whole).map_err(|error| fail("cutting off an incomplete block", &error))?;
-        sink.seek(SeekFrom::Start(whole)).map_err(|error| fail("finding its end", &error))?;
+        let length = sink
+            .seek(SeekFrom::End(0))
+            .map_err(|error| fail("finding its end", &error))?;
+        sink.set_len(whole)
+            .map_err(|error| fail("cutting off an incomplete block", &error))?;
+        sink.seek(SeekFrom::Start(whole))
+            .map_err(|error| fail("finding its end", &error))?;
         let mut blocks = Blocks::new(sink, file, sequence, whole);
         blocks.write(&[(payload::RESUMED, payload::resumed(length - whole))])?;
         Ok(Self { blocks })
     }
 
-    /// Takes samples of one stream in the order they came: stamps as the phone gave them, and (x, y, z) each.
+    /// Takes samples of one stream in the order they came: stamps as the phone gave them, and (x,
+    /// y, z) each.
     ///
-    /// Fails with [`Error::Argument`] where there are not as many values as stamps, and with [`Error::Unwritable`]
-    /// where a block cannot be written; what was written before stays readable.
-    pub fn push(&mut self, stream: Stream, stamps_ns: &[i64], values: &[[f64; 3]]) -> Result<Written> {
+    /// Fails with [`Error::Argument`] where there are not as many values as stamps, and with
+    /// [`Error::Unwritable`] where a block cannot be written; what was written before stays
+    /// readable.
+    pub fn push(
+        &mut self,
+        stream: Stream,
+        stamps_ns: &[i64],
+        values: &[[f64; 3]],
+    ) -> Result<Written> {
         self.blocks.push(stream, stamps_ns, values)
     }
 
@@ -104,7 +120,10 @@ impl Writer {
 
     /// Ends the recording with its end mark. Fails as [`Writer::push`] does.
     pub fn end(mut self, stamp_ns: i64) -> Result<Written> {
-        self.mark(&Event { stamp_ns, key: END.to_owned() })
+        self.mark(&Event {
+            stamp_ns,
+            key: END.to_owned(),
+        })
     }
 }
 
@@ -121,7 +140,14 @@ struct Blocks<S> {
 
 impl<S: Sink> Blocks<S> {
     fn new(sink: S, file: String, sequence: u32, length: u64) -> Self {
-        Self { sink, file, sequence, length, waiting: Stream::ALL.map(Samples::none), failed: None }
+        Self {
+            sink,
+            file,
+            sequence,
+            length,
+            waiting: Stream::ALL.map(Samples::none),
+            failed: None,
+        }
     }
 
     fn push(&mut self, stream: Stream, stamps_ns: &[i64], values: &[[f64; 3]]) -> Result<Written> {
@@ -139,28 +165,44 @@ impl<S: Sink> Blocks<S> {
             waiting.stamps_ns.push(stamp);
             waiting.values.push(value);
         }
-        Ok(Written { appended, length: self.length, waiting: self.waiting() })
+        Ok(Written {
+            appended,
+            length: self.length,
+            waiting: self.waiting(),
+        })
     }
 
     fn mark(&mut self, event: &Event) -> Result<Written> {
         let payload = payload::event(event);
         if payload.len() > LONGEST_PAYLOAD {
-            return Err(Error::argument("key", "a few words", format!("{} bytes", event.key.len())));
+            return Err(Error::argument(
+                "key",
+                "a few words",
+                format!("{} bytes", event.key.len()),
+            ));
         }
         self.flush(vec![(payload::EVENT, payload)])
     }
 
     /// Writes what waits, and then other blocks.
     fn flush(&mut self, others: Vec<(u8, Vec<u8>)>) -> Result<Written> {
-        let filled = self.waiting.iter().filter(|samples| !samples.stamps_ns.is_empty());
-        let mut payloads: Vec<_> = filled.map(|one| (payload::SAMPLES, payload::samples(one))).collect();
+        let filled = self
+            .waiting
+            .iter()
+            .filter(|samples| !samples.stamps_ns.is_empty());
+        let mut payloads: Vec<_> = filled
+            .map(|one| (payload::SAMPLES, payload::samples(one)))
+            .collect();
         payloads.extend(others);
         let written = self.write(&payloads)?;
         for samples in &mut self.waiting {
             samples.stamps_ns.clear();
             samples.values.clear();
         }
-        Ok(Written { waiting: 0, ..written })
+        Ok(Written {
+            waiting: 0,
+            ..written
+        })
     }
 
     fn write(&mut self, payloads: &[(u8, Vec<u8>)]) -> Result<Written> {
@@ -169,20 +211,34 @@ impl<S: Sink> Blocks<S> {
         for (kind, payload) in payloads {
             if payload.len() > LONGEST_PAYLOAD {
                 let found = format!("{} bytes", payload.len());
-                return Err(Error::argument("header", format!("at most {LONGEST_PAYLOAD} bytes"), found));
+                return Err(Error::argument(
+                    "header",
+                    format!("at most {LONGEST_PAYLOAD} bytes"),
+                    found,
+                ));
             }
             block::append(&mut bytes, *kind, self.sequence, payload);
             self.sequence = self.sequence.wrapping_add(1);
         }
-        let appended = self.sink.append(&bytes).map_err(|error| ("appending a block", error));
-        let synced =
-            appended.and_then(|()| self.sink.sync().map_err(|error| ("syncing it to the disk", error)));
+        let appended = self
+            .sink
+            .append(&bytes)
+            .map_err(|error| ("appending a block", error));
+        let synced = appended.and_then(|()| {
+            self.sink
+                .sync()
+                .map_err(|error| ("syncing it to the disk", error))
+        });
         if let Err((doing, error)) = synced {
             self.failed = Some(Error::unwritable(&self.file, doing, &error));
         }
         self.refuse_failed()?;
         self.length += bytes.len() as u64;
-        Ok(Written { appended: bytes.len() as u64, length: self.length, waiting: self.waiting() })
+        Ok(Written {
+            appended: bytes.len() as u64,
+            length: self.length,
+            waiting: self.waiting(),
+        })
     }
 
     fn refuse_failed(&self) -> Result<()> {
@@ -190,13 +246,19 @@ impl<S: Sink> Blocks<S> {
     }
 
     fn waiting(&self) -> usize {
-        self.waiting.iter().map(|samples| samples.stamps_ns.len()).sum()
+        self.waiting
+            .iter()
+            .map(|samples| samples.stamps_ns.len())
+            .sum()
     }
 }
 
-/// Whether samples must be written before one more; stamps that step far back count as time that went by.
+/// Whether samples must be written before one more; stamps that step far back count as time that
+/// went by.
 fn is_due(stamps_ns: &[i64], next_ns: i64) -> bool {
-    let Some(first) = stamps_ns.first() else { return false };
+    let Some(first) = stamps_ns.first() else {
+        return false;
+    };
     next_ns.abs_diff(*first) >= LONGEST_WAIT_NS || stamps_ns.len() >= MOST_WAITING
 }
 
@@ -205,7 +267,8 @@ mod tests {
     use super::super::reader::Piece;
     use super::*;
 
-    /// A disk of so many bytes; what does not fit is written as far as it does, as a real one does it.
+    /// A disk of so many bytes; what does not fit is written as far as it does, as a real one does
+    /// it.
     struct SmallDisk {
         bytes: Vec<u8>,
         room: usize,
@@ -215,7 +278,11 @@ mod tests {
         fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
             let fits = bytes.len().min(self.room - self.bytes.len());
             self.bytes.extend(&bytes[..fits]);
-            if fits < bytes.len() { Err(io::ErrorKind::StorageFull.into()) } else { Ok(()) }
+            if fits < bytes.len() {
+                Err(io::ErrorKind::StorageFull.into())
+            } else {
+                Ok(())
+            }
         }
 
         fn sync(&mut self) -> io::Result<()> {
@@ -225,7 +292,15 @@ mod tests {
 
     #[test]
     fn a_full_disk_is_said_and_all_that_was_flushed_stays_readable() {
-        let mut blocks = Blocks::new(SmallDisk { bytes: Vec::new(), room: 20_000 }, "swing.gyr".into(), 0, 0);
+        let mut blocks = Blocks::new(
+            SmallDisk {
+                bytes: Vec::new(),
+                room: 20_000,
+            },
+            "swing.gyr".into(),
+            0,
+            0,
+        );
         let mut flushed = 0;
         let error = (0..).find_map(|i: i64| {
             match blocks.push(Stream::Gyroscope, &[5_000_000 * i], &[[i as f64; 3]]) {
@@ -235,14 +310,26 @@ mod tests {
             }
             None
         });
-        let full = Some(Error::DiskFull { file: "swing.gyr".into() });
+        let full = Some(Error::DiskFull {
+            file: "swing.gyr".into(),
+        });
         assert_eq!(error, full);
-        assert_eq!(blocks.mark(&Event { stamp_ns: 0, key: "end".into() }).err(), full);
+        assert_eq!(
+            blocks
+                .mark(&Event {
+                    stamp_ns: 0,
+                    key: "end".into()
+                })
+                .err(),
+            full
+        );
         assert_eq!(blocks.sink.bytes.len(), 20_000);
         let mut reader = Reader::new(&blocks.sink.bytes[..], "swing.gyr");
         let mut read = 0;
         while let Some(piece) = reader.next_piece().unwrap() {
-            let Piece::Samples(samples) = piece else { panic!("{piece:?}") };
+            let Piece::Samples(samples) = piece else {
+                panic!("{piece:?}")
+            };
             read += samples.stamps_ns.len();
         }
         assert!(flushed > 0);

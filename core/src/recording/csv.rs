@@ -1,8 +1,9 @@
 //! The project's own recordings: `t,gx,gy,gz,ax,ay,az`, tracks `t,y` and period lists `t,period`.
 //!
 //! # Conventions
-//! Columns are found by name, in any order; s, rad/s, m/s² of specific force, m. An empty cell means that the sensor
-//! has no sample in that row, so that sensors keep their own clocks. `lx,ly,lz` is acceleration without gravity.
+//! Columns are found by name, in any order; s, rad/s, m/s² of specific force, m. An empty cell
+//! means that the sensor has no sample in that row, so that sensors keep their own clocks.
+//! `lx,ly,lz` is acceleration without gravity.
 
 use super::import::table::{Columns, Table};
 use super::repair::{self, RawSeries, Repaired, Sampling};
@@ -16,13 +17,16 @@ pub(crate) const TRIADS: [(Sensor, [&str; 3]); 3] = [
     (Sensor::LinearAccelerometer, ["lx", "ly", "lz"]),
 ];
 
-/// A sampled record of more rows than this at more than a second each has its stamps in another unit.
+/// A sampled record of more rows than this at more than a second each has its stamps in another
+/// unit.
 const SLOW_ROWS: usize = 100;
 
 /// Reads a phone's recording, repairs listed.
 pub fn read_recording(bytes: &[u8], name: &str) -> Result<Recording> {
     let table = Table::native(bytes, name)?;
-    let known: Vec<&str> = std::iter::once("t").chain(TRIADS.iter().flat_map(|triad| triad.1)).collect();
+    let known: Vec<&str> = std::iter::once("t")
+        .chain(TRIADS.iter().flat_map(|triad| triad.1))
+        .collect();
     check_header(&table, &known)?;
     let time = required(&table, "t")?;
     let mut sensors = Vec::new();
@@ -57,7 +61,12 @@ pub(crate) fn track(name: &str, series: RawSeries) -> Result<Track> {
 fn track_of(series: Vec<RawSeries>, name: &str) -> Result<Track> {
     let mut repaired = repair_single(series, name, Sampling::Regular)?;
     let y_m = repaired.channels.pop().unwrap_or_default();
-    Ok(Track { name: name.to_owned(), t_s: repaired.t_s, y_m, repairs: repaired.repairs })
+    Ok(Track {
+        name: name.to_owned(),
+        t_s: repaired.t_s,
+        y_m,
+        repairs: repaired.repairs,
+    })
 }
 
 /// Reads a list of periods `t,period`.
@@ -65,14 +74,22 @@ pub fn read_period_list(bytes: &[u8], name: &str) -> Result<PeriodList> {
     let series = read_single(bytes, name, "period", Sensor::Timer, Sampling::Events)?;
     let mut repaired = repair_single(series, name, Sampling::Events)?;
     let period_s = repaired.channels.pop().unwrap_or_default();
-    Ok(PeriodList { name: name.to_owned(), t_s: repaired.t_s, period_s, repairs: repaired.repairs })
+    Ok(PeriodList {
+        name: name.to_owned(),
+        t_s: repaired.t_s,
+        period_s,
+        repairs: repaired.repairs,
+    })
 }
 
 /// Repairs the series of one recording and puts them in their places.
 pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording> {
     let sensors: Vec<Sensor> = series.iter().map(|raw| raw.sensor).collect();
     let repaired = repair::repair_file(series, name, Sampling::Regular)?;
-    let mut out = Recording { name: name.to_owned(), ..Recording::default() };
+    let mut out = Recording {
+        name: name.to_owned(),
+        ..Recording::default()
+    };
     for (sensor, repaired) in sensors.into_iter().zip(repaired) {
         out.repairs.extend(repaired.repairs.iter().cloned());
         let place = match sensor {
@@ -83,7 +100,11 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
         };
         *place = triad(repaired);
     }
-    let usable = [&out.gyroscope, &out.accelerometer, &out.linear_accelerometer];
+    let usable = [
+        &out.gyroscope,
+        &out.accelerometer,
+        &out.linear_accelerometer,
+    ];
     if usable.iter().all(|triad| triad.is_none()) {
         return Err(too_few(name, &out.repairs));
     }
@@ -93,7 +114,10 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
 /// One sample has no clock: a sensor needs two.
 fn triad(repaired: Repaired) -> Option<Triad> {
     let axes: [Vec<f64>; 3] = repaired.channels.try_into().ok()?;
-    (repaired.t_s.len() >= 2).then_some(Triad { t_s: repaired.t_s, axes })
+    (repaired.t_s.len() >= 2).then_some(Triad {
+        t_s: repaired.t_s,
+        axes,
+    })
 }
 
 fn too_few(name: &str, repairs: &[super::samples::Repair]) -> Error {
@@ -133,7 +157,9 @@ fn read_single(
 }
 
 fn repair_single(series: Vec<RawSeries>, name: &str, sampling: Sampling) -> Result<Repaired> {
-    let repaired = repair::repair_file(series, name, sampling)?.pop().unwrap_or_default();
+    let repaired = repair::repair_file(series, name, sampling)?
+        .pop()
+        .unwrap_or_default();
     if repaired.t_s.len() < 2 {
         return Err(too_few(name, &repaired.repairs));
     }
@@ -154,9 +180,14 @@ fn check_periods(table: &Table, numbers: &Columns) -> Result<()> {
 }
 
 /// The samples of several sensors from one table, each with the rows in which it has cells.
-fn read_series(table: &Table, time: usize, sensors: &[(Sensor, Vec<usize>)]) -> Result<Vec<RawSeries>> {
-    let columns: Vec<usize> =
-        std::iter::once(time).chain(sensors.iter().flat_map(|sensor| sensor.1.iter().copied())).collect();
+fn read_series(
+    table: &Table,
+    time: usize,
+    sensors: &[(Sensor, Vec<usize>)],
+) -> Result<Vec<RawSeries>> {
+    let columns: Vec<usize> = std::iter::once(time)
+        .chain(sensors.iter().flat_map(|sensor| sensor.1.iter().copied()))
+        .collect();
     let numbers = table.numbers(&columns)?;
     let mut next = 1;
     let mut series = Vec::new();
@@ -213,12 +244,19 @@ fn check_header(table: &Table, known: &[&str]) -> Result<()> {
 
 fn nearest(name: &str, known: &[&str]) -> Option<String> {
     let name = name.to_lowercase();
-    known.iter().min_by_key(|key| strsim::damerau_levenshtein(key, &name)).map(|key| (*key).to_owned())
+    known
+        .iter()
+        .min_by_key(|key| strsim::damerau_levenshtein(key, &name))
+        .map(|key| (*key).to_owned())
 }
 
 fn required(table: &Table, column: &str) -> Result<usize> {
     table.find(|name| name == column).ok_or_else(|| {
-        table.malformed(Some(0), &format!("a column `{column}`"), &format!("`{}`", table.header_text()))
+        table.malformed(
+            Some(0),
+            &format!("a column `{column}`"),
+            &format!("`{}`", table.header_text()),
+        )
     })
 }
 
@@ -234,10 +272,13 @@ fn all_or_none(table: &Table, axes: [&str; 3]) -> Result<Option<[usize; 3]>> {
     }
 }
 
-/// Stamps in milliseconds or nanoseconds would make every period a thousand times too long: refused aloud.
+/// Stamps in milliseconds or nanoseconds would make every period a thousand times too long: refused
+/// aloud.
 fn check_clock(series: &[RawSeries], table: &Table) -> Result<()> {
     for raw in series {
-        let Some(median) = repair::median_interval_s(&raw.t_s) else { continue };
+        let Some(median) = repair::median_interval_s(&raw.t_s) else {
+            continue;
+        };
         if raw.t_s.len() <= SLOW_ROWS || median <= 1.0 {
             continue;
         }

@@ -1,8 +1,8 @@
 //! Writing a recording in the project's own form.
 //!
 //! # Conventions
-//! Rows are merged by time: sensors that share a stamp share a row, the others' cells stay empty. Numbers are the
-//! shortest that read back to the same bits.
+//! Rows are merged by time: sensors that share a stamp share a row, the others' cells stay empty.
+//! Numbers are the shortest that read back to the same bits.
 
 use std::fmt::Write;
 
@@ -11,8 +11,10 @@ use super::samples::{Recording, Sensor, Triad};
 
 /// A recording as CSV bytes that [`super::read_recording`] reads back to the same samples.
 pub fn write_recording(recording: &Recording) -> Vec<u8> {
-    let sensors: Vec<(&Triad, [&str; 3])> =
-        TRIADS.iter().filter_map(|(sensor, names)| Some((triad_of(recording, *sensor)?, *names))).collect();
+    let sensors: Vec<(&Triad, [&str; 3])> = TRIADS
+        .iter()
+        .filter_map(|(sensor, names)| Some((triad_of(recording, *sensor)?, *names)))
+        .collect();
     let mut out = String::from("t");
     for name in sensors.iter().flat_map(|(_, names)| names) {
         out.push(',');
@@ -41,7 +43,10 @@ fn triad_of(recording: &Recording, sensor: Sensor) -> Option<&Triad> {
 }
 
 fn earliest(sensors: &[(&Triad, [&str; 3])], next: &[usize]) -> Option<f64> {
-    let stamps = sensors.iter().zip(next).filter_map(|((triad, _), &i)| triad.t_s.get(i).copied());
+    let stamps = sensors
+        .iter()
+        .zip(next)
+        .filter_map(|((triad, _), &i)| triad.t_s.get(i).copied());
     stamps.min_by(f64::total_cmp)
 }
 

@@ -32,7 +32,12 @@ impl Source<'_> {
         expected: impl Into<String>,
         found: impl Into<String>,
     ) -> Error {
-        Error::Malformed { file: self.file.into(), line, expected: expected.into(), found: found.into() }
+        Error::Malformed {
+            file: self.file.into(),
+            line,
+            expected: expected.into(),
+            found: found.into(),
+        }
     }
 }
 
@@ -60,14 +65,34 @@ impl<'a> Table<'a> {
         table: &'a dyn TableLike,
         known: &'a [&'static str],
     ) -> Result<Self> {
-        let opened = Self { keys: Keys { source, table, line, known }, path };
+        let opened = Self {
+            keys: Keys {
+                source,
+                table,
+                line,
+                known,
+            },
+            path,
+        };
         opened.refuse_unknown()?;
         Ok(opened)
     }
 
     /// The table of a whole text, its keys not yet looked at.
-    pub(crate) fn root(source: Source<'a>, table: &'a dyn TableLike, known: &'a [&'static str]) -> Self {
-        Self { keys: Keys { source, table, line: None, known }, path: String::new() }
+    pub(crate) fn root(
+        source: Source<'a>,
+        table: &'a dyn TableLike,
+        known: &'a [&'static str],
+    ) -> Self {
+        Self {
+            keys: Keys {
+                source,
+                table,
+                line: None,
+                known,
+            },
+            path: String::new(),
+        }
     }
 
     pub(crate) fn refuse_unknown(&self) -> Result<()> {
@@ -77,7 +102,10 @@ impl<'a> Table<'a> {
     /// Refuses keys that are not among `known`.
     pub(crate) fn refuse_beside(&self, known: &[&str]) -> Result<()> {
         let Keys { source, table, .. } = self.keys;
-        match table.iter().find(|(key, item)| !known.contains(key) && !item.is_none()) {
+        match table
+            .iter()
+            .find(|(key, item)| !known.contains(key) && !item.is_none())
+        {
             None => Ok(()),
             Some((key, _)) => Err(Error::UnknownKey {
                 file: source.file.into(),
@@ -89,21 +117,43 @@ impl<'a> Table<'a> {
     }
 
     pub(crate) fn path_of(&self, key: &str) -> String {
-        if self.path.is_empty() { key.into() } else { format!("{}.{key}", self.path) }
+        if self.path.is_empty() {
+            key.into()
+        } else {
+            format!("{}.{key}", self.path)
+        }
     }
 
     /// The value under a key, if it is there.
     pub(crate) fn get(&self, key: &str) -> Option<Field<'a>> {
-        let Keys { source, table, line, .. } = self.keys;
-        let (spelled, item) = table.get_key_value(key).filter(|(_, item)| !item.is_none())?;
-        let line = span_start(spelled, item).map(|offset| source.line(offset)).or(line);
-        Some(Field { source, key: key.into(), path: self.path_of(key), line, item })
+        let Keys {
+            source,
+            table,
+            line,
+            ..
+        } = self.keys;
+        let (spelled, item) = table
+            .get_key_value(key)
+            .filter(|(_, item)| !item.is_none())?;
+        let line = span_start(spelled, item)
+            .map(|offset| source.line(offset))
+            .or(line);
+        Some(Field {
+            source,
+            key: key.into(),
+            path: self.path_of(key),
+            line,
+            item,
+        })
     }
 
     /// The value under a key that must be there.
     pub(crate) fn require(&self, key: &str, what: &str) -> Result<Field<'a>> {
         self.get(key).ok_or_else(|| {
-            self.error(format!("`{}` ({what})", self.path_of(key)), format!("no key `{key}` in this table"))
+            self.error(
+                format!("`{}` ({what})", self.path_of(key)),
+                format!("no key `{key}` in this table"),
+            )
         })
     }
 
@@ -123,7 +173,13 @@ impl<'a> Table<'a> {
     /// The one key of `keys` that is there.
     pub(crate) fn exactly_one(&self, keys: &[&str]) -> Result<Field<'a>> {
         let mut present = keys.iter().filter_map(|key| self.get(key));
-        let expected = || format!("exactly one of {} in `{}`", listed(keys.iter().copied()), self.path);
+        let expected = || {
+            format!(
+                "exactly one of {} in `{}`",
+                listed(keys.iter().copied()),
+                self.path
+            )
+        };
         match (present.next(), present.next()) {
             (None, _) => Err(self.error(expected(), "none")),
             (Some(one), None) => Ok(one),
@@ -135,7 +191,8 @@ impl<'a> Table<'a> {
 
     /// A free text, empty where the key is absent.
     pub(crate) fn text_or_empty(&self, key: &str) -> Result<String> {
-        self.get(key).map_or(Ok(String::new()), |field| field.text().map(String::from))
+        self.get(key)
+            .map_or(Ok(String::new()), |field| field.text().map(String::from))
     }
 
     /// A number, where the key is there.
@@ -145,22 +202,30 @@ impl<'a> Table<'a> {
 
     /// A quantity, where the key is there.
     pub(crate) fn quantity(&self, key: &str, domain: Domain) -> Result<Option<Quantity>> {
-        self.get(key).map(|field| field.quantity(domain)).transpose()
+        self.get(key)
+            .map(|field| field.quantity(domain))
+            .transpose()
     }
 
     /// The tables of a list, none where the key is absent.
     pub(crate) fn tables(&self, key: &str, known: &'a [&'static str]) -> Result<Vec<Table<'a>>> {
-        self.get(key).map_or(Ok(Vec::new()), |field| field.tables(known))
+        self.get(key)
+            .map_or(Ok(Vec::new()), |field| field.tables(known))
     }
 
     /// The same, their keys not yet looked at.
     pub(crate) fn open_tables(&self, key: &str) -> Result<Vec<Table<'a>>> {
-        self.get(key).map_or(Ok(Vec::new()), |field| field.open_tables())
+        self.get(key)
+            .map_or(Ok(Vec::new()), |field| field.open_tables())
     }
 
     /// All values of the table, in file order.
     pub(crate) fn fields(&self) -> Vec<Field<'a>> {
-        self.keys.table.iter().filter_map(|(key, _)| self.get(key)).collect()
+        self.keys
+            .table
+            .iter()
+            .filter_map(|(key, _)| self.get(key))
+            .collect()
     }
 }
 
@@ -183,7 +248,9 @@ impl<'a> Field<'a> {
     }
 
     pub(crate) fn text(&self) -> Result<&'a str> {
-        self.item.as_str().ok_or_else(|| self.expected("a text in quotes"))
+        self.item
+            .as_str()
+            .ok_or_else(|| self.expected("a text in quotes"))
     }
 
     pub(crate) fn number(&self, domain: Domain) -> Result<f64> {
@@ -195,15 +262,32 @@ impl<'a> Field<'a> {
 
     /// A whole number.
     pub(crate) fn whole(&self) -> Result<i64> {
-        self.item.as_integer().ok_or_else(|| self.expected("a whole number"))
+        self.item
+            .as_integer()
+            .ok_or_else(|| self.expected("a whole number"))
     }
 
     /// A table of texts by any key.
     pub(crate) fn texts(&self) -> Result<BTreeMap<String, String>> {
-        let table = self.item.as_table_like().ok_or_else(|| self.expected("a table of texts"))?;
-        let keys = Keys { source: self.source, table, line: self.line, known: &[] };
-        let fields = Table { keys, path: self.path.clone() }.fields();
-        fields.into_iter().map(|field| Ok((field.key.clone(), field.text()?.to_owned()))).collect()
+        let table = self
+            .item
+            .as_table_like()
+            .ok_or_else(|| self.expected("a table of texts"))?;
+        let keys = Keys {
+            source: self.source,
+            table,
+            line: self.line,
+            known: &[],
+        };
+        let fields = Table {
+            keys,
+            path: self.path.clone(),
+        }
+        .fields();
+        fields
+            .into_iter()
+            .map(|field| Ok((field.key.clone(), field.text()?.to_owned())))
+            .collect()
     }
 
     /// A number (then u = 0) or `{ value, u }`.
@@ -216,7 +300,9 @@ impl<'a> Field<'a> {
             return Err(self.expected(what));
         }
         let table = self.table(&["value", "u"])?;
-        let value = table.require("value", &domain.to_string())?.number(domain)?;
+        let value = table
+            .require("value", &domain.to_string())?
+            .number(domain)?;
         let u = table.number("u", Domain::UNCERTAINTY)?.unwrap_or(0.0);
         Ok(Quantity::new(value, u))
     }
@@ -224,22 +310,36 @@ impl<'a> Field<'a> {
     /// Three numbers.
     pub(crate) fn vector(&self, domain: Domain) -> Result<[f64; 3]> {
         let read = |array: &toml_edit::Array| -> Option<[f64; 3]> {
-            let numbers: Vec<f64> =
-                array.iter().filter_map(value_number).filter(|&value| domain.holds(value)).collect();
-            if array.len() == 3 { numbers.try_into().ok() } else { None }
+            let numbers: Vec<f64> = array
+                .iter()
+                .filter_map(value_number)
+                .filter(|&value| domain.holds(value))
+                .collect();
+            if array.len() == 3 {
+                numbers.try_into().ok()
+            } else {
+                None
+            }
         };
-        self.item.as_array().and_then(read).ok_or_else(|| self.expected(format!("[x, y, z], each {domain}")))
+        self.item
+            .as_array()
+            .and_then(read)
+            .ok_or_else(|| self.expected(format!("[x, y, z], each {domain}")))
     }
 
     /// One of a list of names.
     pub(crate) fn choice<T: Copy>(&self, names: &[(&str, T)]) -> Result<T> {
-        chosen(self.text()?, names).ok_or_else(|| self.not_among(shown(self.item), self.text().ok(), names))
+        chosen(self.text()?, names)
+            .ok_or_else(|| self.not_among(shown(self.item), self.text().ok(), names))
     }
 
     /// A list of names.
     pub(crate) fn choices<T: Copy>(&self, names: &[(&str, T)]) -> Result<Vec<T>> {
         let array = self.item.as_array().ok_or_else(|| {
-            self.expected(format!("a list of {}", listed(names.iter().map(|(name, _)| *name))))
+            self.expected(format!(
+                "a list of {}",
+                listed(names.iter().map(|(name, _)| *name))
+            ))
         })?;
         let read = |value: &Value| {
             let text = value.as_str();
@@ -252,8 +352,13 @@ impl<'a> Field<'a> {
     fn not_among<T>(&self, found: String, text: Option<&str>, names: &[(&str, T)]) -> Error {
         let all = || names.iter().map(|(name, _)| *name);
         let hint = text.and_then(|text| nearest(text, all()));
-        let hint = hint.map(|name| format!("; the nearest is `{name}`")).unwrap_or_default();
-        self.error(format!("`{}` to be one of {}", self.path, listed(all())), format!("{found}{hint}"))
+        let hint = hint
+            .map(|name| format!("; the nearest is `{name}`"))
+            .unwrap_or_default();
+        self.error(
+            format!("`{}` to be one of {}", self.path, listed(all())),
+            format!("{found}{hint}"),
+        )
     }
 
     /// The name of a file inside the session.
@@ -270,15 +375,30 @@ impl<'a> Field<'a> {
     }
 
     pub(crate) fn table(&self, known: &'a [&'static str]) -> Result<Table<'a>> {
-        let table = self.item.as_table_like().ok_or_else(|| self.expected("a table"))?;
+        let table = self
+            .item
+            .as_table_like()
+            .ok_or_else(|| self.expected("a table"))?;
         Table::new(self.source, self.path.clone(), self.line, table, known)
     }
 
     /// A table whose keys are names, `{ yaw = …, sway = … }`: each with its value.
     pub(crate) fn by_name<T: Copy>(&self, names: &[(&str, T)]) -> Result<Vec<(T, Field<'a>)>> {
-        let table = self.item.as_table_like().ok_or_else(|| self.expected("a table of names and numbers"))?;
-        let keys = Keys { source: self.source, table, line: self.line, known: &[] };
-        let fields = Table { keys, path: self.path.clone() }.fields();
+        let table = self
+            .item
+            .as_table_like()
+            .ok_or_else(|| self.expected("a table of names and numbers"))?;
+        let keys = Keys {
+            source: self.source,
+            table,
+            line: self.line,
+            known: &[],
+        };
+        let fields = Table {
+            keys,
+            path: self.path.clone(),
+        }
+        .fields();
         let named = |field: Field<'a>| match chosen(&field.key, names) {
             Some(name) => Ok((name, field)),
             None => Err(Error::UnknownKey {
@@ -294,24 +414,53 @@ impl<'a> Field<'a> {
     /// The tables of a list: `[[key]]`, or `key = [ { … }, … ]`.
     pub(crate) fn tables(&self, known: &'a [&'static str]) -> Result<Vec<Table<'a>>> {
         let tables = self.open_tables()?.into_iter();
-        let opened = tables.map(|table| Table { keys: Keys { known, ..table.keys }, path: table.path });
-        opened.map(|table| table.refuse_unknown().map(|()| table)).collect()
+        let opened = tables.map(|table| Table {
+            keys: Keys {
+                known,
+                ..table.keys
+            },
+            path: table.path,
+        });
+        opened
+            .map(|table| table.refuse_unknown().map(|()| table))
+            .collect()
     }
 
     fn open_tables(&self) -> Result<Vec<Table<'a>>> {
         let open = |(index, (span, table)): (usize, (Option<usize>, &'a dyn TableLike))| {
             let line = span.map(|offset| self.source.line(offset)).or(self.line);
             let path = format!("{}[{}]", self.path, index + 1);
-            Table { keys: Keys { source: self.source, table, line, known: &[] }, path }
+            Table {
+                keys: Keys {
+                    source: self.source,
+                    table,
+                    line,
+                    known: &[],
+                },
+                path,
+            }
         };
-        Ok(self.listed_tables()?.into_iter().enumerate().map(open).collect())
+        Ok(self
+            .listed_tables()?
+            .into_iter()
+            .enumerate()
+            .map(open)
+            .collect())
     }
 
     fn listed_tables(&self) -> Result<Vec<(Option<usize>, &'a dyn TableLike)>> {
         if let Some(list) = self.item.as_array_of_tables() {
-            return Ok(list.iter().map(|table| (start(table.span()), table as &dyn TableLike)).collect());
+            return Ok(list
+                .iter()
+                .map(|table| (start(table.span()), table as &dyn TableLike))
+                .collect());
         }
-        let wrong = || self.expected(format!("a list of tables, each under [[{}]] or in {{ }}", self.path));
+        let wrong = || {
+            self.expected(format!(
+                "a list of tables, each under [[{}]] or in {{ }}",
+                self.path
+            ))
+        };
         let array = self.item.as_array().ok_or_else(wrong)?;
         let entry = |value: &'a Value| {
             let table = value.as_inline_table().ok_or_else(wrong)?;
@@ -334,28 +483,42 @@ fn plain_number(item: &Item) -> Option<f64> {
 }
 
 fn value_number(value: &Value) -> Option<f64> {
-    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+    value
+        .as_float()
+        .or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 
 fn chosen<T: Copy>(text: &str, names: &[(&str, T)]) -> Option<T> {
-    names.iter().find(|(name, _)| *name == text).map(|(_, value)| *value)
+    names
+        .iter()
+        .find(|(name, _)| *name == text)
+        .map(|(_, value)| *value)
 }
 
 /// The value as it stands in the text, cut where it is long.
 fn shown(item: &Item) -> String {
     const LONGEST: usize = 60;
-    let Some(value) = item.as_value() else { return format!("a {}", item.type_name()) };
+    let Some(value) = item.as_value() else {
+        return format!("a {}", item.type_name());
+    };
     let mut plain = value.clone();
     plain.decor_mut().clear();
     let text = plain.to_string().replace(['\n', '\r'], " ");
     if text.chars().count() <= LONGEST {
         return format!("{} ({})", text, value.type_name());
     }
-    format!("{}… ({})", text.chars().take(LONGEST).collect::<String>(), value.type_name())
+    format!(
+        "{}… ({})",
+        text.chars().take(LONGEST).collect::<String>(),
+        value.type_name()
+    )
 }
 
 fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+    names
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {

@@ -22,7 +22,8 @@ pub struct LoadedSession {
     pub source: String,
     /// What each swing left behind, in the order of `session.swings`.
     pub data: Vec<LoadedSwing>,
-    /// The recording of each incline test, in the order of `session.inclines`; none where the angle is stated.
+    /// The recording of each incline test, in the order of `session.inclines`; none where the angle
+    /// is stated.
     pub inclines: Vec<Option<Recording>>,
 }
 
@@ -60,10 +61,16 @@ pub fn load_store(store: &Store) -> Result<LoadedSession> {
     let file = store.describe(SESSION_FILE);
     let bytes = store.read(SESSION_FILE)?;
     let parsed = parse_session(utf8(&bytes, &file)?, &file)?;
-    parsed.files.iter().try_for_each(|named| refuse_missing(store, &file, named))?;
+    parsed
+        .files
+        .iter()
+        .try_for_each(|named| refuse_missing(store, &file, named))?;
     let session = parsed.session;
     let load = |swing: &super::session::Swing| {
-        Ok(LoadedSwing { id: swing.id.clone(), data: swing_data(store, &session, &swing.data)? })
+        Ok(LoadedSwing {
+            id: swing.id.clone(),
+            data: swing_data(store, &session, &swing.data)?,
+        })
     };
     let data = session.swings.iter().map(load).collect::<Result<_>>()?;
     let inclines = session
@@ -71,14 +78,27 @@ pub fn load_store(store: &Store) -> Result<LoadedSession> {
         .iter()
         .map(|one| incline_data(store, &session, &one.angle))
         .collect::<Result<_>>()?;
-    Ok(LoadedSession { session, source: store.name().into(), data, inclines })
+    Ok(LoadedSession {
+        session,
+        source: store.name().into(),
+        data,
+        inclines,
+    })
 }
 
 pub(crate) fn utf8<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str> {
     std::str::from_utf8(bytes).map_err(|error| {
-        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        let line = 1 + bytes[..error.valid_up_to()]
+            .iter()
+            .filter(|&&byte| byte == b'\n')
+            .count();
         let (expected, found) = ("text in UTF-8".into(), "other bytes".into());
-        Error::Malformed { file: file.into(), line: Some(line), expected, found }
+        Error::Malformed {
+            file: file.into(),
+            line: Some(line),
+            expected,
+            found,
+        }
     })
 }
 
@@ -95,29 +115,44 @@ fn refuse_missing(store: &Store, session_file: &str, named: &NamedFile) -> Resul
     })
 }
 
-/// A phone's recording, with what the recorder had lost of it told first, and when it was disturbed.
+/// A phone's recording, with what the recorder had lost of it told first, and when it was
+/// disturbed.
 fn phone_recording(store: &Store, session: &Session, file: &str) -> Result<Recording> {
     let mut recording = csv::read_recording(&store.read(file)?, &store.describe(file))?;
-    let told = || session.recorded.iter().filter(|recorded| recorded.file == file);
-    recording.repairs.splice(0..0, told().flat_map(Recorded::as_repairs));
+    let told = || {
+        session
+            .recorded
+            .iter()
+            .filter(|recorded| recorded.file == file)
+    };
+    recording
+        .repairs
+        .splice(0..0, told().flat_map(Recorded::as_repairs));
     recording.disturbed_s = told().flat_map(Recorded::disturbed_s).collect();
     Ok(recording)
 }
 
 fn swing_data(store: &Store, session: &Session, data: &SwingData) -> Result<LoadedData> {
     match data {
-        SwingData::Recording(file) => phone_recording(store, session, file).map(LoadedData::Recording),
+        SwingData::Recording(file) => {
+            phone_recording(store, session, file).map(LoadedData::Recording)
+        }
         SwingData::Displacement { file, .. } => {
             csv::read_track(&store.read(file)?, &store.describe(file)).map(LoadedData::Track)
         }
         SwingData::Periods(file) => {
-            csv::read_period_list(&store.read(file)?, &store.describe(file)).map(LoadedData::Periods)
+            csv::read_period_list(&store.read(file)?, &store.describe(file))
+                .map(LoadedData::Periods)
         }
         SwingData::PeriodsS(_) => Ok(LoadedData::Typed),
     }
 }
 
-fn incline_data(store: &Store, session: &Session, angle: &InclineAngle) -> Result<Option<Recording>> {
+fn incline_data(
+    store: &Store,
+    session: &Session,
+    angle: &InclineAngle,
+) -> Result<Option<Recording>> {
     match angle {
         InclineAngle::Stated(_) => Ok(None),
         InclineAngle::Recording(file) => phone_recording(store, session, file).map(Some),

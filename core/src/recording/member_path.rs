@@ -33,7 +33,11 @@ fn joined_parts(name: &str) -> std::result::Result<String, String> {
             _ => parts.push(part),
         }
     }
-    if parts.is_empty() { Err(format!("the folder `{name}`")) } else { Ok(parts.join("/")) }
+    if parts.is_empty() {
+        Err(format!("the folder `{name}`"))
+    } else {
+        Ok(parts.join("/"))
+    }
 }
 
 /// `C:` would leave the session on Windows, in any folder depth of the name.
@@ -50,7 +54,11 @@ mod tests {
 
     #[test]
     fn plain_names_pass() {
-        for (name, plain) in [("a.csv", "a.csv"), ("./a/b.csv", "a/b.csv"), ("..a/b..csv", "..a/b..csv")] {
+        for (name, plain) in [
+            ("a.csv", "a.csv"),
+            ("./a/b.csv", "a/b.csv"),
+            ("..a/b..csv", "..a/b..csv"),
+        ] {
             assert_eq!(plain_member_path(name).as_deref(), Ok(plain));
         }
     }

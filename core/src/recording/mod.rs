@@ -32,8 +32,8 @@ pub(crate) use repair::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_
 pub use samples::{GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, Track, Triad};
 pub use save::{Overwrite, save_session, save_session_zip, session_zip_bytes};
 pub use session::{
-    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation, Session,
-    Site, Suspension, SuspensionKind, Swing, SwingData,
+    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
+    Session, Site, Suspension, SuspensionKind, Swing, SwingData,
 };
 pub use store::Store;
 pub use toml_read::read_session;

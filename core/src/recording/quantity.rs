@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as exact).
+/// A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as
+/// exact).
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Quantity {
     /// The value.

@@ -1,4 +1,5 @@
-//! What the recorder says of a recording that it made: the clock, the phone, the marks, what was lost.
+//! What the recorder says of a recording that it made: the clock, the phone, the marks, what was
+//! lost.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +16,8 @@ pub struct Recorded {
     pub origin_ns: i64,
     /// Model of the phone; empty where it is not known.
     pub phone: String,
-    /// The phone's own estimate of the gyroscope's bias, not taken off: file name in the session, `t,gx,gy,gz`.
+    /// The phone's own estimate of the gyroscope's bias, not taken off: file name in the session,
+    /// `t,gx,gy,gz`.
     pub bias: Option<String>,
     /// The phone's sensors.
     pub sensors: Vec<RecordedSensor>,
@@ -64,7 +66,10 @@ pub struct RecordedRepair {
 impl Recorded {
     /// When the swing was disturbed, s of the recording.
     pub(super) fn disturbed_s(&self) -> impl Iterator<Item = f64> {
-        self.events.iter().filter(|event| event.key == DISTURBED).map(|event| event.t_s)
+        self.events
+            .iter()
+            .filter(|event| event.key == DISTURBED)
+            .map(|event| event.t_s)
     }
 
     /// What was lost, as repairs of the recording; what was lost may be of either sensor.

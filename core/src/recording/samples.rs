@@ -31,7 +31,8 @@ impl Sensor {
     }
 }
 
-/// Three axes of one sensor on its own clock, phone axes. All vectors have the same length; `t_s` increases strictly.
+/// Three axes of one sensor on its own clock, phone axes. All vectors have the same length; `t_s`
+/// increases strictly.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Triad {
     /// Time stamps, s.
@@ -99,7 +100,8 @@ pub struct GateEvents {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RepairKind {
-    /// Time stamps scatter about their rate by more than a twentieth of the interval: used as they stand.
+    /// Time stamps scatter about their rate by more than a twentieth of the interval: used as they
+    /// stand.
     Jitter,
     /// A time stamp repeats the one before: the repeated row is dropped for that sensor.
     RepeatedStamp,

@@ -26,7 +26,8 @@ pub enum Overwrite {
     Replace,
 }
 
-/// Writes a session and its recordings, by name and bytes, into a folder, which is made if it is not there.
+/// Writes a session and its recordings, by name and bytes, into a folder, which is made if it is
+/// not there.
 ///
 /// A file that the session names must be among `recordings` or in the folder already.
 pub fn save_session(
@@ -38,9 +39,13 @@ pub fn save_session(
     let dir = dir.as_ref();
     let files = session_files(session, recordings, |name| dir.join(name).is_file())?;
     if overwrite == Overwrite::Refuse {
-        files.iter().try_for_each(|(name, _)| refuse_existing(&dir.join(name)))?;
+        files
+            .iter()
+            .try_for_each(|(name, _)| refuse_existing(&dir.join(name)))?;
     }
-    files.iter().try_for_each(|(name, bytes)| write_file(&dir.join(name), bytes, overwrite))
+    files
+        .iter()
+        .try_for_each(|(name, bytes)| write_file(&dir.join(name), bytes, overwrite))
 }
 
 /// A session and its recordings, by name and bytes, as the bytes of a `.zip`.
@@ -50,10 +55,14 @@ pub fn session_zip_bytes(session: &Session, recordings: &[(String, Vec<u8>)]) ->
     let files = session_files(session, recordings, |_| false)?;
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in files {
-        zip.start_file(&*name, SimpleFileOptions::default()).map_err(|e| unwritable(&name, e))?;
+        zip.start_file(&*name, SimpleFileOptions::default())
+            .map_err(|e| unwritable(&name, e))?;
         zip.write_all(&bytes).map_err(|e| unwritable(&name, e))?;
     }
-    Ok(zip.finish().map_err(|e| unwritable("the .zip", e))?.into_inner())
+    Ok(zip
+        .finish()
+        .map_err(|e| unwritable("the .zip", e))?
+        .into_inner())
 }
 
 /// Writes a session and its recordings as a `.zip` file.
@@ -66,10 +75,15 @@ pub fn save_session_zip(
     if overwrite == Overwrite::Refuse {
         refuse_existing(path.as_ref())?;
     }
-    write_file(path.as_ref(), &session_zip_bytes(session, recordings)?, overwrite)
+    write_file(
+        path.as_ref(),
+        &session_zip_bytes(session, recordings)?,
+        overwrite,
+    )
 }
 
-/// All files of a session, the recordings first: whoever finds a `session.toml` finds all that it names.
+/// All files of a session, the recordings first: whoever finds a `session.toml` finds all that it
+/// names.
 fn session_files(
     session: &Session,
     recordings: &[(String, Vec<u8>)],
@@ -83,14 +97,26 @@ fn session_files(
         let plain = plain_member_path(name)
             .map_err(|found| Error::argument("recordings", "plain relative names", found))?;
         if plain == SESSION_FILE || !names.insert(plain.clone()) {
-            return Err(Error::argument("recordings", "each name once", format!("`{name}` again")));
+            return Err(Error::argument(
+                "recordings",
+                "each name once",
+                format!("`{name}` again"),
+            ));
         }
         files.push((plain, bytes.clone()));
     }
-    match parsed.files.iter().find(|named| !names.contains(&named.file) && !is_there(&named.file)) {
+    match parsed
+        .files
+        .iter()
+        .find(|named| !names.contains(&named.file) && !is_there(&named.file))
+    {
         Some(named) => {
             let found = format!("no `{}`, named by `{}`", named.file, named.key);
-            Err(Error::argument("recordings", "every file that the session names", found))
+            Err(Error::argument(
+                "recordings",
+                "every file that the session names",
+                found,
+            ))
         }
         None => {
             files.push((SESSION_FILE.into(), text.into_bytes()));
@@ -101,7 +127,10 @@ fn session_files(
 
 fn refuse_existing(path: &Path) -> Result<()> {
     if fs::symlink_metadata(path).is_ok() {
-        return Err(unwritable(&path.display().to_string(), "it exists already and is not overwritten"));
+        return Err(unwritable(
+            &path.display().to_string(),
+            "it exists already and is not overwritten",
+        ));
     }
     Ok(())
 }
@@ -113,12 +142,19 @@ fn write_file(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<()> {
         fs::create_dir_all(folder).map_err(fail)?;
     }
     if overwrite == Overwrite::Refuse {
-        let mut file = OpenOptions::new().write(true).create_new(true).open(path).map_err(fail)?;
+        let mut file = OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .open(path)
+            .map_err(fail)?;
         return file.write_all(bytes).map_err(fail);
     }
     replace_file(path, bytes).map_err(fail)
 }
 
 fn unwritable(file: &str, reason: impl ToString) -> Error {
-    Error::Unwritable { file: file.into(), reason: reason.to_string() }
+    Error::Unwritable {
+        file: file.into(),
+        reason: reason.to_string(),
+    }
 }

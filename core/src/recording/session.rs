@@ -36,8 +36,8 @@ pub struct Session {
 pub struct Body {
     /// Name, free text.
     pub name: String,
-    /// Everything that swings, added masses of single swings excluded, kg. Optional: without it there are
-    /// gyradii but no moments of inertia, and attachments cannot be taken off.
+    /// Everything that swings, added masses of single swings excluded, kg. Optional: without it
+    /// there are gyradii but no moments of inertia, and attachments cannot be taken off.
     pub mass_kg: Option<Quantity>,
     /// Length overall, m.
     pub length_overall_m: Option<f64>,
@@ -103,8 +103,8 @@ pub struct Swing {
 pub enum SwingData {
     /// A phone's recording: file name in the session.
     Recording(String),
-    /// A rangefinder's track of one point: file name, and the point in hull axes from the mid-point of the
-    /// suspension points, m.
+    /// A rangefinder's track of one point: file name, and the point in hull axes from the mid-point
+    /// of the suspension points, m.
     Displacement {
         /// File name in the session.
         file: String,
@@ -169,9 +169,9 @@ impl Excitation {
 /// The names of the modes of motion, by shape.
 ///
 /// # Conventions
-/// `Sway` is the simple-pendulum motion along the line that joins the suspension points (athwartships on an
-/// athwartships suspension, fore and aft on a fore-and-aft one). `…InPhase` is the long-period, `…OutOfPhase` the
-/// short-period mode of the double pendulum (errata to eq. 16).
+/// `Sway` is the simple-pendulum motion along the line that joins the suspension points
+/// (athwartships on an athwartships suspension, fore and aft on a fore-and-aft one). `…InPhase` is
+/// the long-period, `…OutOfPhase` the short-period mode of the double pendulum (errata to eq. 16).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]

@@ -15,8 +15,8 @@ const MAX_DEPTH: usize = 8;
 /// The files of a session or of an export.
 ///
 /// # Conventions
-/// Names are relative and joined by `/` on every system. Where a `.zip` keeps everything in one top folder, names
-/// are relative to that folder.
+/// Names are relative and joined by `/` on every system. Where a `.zip` keeps everything in one top
+/// folder, names are relative to that folder.
 #[derive(Debug, Clone)]
 pub struct Store {
     name: String,
@@ -39,7 +39,10 @@ impl Store {
             return Self::open_folder(path);
         }
         if path.file_name().is_some_and(|file| file == "session.toml") {
-            let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let folder = path
+                .parent()
+                .filter(|p| !p.as_os_str().is_empty())
+                .unwrap_or(Path::new("."));
             return Self::open_folder(folder);
         }
         if !meta.is_file() {
@@ -51,25 +54,42 @@ impl Store {
     /// A `.zip` whose bytes are at hand; `name` is what messages call it.
     pub fn from_zip_bytes(name: &str, bytes: &[u8]) -> Result<Self> {
         let members = without_top_folder(unzip(name, bytes)?);
-        Ok(Self { name: name.into(), files: Files::Memory(members) })
+        Ok(Self {
+            name: name.into(),
+            files: Files::Memory(members),
+        })
     }
 
     /// Files at hand, by name.
-    pub fn from_files(name: &str, files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Result<Self> {
+    pub fn from_files(
+        name: &str,
+        files: impl IntoIterator<Item = (String, Vec<u8>)>,
+    ) -> Result<Self> {
         let mut members = BTreeMap::new();
         for (file, bytes) in files {
             let plain = plain_member_path(&file)
                 .map_err(|found| Error::argument("files", "plain relative names", found))?;
             if members.insert(plain, bytes).is_some() {
-                return Err(Error::argument("files", "each name once", format!("`{file}` twice")));
+                return Err(Error::argument(
+                    "files",
+                    "each name once",
+                    format!("`{file}` twice"),
+                ));
             }
         }
-        Ok(Self { name: name.into(), files: Files::Memory(members) })
+        Ok(Self {
+            name: name.into(),
+            files: Files::Memory(members),
+        })
     }
 
     fn open_folder(path: &Path) -> Result<Self> {
-        let root = fs::canonicalize(path).map_err(|e| unreadable(&path.display().to_string(), e))?;
-        Ok(Self { name: path.display().to_string(), files: Files::Folder(root) })
+        let root =
+            fs::canonicalize(path).map_err(|e| unreadable(&path.display().to_string(), e))?;
+        Ok(Self {
+            name: path.display().to_string(),
+            files: Files::Folder(root),
+        })
     }
 
     /// What the user calls this source.
@@ -84,7 +104,9 @@ impl Store {
 
     /// True where the file is there (it may still prove unreadable).
     pub fn contains(&self, file: &str) -> bool {
-        let Ok(plain) = plain_member_path(file) else { return false };
+        let Ok(plain) = plain_member_path(file) else {
+            return false;
+        };
         match &self.files {
             Files::Folder(root) => inside(root, &plain).is_ok_and(|path| path.is_file()),
             Files::Memory(members) => members.contains_key(&plain),
@@ -95,16 +117,20 @@ impl Store {
     pub fn read(&self, file: &str) -> Result<Vec<u8>> {
         let shown = self.describe(file);
         let plain = plain_member_path(file).map_err(|found| {
-            unreadable(&shown, format!("a plain relative name was expected, found {found}"))
+            unreadable(
+                &shown,
+                format!("a plain relative name was expected, found {found}"),
+            )
         })?;
         match &self.files {
             Files::Folder(root) => {
                 let path = inside(root, &plain).map_err(|reason| unreadable(&shown, reason))?;
                 read_limited(&path, &shown, MAX_MEMBER_BYTES)
             }
-            Files::Memory(members) => {
-                members.get(&plain).cloned().ok_or_else(|| unreadable(&shown, "no such file"))
-            }
+            Files::Memory(members) => members
+                .get(&plain)
+                .cloned()
+                .ok_or_else(|| unreadable(&shown, "no such file")),
         }
     }
 
@@ -130,8 +156,10 @@ impl Store {
     ) -> Result<()> {
         for entry in fs::read_dir(folder).map_err(|e| unreadable(&self.describe(prefix), e))? {
             let entry = entry.map_err(|e| unreadable(&self.describe(prefix), e))?;
-            let (Ok(kind), Some(file)) = (entry.file_type(), entry.file_name().to_str().map(String::from))
-            else {
+            let (Ok(kind), Some(file)) = (
+                entry.file_type(),
+                entry.file_name().to_str().map(String::from),
+            ) else {
                 continue;
             };
             if kind.is_dir() && depth < MAX_DEPTH {
@@ -140,7 +168,10 @@ impl Store {
                 names.insert(format!("{prefix}{file}"));
             }
             if names.len() > MAX_MEMBERS {
-                return Err(unreadable(&self.name, format!("a session of more than {MAX_MEMBERS} files")));
+                return Err(unreadable(
+                    &self.name,
+                    format!("a session of more than {MAX_MEMBERS} files"),
+                ));
             }
         }
         Ok(())
@@ -148,13 +179,20 @@ impl Store {
 }
 
 fn unreadable(file: &str, reason: impl ToString) -> Error {
-    Error::Unreadable { file: file.into(), reason: reason.to_string() }
+    Error::Unreadable {
+        file: file.into(),
+        reason: reason.to_string(),
+    }
 }
 
 /// The path of a member, links followed, if it is still inside the folder.
 fn inside(root: &Path, plain: &str) -> std::result::Result<PathBuf, String> {
     let path = fs::canonicalize(root.join(plain)).map_err(|e| e.to_string())?;
-    if path.starts_with(root) { Ok(path) } else { Err("a link that leads out of the session".into()) }
+    if path.starts_with(root) {
+        Ok(path)
+    } else {
+        Err("a link that leads out of the session".into())
+    }
 }
 
 fn read_limited(path: &Path, shown: &str, limit: u64) -> Result<Vec<u8>> {
@@ -164,22 +202,34 @@ fn read_limited(path: &Path, shown: &str, limit: u64) -> Result<Vec<u8>> {
     }
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(|e| unreadable(shown, e))?;
-    file.take(limit + 1).read_to_end(&mut bytes).map_err(|e| unreadable(shown, e))?;
+    file.take(limit + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|e| unreadable(shown, e))?;
     if bytes.len() as u64 > limit {
-        return Err(unreadable(shown, format!("larger than {} MiB", limit >> 20)));
+        return Err(unreadable(
+            shown,
+            format!("larger than {} MiB", limit >> 20),
+        ));
     }
     Ok(bytes)
 }
 
 /// A zipped folder holds `boat/session.toml`: its names are taken relative to `boat`.
 fn without_top_folder(members: BTreeMap<String, Vec<u8>>) -> BTreeMap<String, Vec<u8>> {
-    let mut tops = members.keys().map(|name| name.split_once('/').map(|(top, _)| top));
-    let Some(Some(top)) = tops.next() else { return members };
+    let mut tops = members
+        .keys()
+        .map(|name| name.split_once('/').map(|(top, _)| top));
+    let Some(Some(top)) = tops.next() else {
+        return members;
+    };
     if !tops.all(|other| other == Some(top)) {
         return members;
     }
     let skip = top.len() + 1;
-    members.into_iter().map(|(name, bytes)| (name[skip..].to_string(), bytes)).collect()
+    members
+        .into_iter()
+        .map(|(name, bytes)| (name[skip..].to_string(), bytes))
+        .collect()
 }
 
 #[cfg(test)]
@@ -213,9 +263,15 @@ mod tests {
         let store = Store::open(dir.path()).unwrap();
         for name in ["gone.csv", "sub", "../x", "/etc/hostname"] {
             let message = store.read(name).unwrap_err().to_string();
-            assert!(message.contains(name) && message.contains("cannot be read"), "{message}");
+            assert!(
+                message.contains(name) && message.contains("cannot be read"),
+                "{message}"
+            );
         }
-        assert!(matches!(Store::open(dir.path().join("gone")), Err(Error::Unreadable { .. })));
+        assert!(matches!(
+            Store::open(dir.path().join("gone")),
+            Err(Error::Unreadable { .. })
+        ));
     }
 
     #[cfg(unix)]
@@ -225,18 +281,37 @@ mod tests {
         let outside = tempfile::NamedTempFile::new().unwrap();
         std::os::unix::fs::symlink(outside.path(), dir.path().join("link.csv")).unwrap();
         let store = Store::open(dir.path()).unwrap();
-        assert!(store.read("link.csv").unwrap_err().to_string().contains("leads out"));
+        assert!(
+            store
+                .read("link.csv")
+                .unwrap_err()
+                .to_string()
+                .contains("leads out")
+        );
         assert!(store.names().unwrap().is_empty() && !store.contains("link.csv"));
     }
 
     #[test]
     fn one_top_folder_is_taken_off_two_are_not() {
-        let files =
-            |names: &[&str]| names.iter().map(|n| (n.to_string(), vec![])).collect::<BTreeMap<_, _>>();
+        let files = |names: &[&str]| {
+            names
+                .iter()
+                .map(|n| (n.to_string(), vec![]))
+                .collect::<BTreeMap<_, _>>()
+        };
         let names = |m: BTreeMap<String, Vec<u8>>| m.into_keys().collect::<Vec<_>>();
-        assert_eq!(names(without_top_folder(files(&["b/s.toml", "b/c/d.csv"]))), ["c/d.csv", "s.toml"]);
-        assert_eq!(names(without_top_folder(files(&["a/x", "b/x"]))), ["a/x", "b/x"]);
-        assert_eq!(names(without_top_folder(files(&["b/x", "y"]))), ["b/x", "y"]);
+        assert_eq!(
+            names(without_top_folder(files(&["b/s.toml", "b/c/d.csv"]))),
+            ["c/d.csv", "s.toml"]
+        );
+        assert_eq!(
+            names(without_top_folder(files(&["a/x", "b/x"]))),
+            ["a/x", "b/x"]
+        );
+        assert_eq!(
+            names(without_top_folder(files(&["b/x", "y"]))),
+            ["b/x", "y"]
+        );
         assert!(without_top_folder(BTreeMap::new()).is_empty());
     }
 }

@@ -14,14 +14,24 @@ use crate::error::Result;
 /// Name and major version of the format, without the minor version that a text may add.
 pub(crate) const FORMAT: &str = "gyradius-session/1";
 
-pub(crate) const ROOT: &[&str] =
-    &["format", "title", "measured_on", "body", "site", "attachment", "swing", "incline", "recorded"];
+pub(crate) const ROOT: &[&str] = &[
+    "format",
+    "title",
+    "measured_on",
+    "body",
+    "site",
+    "attachment",
+    "swing",
+    "incline",
+    "recorded",
+];
 const BODY: &[&str] = &["name", "mass", "length_overall", "density"];
 const SITE: &[&str] = &["gravity", "latitude_deg", "altitude", "air_density"];
 const ATTACHMENT: &[&str] = &["name", "mass", "position", "gyradii"];
 const INCLINE: &[&str] = &["end", "mass", "arm", "depth", "angle_deg", "recording"];
 
-/// Density of the air where none is stated, kg/m³ (ISO 2533 standard atmosphere, sea level); for a check only.
+/// Density of the air where none is stated, kg/m³ (ISO 2533 standard atmosphere, sea level); for a
+/// check only.
 const SEA_LEVEL_AIR_KG_M3: f64 = 1.225;
 
 /// Longest text that is looked at, bytes; a session with a hundred swings has 50 kB.
@@ -44,7 +54,11 @@ pub(crate) struct NamedFile {
 
 impl NamedFile {
     pub(crate) fn new(field: &Field<'_>, file: &str) -> Self {
-        Self { key: field.path.clone(), line: field.line, file: file.into() }
+        Self {
+            key: field.path.clone(),
+            line: field.line,
+            file: file.into(),
+        }
     }
 }
 
@@ -66,7 +80,10 @@ pub(crate) fn with_root<T>(
     read: impl FnOnce(&Table<'_>) -> Result<T>,
 ) -> Result<T> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let source = Source { file: file_name, text };
+    let source = Source {
+        file: file_name,
+        text,
+    };
     refuse_size(source, format)?;
     let document = Document::parse(text).map_err(|error| {
         let line = error.span().map(|span| source.line(span.start));
@@ -84,7 +101,11 @@ fn refuse_size(source: Source<'_>, format: &str) -> Result<()> {
         return Err(source.malformed(None, needs(), "an empty file"));
     }
     if source.text.len() > MAX_TEXT_BYTES {
-        return Err(source.malformed(None, needs(), format!("a text of {} bytes", source.text.len())));
+        return Err(source.malformed(
+            None,
+            needs(),
+            format!("a text of {} bytes", source.text.len()),
+        ));
     }
     Ok(())
 }
@@ -92,14 +113,33 @@ fn refuse_size(source: Source<'_>, format: &str) -> Result<()> {
 /// A session from its tables; the keys that a swing may have are given.
 pub(crate) fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Result<ParsedSession> {
     let mut files = Vec::new();
-    let body = body(&root.require("body", "the body that swings, as [body]")?.table(BODY)?)?;
-    let site = root.get("site").map_or(Ok(Site::default()), |field| site(&field.table(SITE)?))?;
+    let body = body(
+        &root
+            .require("body", "the body that swings, as [body]")?
+            .table(BODY)?,
+    )?;
+    let site = root
+        .get("site")
+        .map_or(Ok(Site::default()), |field| site(&field.table(SITE)?))?;
     refuse_lighter_than_air(root, &body, &site)?;
     let attachments = root.tables("attachment", ATTACHMENT)?;
-    let attachments = attachments.iter().map(attachment).collect::<Result<Vec<_>>>()?;
+    let attachments = attachments
+        .iter()
+        .map(attachment)
+        .collect::<Result<Vec<_>>>()?;
     refuse_heavier_than_body(root, &body, &attachments)?;
-    let (title, measured_on) = (root.text_or_empty("title")?, root.text_or_empty("measured_on")?);
-    let mut session = Session { title, measured_on, body, site, attachments, ..Session::default() };
+    let (title, measured_on) = (
+        root.text_or_empty("title")?,
+        root.text_or_empty("measured_on")?,
+    );
+    let mut session = Session {
+        title,
+        measured_on,
+        body,
+        site,
+        attachments,
+        ..Session::default()
+    };
     for table in root.tables("swing", of_swing)? {
         let next = swing(&table, &session.swings, &mut files)?;
         session.swings.push(next);
@@ -118,11 +158,15 @@ pub(crate) fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Res
 
 /// A minor version, as in `gyradius-session/1.2`, adds keys but changes none.
 fn check_format(root: &Table<'_>, format: &str) -> Result<()> {
-    let field = root.require("format", &format!("the format's name and version, \"{format}\""))?;
+    let field = root.require(
+        "format",
+        &format!("the format's name and version, \"{format}\""),
+    )?;
     let text = field.text()?;
     let rest = text.strip_prefix(format);
     let minor = |rest: &str| {
-        rest.strip_prefix('.').is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+        rest.strip_prefix('.')
+            .is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
     };
     if rest.is_some_and(|rest| rest.is_empty() || minor(rest)) {
         return Ok(());
@@ -144,7 +188,10 @@ fn body(table: &Table<'_>) -> Result<Body> {
 
 fn site(table: &Table<'_>) -> Result<Site> {
     if table.get("gravity").is_some() {
-        table.refuse(&["latitude_deg"], "`gravity` is stated and is what it would be computed for")?;
+        table.refuse(
+            &["latitude_deg"],
+            "`gravity` is stated and is what it would be computed for",
+        )?;
     }
     if table.get("latitude_deg").is_none() {
         table.refuse(&["altitude"], "it serves only beside `latitude_deg`")?;
@@ -162,20 +209,32 @@ fn refuse_lighter_than_air(root: &Table<'_>, body: &Body, site: &Site) -> Result
     let air = site.air_density_kg_m3.unwrap_or(SEA_LEVEL_AIR_KG_M3);
     match body.density_kg_m3 {
         Some(density) if density <= air => {
-            let place = root.require("body", "the body")?.table(BODY)?.require("density", "its density")?;
-            Err(place
-                .error(format!("`body.density` in kg/m³, above that of the air, {air}"), density.to_string()))
+            let place = root
+                .require("body", "the body")?
+                .table(BODY)?
+                .require("density", "its density")?;
+            Err(place.error(
+                format!("`body.density` in kg/m³, above that of the air, {air}"),
+                density.to_string(),
+            ))
         }
         _ => Ok(()),
     }
 }
 
 /// The body's mass is everything that swings, attachments included.
-fn refuse_heavier_than_body(root: &Table<'_>, body: &Body, attachments: &[Attachment]) -> Result<()> {
+fn refuse_heavier_than_body(
+    root: &Table<'_>,
+    body: &Body,
+    attachments: &[Attachment],
+) -> Result<()> {
     let attached: f64 = attachments.iter().map(|one| one.mass_kg.value).sum();
     match body.mass_kg {
         Some(mass) if attached >= mass.value => {
-            let place = root.require("body", "the body")?.table(BODY)?.require("mass", "its mass")?;
+            let place = root
+                .require("body", "the body")?
+                .table(BODY)?
+                .require("mass", "its mass")?;
             let all = mass.value;
             Err(place.error(
                 "`body.mass` to be everything that swings, attachments included",
@@ -189,11 +248,16 @@ fn refuse_heavier_than_body(root: &Table<'_>, body: &Body, attachments: &[Attach
 const POSITION: &str = "[x, y, z] in m, hull axes, from the mid-point of the suspension points";
 
 fn attachment(table: &Table<'_>) -> Result<Attachment> {
-    let gyradii = table.get("gyradii").map(|field| field.vector(Domain::GYRADIUS)).transpose()?;
+    let gyradii = table
+        .get("gyradii")
+        .map(|field| field.vector(Domain::GYRADIUS))
+        .transpose()?;
     Ok(Attachment {
         name: table.text_or_empty("name")?,
         mass_kg: table.require("mass", "kg")?.quantity(Domain::MASS)?,
-        position_m: table.require("position", POSITION)?.vector(Domain::COORDINATE)?,
+        position_m: table
+            .require("position", POSITION)?
+            .vector(Domain::COORDINATE)?,
         gyradii_m: gyradii.unwrap_or_default(),
     })
 }
@@ -201,7 +265,9 @@ fn attachment(table: &Table<'_>) -> Result<Attachment> {
 pub(crate) fn added_mass(table: &Table<'_>) -> Result<AddedMass> {
     Ok(AddedMass {
         mass_kg: table.require("mass", "kg")?.quantity(Domain::MASS)?,
-        position_m: table.require("position", POSITION)?.vector(Domain::COORDINATE)?,
+        position_m: table
+            .require("position", POSITION)?
+            .vector(Domain::COORDINATE)?,
     })
 }
 
@@ -210,9 +276,13 @@ fn incline(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<Incline> {
     let end = table.require("end", "where the weight hung, bow or stern")?;
     Ok(Incline {
         end: end.choice(&[("bow", End::Bow), ("stern", End::Stern)])?,
-        mass_kg: table.require("mass", "the weight, kg")?.quantity(Domain::MASS)?,
+        mass_kg: table
+            .require("mass", "the weight, kg")?
+            .quantity(Domain::MASS)?,
         arm_m: table.require("arm", "L_s, m")?.quantity(Domain::LENGTH)?,
-        depth_m: table.require("depth", "b_s, m")?.quantity(Domain::COORDINATE)?,
+        depth_m: table
+            .require("depth", "b_s, m")?
+            .quantity(Domain::COORDINATE)?,
         angle: incline_angle(&angle, files)?,
     })
 }

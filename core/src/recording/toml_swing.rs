@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use super::domain::Domain;
 use super::keys::{Field, Table};
 use super::quantity::Quantity;
-use super::session::{Excitation, ModeName, Orientation, Suspension, SuspensionKind, Swing, SwingData};
+use super::session::{
+    Excitation, ModeName, Orientation, Suspension, SuspensionKind, Swing, SwingData,
+};
 use super::toml_read::{NamedFile, added_mass};
 use crate::error::Result;
 
@@ -34,10 +36,14 @@ const SUSPENSION: &[&str] = &[
 const ADDED_MASS: &[&str] = &["mass", "position"];
 const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
 
-pub(crate) const KINDS: &[(&str, SuspensionKind)] =
-    &[("bifilar", SuspensionKind::Bifilar), ("compound", SuspensionKind::Compound)];
-pub(crate) const ORIENTATIONS: &[(&str, Orientation)] =
-    &[("athwartships", Orientation::Athwartships), ("fore_and_aft", Orientation::ForeAndAft)];
+pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
+    ("bifilar", SuspensionKind::Bifilar),
+    ("compound", SuspensionKind::Compound),
+];
+pub(crate) const ORIENTATIONS: &[(&str, Orientation)] = &[
+    ("athwartships", Orientation::Athwartships),
+    ("fore_and_aft", Orientation::ForeAndAft),
+];
 pub(crate) const EXCITATIONS: &[(&str, Excitation)] = &[
     ("yaw", Excitation::Yaw),
     ("sway", Excitation::Sway),
@@ -57,11 +63,18 @@ pub(crate) const MODES: &[(&str, ModeName)] = &[
 ];
 
 /// One swing; `before` are those read so far, whose ids are taken.
-pub(crate) fn swing(table: &Table<'_>, before: &[Swing], files: &mut Vec<NamedFile>) -> Result<Swing> {
+pub(crate) fn swing(
+    table: &Table<'_>,
+    before: &[Swing],
+    files: &mut Vec<NamedFile>,
+) -> Result<Swing> {
     let id = id(table, before)?;
     let data = data(table, files)?;
     let amplitude_deg = amplitudes(table, &data)?;
-    let excited = table.get("excited").map(|field| field.choices(EXCITATIONS)).transpose()?;
+    let excited = table
+        .get("excited")
+        .map(|field| field.choices(EXCITATIONS))
+        .transpose()?;
     let added = table.tables("added_mass", ADDED_MASS)?;
     let suspension = table.require("suspension", "how it hung, as [swing.suspension]")?;
     Ok(Swing {
@@ -78,12 +91,16 @@ fn id(table: &Table<'_>, before: &[Swing]) -> Result<String> {
     let field = table.require("id", "a name of its own")?;
     let id = field.text()?;
     if id.trim().is_empty() || id.chars().any(char::is_control) {
-        return Err(field.error(format!("`{}` to be a name in one line", field.path), format!("{id:?}")));
+        return Err(field.error(
+            format!("`{}` to be a name in one line", field.path),
+            format!("{id:?}"),
+        ));
     }
     if before.iter().any(|swing| swing.id == id) {
-        return Err(
-            field.error(format!("`{}` to be unlike all before it", field.path), format!("{id:?} again"))
-        );
+        return Err(field.error(
+            format!("`{}` to be unlike all before it", field.path),
+            format!("{id:?} again"),
+        ));
     }
     Ok(id.into())
 }
@@ -102,7 +119,10 @@ fn data(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<SwingData> {
         "recording" => SwingData::Recording(file),
         "periods" => SwingData::Periods(file),
         _ => {
-            let at_m = table.get("at").map(|field| field.vector(Domain::COORDINATE)).transpose()?;
+            let at_m = table
+                .get("at")
+                .map(|field| field.vector(Domain::COORDINATE))
+                .transpose()?;
             SwingData::Displacement { file, at_m }
         }
     })
@@ -113,21 +133,33 @@ fn periods(field: &Field<'_>) -> Result<BTreeMap<ModeName, Quantity>> {
     if periods.is_empty() {
         return Err(field.error(format!("at least one period in `{}`", field.path), "none"));
     }
-    periods.iter().map(|(mode, value)| Ok((*mode, value.quantity(Domain::PERIOD)?))).collect()
+    periods
+        .iter()
+        .map(|(mode, value)| Ok((*mode, value.quantity(Domain::PERIOD)?)))
+        .collect()
 }
 
 /// Amplitudes belong to periods that a person or a gate wrote down; a recording shows its own.
 fn amplitudes(table: &Table<'_>, data: &SwingData) -> Result<BTreeMap<ModeName, f64>> {
-    let Some(field) = table.get("amplitude_deg") else { return Ok(BTreeMap::new()) };
-    if matches!(data, SwingData::Recording(_) | SwingData::Displacement { .. }) {
-        table.refuse(&["amplitude_deg"], "it serves only beside `periods_s` or `periods`")?;
+    let Some(field) = table.get("amplitude_deg") else {
+        return Ok(BTreeMap::new());
+    };
+    if matches!(
+        data,
+        SwingData::Recording(_) | SwingData::Displacement { .. }
+    ) {
+        table.refuse(
+            &["amplitude_deg"],
+            "it serves only beside `periods_s` or `periods`",
+        )?;
     }
     let mut amplitudes = BTreeMap::new();
     for (mode, value) in field.by_name(MODES)? {
         if matches!(data, SwingData::PeriodsS(periods) if !periods.contains_key(&mode)) {
-            return Err(
-                value.error(format!("a period of `{}` in `periods_s`", value.key), "only its amplitude")
-            );
+            return Err(value.error(
+                format!("a period of `{}` in `periods_s`", value.key),
+                "only its amplitude",
+            ));
         }
         amplitudes.insert(mode, value.number(Domain::AMPLITUDE)?);
     }
@@ -135,7 +167,9 @@ fn amplitudes(table: &Table<'_>, data: &SwingData) -> Result<BTreeMap<ModeName, 
 }
 
 fn suspension(table: &Table<'_>) -> Result<Suspension> {
-    let kind = table.require("kind", "bifilar or compound")?.choice(KINDS)?;
+    let kind = table
+        .require("kind", "bifilar or compound")?
+        .choice(KINDS)?;
     match kind {
         SuspensionKind::Bifilar => bifilar_keys(table)?,
         SuspensionKind::Compound => compound_keys(table)?,
@@ -156,22 +190,37 @@ fn suspension(table: &Table<'_>) -> Result<Suspension> {
 }
 
 fn bifilar_keys(table: &Table<'_>) -> Result<()> {
-    table.refuse(&["axis_height"], "a bifilar suspension has no fixed axis; that is kind = \"compound\"")?;
+    table.refuse(
+        &["axis_height"],
+        "a bifilar suspension has no fixed axis; that is kind = \"compound\"",
+    )?;
     table.require("line_length", "length of the lines, m")?;
-    table.require("spacing", "between the points on the hull, m").map(|_| ())
+    table
+        .require("spacing", "between the points on the hull, m")
+        .map(|_| ())
 }
 
 fn compound_keys(table: &Table<'_>) -> Result<()> {
     let lines = ["line_length", "spacing", "top_spacing"];
-    table.refuse(&lines, "a compound suspension is described by `axis_height` alone")?;
-    table.require("axis_height", "height l0 of the swing axis above the suspension points, m").map(|_| ())
+    table.refuse(
+        &lines,
+        "a compound suspension is described by `axis_height` alone",
+    )?;
+    table
+        .require(
+            "axis_height",
+            "height l0 of the swing axis above the suspension points, m",
+        )
+        .map(|_| ())
 }
 
 /// Lines that lean outwards by more than their length cannot hang.
 fn refuse_lines_too_short(table: &Table<'_>, suspension: &Suspension) -> Result<()> {
-    let (Some(length), Some(spacing), Some(top)) =
-        (suspension.line_length_m, suspension.spacing_m, suspension.top_spacing_m)
-    else {
+    let (Some(length), Some(spacing), Some(top)) = (
+        suspension.line_length_m,
+        suspension.spacing_m,
+        suspension.top_spacing_m,
+    ) else {
         return Ok(());
     };
     let lean = (top.value - spacing.value).abs() / 2.0;

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::quantity::Quantity;
 use super::recorded::Recorded;
 use super::session::{
-    AddedMass, Attachment, Body, End, Incline, InclineAngle, ModeName, Session, Site, Suspension, Swing,
-    SwingData,
+    AddedMass, Attachment, Body, End, Incline, InclineAngle, ModeName, Session, Site, Suspension,
+    Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 use super::toml_swing::{EXCITATIONS, KINDS, MODES, ORIENTATIONS};
@@ -103,8 +103,14 @@ fn swing(text: &mut Lines, swing: &Swing) {
         text.key("amplitude_deg", by_mode(&swing.amplitude_deg, number));
     }
     if !swing.excited.is_empty() {
-        let names = swing.excited.iter().map(|one| quoted(name_of(*one, EXCITATIONS)));
-        text.key("excited", format!("[{}]", names.collect::<Vec<_>>().join(", ")));
+        let names = swing
+            .excited
+            .iter()
+            .map(|one| quoted(name_of(*one, EXCITATIONS)));
+        text.key(
+            "excited",
+            format!("[{}]", names.collect::<Vec<_>>().join(", ")),
+        );
     }
     added_masses(text, &swing.added_masses);
     suspension(text, &swing.suspension);
@@ -128,8 +134,11 @@ fn added_masses(text: &mut Lines, masses: &[AddedMass]) {
     }
     text.subheader("added_mass = [");
     for one in masses {
-        let line =
-            format!("  {{ mass = {}, position = {} }},", quantity(one.mass_kg), vector(one.position_m));
+        let line = format!(
+            "  {{ mass = {}, position = {} }},",
+            quantity(one.mass_kg),
+            vector(one.position_m)
+        );
         text.subheader(&line);
     }
     text.subheader("]");
@@ -138,7 +147,10 @@ fn added_masses(text: &mut Lines, masses: &[AddedMass]) {
 fn suspension(text: &mut Lines, suspension: &Suspension) {
     text.subheader("[swing.suspension]");
     text.key("kind", quoted(name_of(suspension.kind, KINDS)));
-    text.key("orientation", quoted(name_of(suspension.orientation, ORIENTATIONS)));
+    text.key(
+        "orientation",
+        quoted(name_of(suspension.orientation, ORIENTATIONS)),
+    );
     text.key_if("line_length", suspension.line_length_m, quantity);
     text.key_if("spacing", suspension.spacing_m, quantity);
     text.key_if("top_spacing", suspension.top_spacing_m, quantity);
@@ -170,17 +182,30 @@ fn recorded(text: &mut Lines, recorded: &Recorded) {
     text.key_unless_empty("phone", &recorded.phone);
     text.key_if("bias", recorded.bias.as_deref(), quoted);
     if !recorded.notes.is_empty() {
-        let each =
-            recorded.notes.iter().map(|(key, value)| format!("{} = {}", quoted_key(key), quoted(value)));
-        text.key("notes", format!("{{ {} }}", each.collect::<Vec<_>>().join(", ")));
+        let each = recorded
+            .notes
+            .iter()
+            .map(|(key, value)| format!("{} = {}", quoted_key(key), quoted(value)));
+        text.key(
+            "notes",
+            format!("{{ {} }}", each.collect::<Vec<_>>().join(", ")),
+        );
     }
     let sensors = recorded.sensors.iter().map(|sensor| {
         let scale = optional("full_scale", sensor.full_scale);
-        format!("{{ stream = {}, name = {}{scale} }}", quoted(&sensor.stream), quoted(&sensor.name))
+        format!(
+            "{{ stream = {}, name = {}{scale} }}",
+            quoted(&sensor.stream),
+            quoted(&sensor.name)
+        )
     });
     list(text, "sensors", sensors);
     let events = recorded.events.iter();
-    list(text, "events", events.map(|e| format!("{{ t = {}, key = {} }}", number(e.t_s), quoted(&e.key))));
+    list(
+        text,
+        "events",
+        events.map(|e| format!("{{ t = {}, key = {} }}", number(e.t_s), quoted(&e.key))),
+    );
     let repairs = recorded.repairs.iter().map(|repair| {
         let (from, to) = (optional("from", repair.from_s), optional("to", repair.to_s));
         format!("{{ text = {}{from}{to} }}", quoted(&repair.text))
@@ -196,10 +221,13 @@ fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
 }
 
 fn optional(key: &str, value: Option<f64>) -> String {
-    value.map(|value| format!(", {key} = {}", number(value))).unwrap_or_default()
+    value
+        .map(|value| format!(", {key} = {}", number(value)))
+        .unwrap_or_default()
 }
 
-/// The shortest digits that read back to the same number; Rust's spelling of a finite f64 is valid TOML.
+/// The shortest digits that read back to the same number; Rust's spelling of a finite f64 is valid
+/// TOML.
 fn number(value: f64) -> String {
     format!("{value:?}")
 }
@@ -208,7 +236,11 @@ fn quantity(quantity: Quantity) -> String {
     if quantity.u == 0.0 {
         return number(quantity.value);
     }
-    format!("{{ value = {}, u = {} }}", number(quantity.value), number(quantity.u))
+    format!(
+        "{{ value = {}, u = {} }}",
+        number(quantity.value),
+        number(quantity.u)
+    )
 }
 
 fn vector(vector: [f64; 3]) -> String {
@@ -226,11 +258,16 @@ fn quoted_key(key: &str) -> String {
 }
 
 fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(T) -> String) -> String {
-    let each = values.iter().map(|(mode, value)| format!("{} = {}", name_of(*mode, MODES), write(*value)));
+    let each = values
+        .iter()
+        .map(|(mode, value)| format!("{} = {}", name_of(*mode, MODES), write(*value)));
     format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
 }
 
 /// Every variant stands in its list of names, which the round-trip test holds.
 pub(super) fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
-    names.iter().find(|(_, named)| *named == value).map_or("", |(name, _)| name)
+    names
+        .iter()
+        .find(|(_, named)| *named == value)
+        .map_or("", |(name, _)| name)
 }

@@ -1,13 +1,15 @@
-//! A small chart: panels with round ticks stacked over one another, holding lines, points with error bars and levels.
+//! A small chart: panels with round ticks stacked over one another, holding lines, points with
+//! error bars and levels.
 //!
 //! # Conventions
-//! Drawing units are those of the view box, [`WIDTH`] wide; y grows downwards. Nothing is written that is not a finite
-//! number: what cannot be drawn is left out.
+//! Drawing units are those of the view box, [`WIDTH`] wide; y grows downwards. Nothing is written
+//! that is not a finite number: what cannot be drawn is left out.
 
 use super::markup::Markup;
 use super::scale::{Scale, drawable, extent, padded};
 
-/// Width of every picture. At 12 units a letter reads on a phone (332 pixels wide) as on a desk (520).
+/// Width of every picture. At 12 units a letter reads on a phone (332 pixels wide) as on a desk
+/// (520).
 pub(super) const WIDTH: f64 = 420.0;
 /// Size of letters.
 pub(super) const LETTER: f64 = 12.0;
@@ -34,9 +36,19 @@ pub(super) mod colour {
 /// What a panel shows.
 pub(super) enum Mark<'a> {
     /// A line through points; breaks where a value cannot be drawn.
-    Line { x: &'a [f64], y: &'a [f64], colour: &'static str, width: f64 },
+    Line {
+        x: &'a [f64],
+        y: &'a [f64],
+        colour: &'static str,
+        width: f64,
+    },
     /// Points with standard uncertainties.
-    Points { x: &'a [f64], y: &'a [f64], u: &'a [f64], colour: &'static str },
+    Points {
+        x: &'a [f64],
+        y: &'a [f64],
+        u: &'a [f64],
+        colour: &'static str,
+    },
     /// A horizontal level with its standard uncertainty and a name.
     Level { y: f64, u: f64, name: &'static str },
     /// Vertical lines with names, written above the panel.
@@ -91,14 +103,23 @@ pub(super) fn svg(title: &str, height: f64, body: Markup) -> String {
 
 /// A length or place in a drawing: one decimal, never anything but a number.
 pub(super) fn number(value: f64) -> String {
-    let held = if value.is_finite() { value.clamp(-1e5, 1e5) } else { 0.0 };
+    let held = if value.is_finite() {
+        value.clamp(-1e5, 1e5)
+    } else {
+        0.0
+    };
     let text = format!("{held:.1}");
     text.strip_suffix(".0").map_or(text.clone(), String::from)
 }
 
 /// A text; `anchor` is `start`, `middle` or `end`.
 pub(super) fn text(out: &mut Markup, x: f64, y: f64, anchor: &str, fill: &str, text: &str) {
-    let attributes = [("x", &*number(x)), ("y", &*number(y)), ("text-anchor", anchor), ("fill", fill)];
+    let attributes = [
+        ("x", &*number(x)),
+        ("y", &*number(y)),
+        ("text-anchor", anchor),
+        ("fill", fill),
+    ];
     out.element("text", &attributes, text);
 }
 
@@ -142,7 +163,15 @@ pub(super) fn rectangle(out: &mut Markup, corner: (f64, f64), size: (f64, f64), 
 
 /// A dot.
 pub(super) fn dot(out: &mut Markup, x: f64, y: f64, radius: f64, fill: &str) {
-    out.empty("circle", &[("cx", &number(x)), ("cy", &number(y)), ("r", &number(radius)), ("fill", fill)]);
+    out.empty(
+        "circle",
+        &[
+            ("cx", &number(x)),
+            ("cy", &number(y)),
+            ("r", &number(radius)),
+            ("fill", fill),
+        ],
+    );
 }
 
 /// Width of a text, about.
@@ -170,17 +199,30 @@ impl Panel<'_> {
         for mark in &self.marks {
             mark.draw(out, &axes);
         }
-        let bottom = axes.bottom + if self.x_label.is_empty() { 8.0 } else { TICKS + X_LABEL };
+        let bottom = axes.bottom
+            + if self.x_label.is_empty() {
+                8.0
+            } else {
+                TICKS + X_LABEL
+            };
         if !self.x_label.is_empty() {
-            text(out, WIDTH - RIGHT, bottom - 4.0, "end", colour::MUTED, self.x_label);
+            text(
+                out,
+                WIDTH - RIGHT,
+                bottom - 4.0,
+                "end",
+                colour::MUTED,
+                self.x_label,
+            );
         }
         bottom
     }
 
     fn axes(&self, top: f64) -> Axes {
         let bottom = top + self.height;
-        let x_range =
-            self.x_range.unwrap_or_else(|| padded(extent(self.marks.iter().flat_map(Mark::xs)), 0.0));
+        let x_range = self
+            .x_range
+            .unwrap_or_else(|| padded(extent(self.marks.iter().flat_map(Mark::xs)), 0.0));
         let y_values = || self.marks.iter().flat_map(|mark| mark.ys());
         let y = if self.log_y {
             let positive = extent(y_values().filter(|y| *y > 0.0)).unwrap_or([0.1, 1.0]);
@@ -188,7 +230,12 @@ impl Panel<'_> {
         } else {
             Scale::linear(padded(extent(y_values()), 0.06), bottom, top)
         };
-        Axes { x: Scale::linear(x_range, LEFT, WIDTH - RIGHT), y, top, bottom }
+        Axes {
+            x: Scale::linear(x_range, LEFT, WIDTH - RIGHT),
+            y,
+            top,
+            bottom,
+        }
     }
 
     fn draw_heading(&self, out: &mut Markup, top: f64) {
@@ -206,18 +253,41 @@ impl Panel<'_> {
     fn draw_grid(&self, out: &mut Markup, axes: &Axes) {
         let y_ticks = (self.height / 22.0).clamp(3.0, 6.0) as usize;
         for (value, label) in axes.y.ticks(y_ticks) {
-            let Some(y) = axes.y.held(value) else { continue };
+            let Some(y) = axes.y.held(value) else {
+                continue;
+            };
             line(out, (LEFT, y), (WIDTH - RIGHT, y), colour::GRID, 1.0);
             text(out, LEFT - 6.0, y + 4.0, "end", colour::MUTED, &label);
         }
         for (value, label) in axes.x.ticks(6) {
-            let Some(x) = axes.x.held(value) else { continue };
-            line(out, (x, axes.bottom), (x, axes.bottom + 4.0), colour::MUTED, 1.0);
+            let Some(x) = axes.x.held(value) else {
+                continue;
+            };
+            line(
+                out,
+                (x, axes.bottom),
+                (x, axes.bottom + 4.0),
+                colour::MUTED,
+                1.0,
+            );
             if !self.x_label.is_empty() {
-                text(out, x, axes.bottom + LETTER + 4.0, "middle", colour::MUTED, &label);
+                text(
+                    out,
+                    x,
+                    axes.bottom + LETTER + 4.0,
+                    "middle",
+                    colour::MUTED,
+                    &label,
+                );
             }
         }
-        line(out, (LEFT, axes.bottom), (WIDTH - RIGHT, axes.bottom), colour::MUTED, 1.0);
+        line(
+            out,
+            (LEFT, axes.bottom),
+            (WIDTH - RIGHT, axes.bottom),
+            colour::MUTED,
+            1.0,
+        );
     }
 
     /// Names put into rows so that none meets another.
@@ -226,15 +296,22 @@ impl Panel<'_> {
         let mut names: Vec<(f64, String)> = self
             .marks
             .iter()
-            .flat_map(|mark| if let Mark::Names { x } = mark { x.as_slice() } else { &[] })
+            .flat_map(|mark| {
+                if let Mark::Names { x } = mark {
+                    x.as_slice()
+                } else {
+                    &[]
+                }
+            })
             .filter_map(|(x, name)| Some((scale.held(*x)?, name.clone())))
             .collect();
         names.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut rows: Vec<Vec<(f64, f64, String)>> = Vec::new();
         for (x, name) in names {
             let start = (x - 4.0).min(WIDTH - text_width(&name)).max(0.0);
-            let ends =
-                |row: &Vec<(f64, f64, String)>| row.last().map_or(0.0, |(_, s, n)| s + text_width(n) + 8.0);
+            let ends = |row: &Vec<(f64, f64, String)>| {
+                row.last().map_or(0.0, |(_, s, n)| s + text_width(n) + 8.0)
+            };
             match rows.iter().position(|row| ends(row) <= start) {
                 Some(i) => rows[i].push((x, start, name)),
                 None => rows.push(vec![(x, start, name)]),
@@ -249,7 +326,14 @@ fn draw_names(out: &mut Markup, axes: &Axes, rows: &[Vec<(f64, f64, String)>], t
     for (i, row) in rows.iter().enumerate() {
         let baseline = top + (i + 1) as f64 * (LETTER + 3.0) - 4.0;
         for (x, start, name) in row {
-            dashed(out, (*x, baseline + 3.0), (*x, axes.bottom), colour::MUTED, 0.8, "2 3");
+            dashed(
+                out,
+                (*x, baseline + 3.0),
+                (*x, axes.bottom),
+                colour::MUTED,
+                0.8,
+                "2 3",
+            );
             text(out, *start, baseline, "start", colour::INK, name);
         }
     }
@@ -267,9 +351,11 @@ impl Mark<'_> {
     fn ys(&self) -> Vec<f64> {
         match self {
             Self::Line { y, .. } => y.to_vec(),
-            Self::Points { y, u, .. } => {
-                y.iter().zip(*u).flat_map(|(y, u)| [*y, y - drawn_u(*u), y + drawn_u(*u)]).collect()
-            }
+            Self::Points { y, u, .. } => y
+                .iter()
+                .zip(*u)
+                .flat_map(|(y, u)| [*y, y - drawn_u(*u), y + drawn_u(*u)])
+                .collect(),
             Self::Level { y, u, .. } => vec![y - drawn_u(*u), y + drawn_u(*u)],
             Self::Names { .. } => vec![],
         }
@@ -277,7 +363,12 @@ impl Mark<'_> {
 
     fn draw(&self, out: &mut Markup, axes: &Axes) {
         match self {
-            Self::Line { x, y, colour, width } => draw_line(out, axes, (x, y), colour, *width),
+            Self::Line {
+                x,
+                y,
+                colour,
+                width,
+            } => draw_line(out, axes, (x, y), colour, *width),
             Self::Points { x, y, u, colour } => draw_points(out, axes, (x, y, u), colour),
             Self::Level { y, u, name } => draw_level(out, axes, *y, *u, name),
             Self::Names { .. } => {}
@@ -290,18 +381,34 @@ fn drawn_u(u: f64) -> f64 {
     if drawable(u) { u } else { 0.0 }
 }
 
-fn draw_line(out: &mut Markup, axes: &Axes, (x, y): (&[f64], &[f64]), stroke: &'static str, width: f64) {
-    let places: Vec<Option<(f64, f64)>> =
-        x.iter().zip(y).map(|(x, y)| Some((axes.x.place(*x)?, axes.y.held(*y)?))).collect();
-    let inside =
-        |p: &Option<(f64, f64)>| p.is_some_and(|(x, _)| (LEFT - 0.5..=WIDTH - RIGHT + 0.5).contains(&x));
-    for piece in places.split(|p| !inside(p)).filter(|piece| !piece.is_empty()) {
+fn draw_line(
+    out: &mut Markup,
+    axes: &Axes,
+    (x, y): (&[f64], &[f64]),
+    stroke: &'static str,
+    width: f64,
+) {
+    let places: Vec<Option<(f64, f64)>> = x
+        .iter()
+        .zip(y)
+        .map(|(x, y)| Some((axes.x.place(*x)?, axes.y.held(*y)?)))
+        .collect();
+    let inside = |p: &Option<(f64, f64)>| {
+        p.is_some_and(|(x, _)| (LEFT - 0.5..=WIDTH - RIGHT + 0.5).contains(&x))
+    };
+    for piece in places
+        .split(|p| !inside(p))
+        .filter(|piece| !piece.is_empty())
+    {
         if let [Some((x, y))] = piece {
             dot(out, *x, *y, width, stroke);
             continue;
         }
-        let points: Vec<String> =
-            piece.iter().flatten().map(|(x, y)| format!("{},{}", number(*x), number(*y))).collect();
+        let points: Vec<String> = piece
+            .iter()
+            .flatten()
+            .map(|(x, y)| format!("{},{}", number(*x), number(*y)))
+            .collect();
         let attributes = [
             ("points", &*points.join(" ")),
             ("fill", "none"),
@@ -313,10 +420,19 @@ fn draw_line(out: &mut Markup, axes: &Axes, (x, y): (&[f64], &[f64]), stroke: &'
     }
 }
 
-fn draw_points(out: &mut Markup, axes: &Axes, (x, y, u): (&[f64], &[f64], &[f64]), fill: &'static str) {
+fn draw_points(
+    out: &mut Markup,
+    axes: &Axes,
+    (x, y, u): (&[f64], &[f64], &[f64]),
+    fill: &'static str,
+) {
     for ((x, y), u) in x.iter().zip(y).zip(u) {
-        let (Some(at), Some(middle)) = (axes.x.held(*x), axes.y.held(*y)) else { continue };
-        if let (Some(low), Some(high)) = (axes.y.held(y - drawn_u(*u)), axes.y.held(y + drawn_u(*u))) {
+        let (Some(at), Some(middle)) = (axes.x.held(*x), axes.y.held(*y)) else {
+            continue;
+        };
+        if let (Some(low), Some(high)) =
+            (axes.y.held(y - drawn_u(*u)), axes.y.held(y + drawn_u(*u)))
+        {
             line(out, (at, low), (at, high), fill, 1.2);
         }
         dot(out, at, middle, 3.0, fill);
@@ -336,10 +452,28 @@ fn draw_level(out: &mut Markup, axes: &Axes, y: f64, u: f64, name: &str) {
         ];
         out.empty("rect", &attributes);
     }
-    dashed(out, (LEFT, place), (WIDTH - RIGHT, place), colour::SECOND, 1.2, "5 4");
+    dashed(
+        out,
+        (LEFT, place),
+        (WIDTH - RIGHT, place),
+        colour::SECOND,
+        1.2,
+        "5 4",
+    );
     let below = place + LETTER + 2.0;
-    let at = if below < axes.bottom { below } else { place - 4.0 };
-    text(out, LEFT + 4.0, at.max(axes.top), "start", colour::SECOND, name);
+    let at = if below < axes.bottom {
+        below
+    } else {
+        place - 4.0
+    };
+    text(
+        out,
+        LEFT + 4.0,
+        at.max(axes.top),
+        "start",
+        colour::SECOND,
+        name,
+    );
 }
 
 /// A text cut to a width, the cut marked.

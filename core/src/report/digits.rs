@@ -16,7 +16,11 @@ pub(super) fn decimals_for(u: f64) -> usize {
     let places = DIGITS_OF_U - 1 - u.log10().floor() as i32;
     // 0.0996 rounds up to 0.100: one place fewer.
     let rounded = (u * 10f64.powi(places)).round();
-    let places = if rounded >= 10f64.powi(DIGITS_OF_U) { places - 1 } else { places };
+    let places = if rounded >= 10f64.powi(DIGITS_OF_U) {
+        places - 1
+    } else {
+        places
+    };
     places.clamp(0, 12) as usize
 }
 
@@ -52,13 +56,21 @@ pub(super) fn rounded(value: f64, u: f64) -> String {
         return significant(value, 6);
     }
     let places = decimals_for(u);
-    if value.is_finite() { minus(&format!("{value:.places$}")) } else { NOTHING.into() }
+    if value.is_finite() {
+        minus(&format!("{value:.places$}"))
+    } else {
+        NOTHING.into()
+    }
 }
 
 /// A difference's text with its sign; a zero has none.
 pub(super) fn signed(difference: f64, text: &str) -> String {
     let is_zero = text.chars().all(|c| matches!(c, '0' | '.'));
-    if difference > 0.0 && !is_zero { format!("+{text}") } else { text.into() }
+    if difference > 0.0 && !is_zero {
+        format!("+{text}")
+    } else {
+        text.into()
+    }
 }
 
 /// An interval with the digits of the uncertainty: `1.0548 … 1.0584`.
@@ -80,7 +92,11 @@ pub(super) fn significant(value: f64, digits: i32) -> String {
     }
     let places = (digits - 1 - exponent).max(0) as usize;
     let text = format!("{value:.places$}");
-    let trimmed = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    let trimmed = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
     minus(trimmed)
 }
 
@@ -95,7 +111,11 @@ pub(super) fn prefix(size: f64) -> (f64, &'static str) {
 
 /// A number of standard uncertainties: two digits, and nothing finer than a hundredth.
 pub(super) fn sigmas(value: f64) -> String {
-    if value.abs() < 0.005 { "0".into() } else { significant((value * 100.0).round() / 100.0, 2) }
+    if value.abs() < 0.005 {
+        "0".into()
+    } else {
+        significant((value * 100.0).round() / 100.0, 2)
+    }
 }
 
 /// A probability in percent that does not round to certainty.

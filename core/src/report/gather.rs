@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::source::{
-    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
+    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure,
+    Trace,
 };
 use super::thin::thinned;
 use super::words;
@@ -18,7 +19,8 @@ const CLOSE_UP_SHARE: f64 = 0.6;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl ReportSource {
-    /// Fills in everything that an analysis and its session tell; a criticism, and a date where the session has none, are for the caller to add.
+    /// Fills in everything that an analysis and its session tell; a criticism, and a date where the
+    /// session has none, are for the caller to add.
     pub fn from_analysis(analysis: &Analysis, loaded: Option<&LoadedSession>) -> Self {
         let session = loaded.map(|loaded| &loaded.session);
         Self {
@@ -27,7 +29,9 @@ impl ReportSource {
             body: session.map(body).unwrap_or_default(),
             stated: session.map(stated).unwrap_or_default(),
             recordings: analysis.evidence.iter().flatten().map(recording).collect(),
-            measured_on: session.map(|session| session.measured_on.clone()).filter(|date| !date.is_empty()),
+            measured_on: session
+                .map(|session| session.measured_on.clone())
+                .filter(|date| !date.is_empty()),
             generated_by: concat!("gyradius ", env!("CARGO_PKG_VERSION")).into(),
         }
     }
@@ -35,7 +39,11 @@ impl ReportSource {
 
 fn body(session: &Session) -> BodyFacts {
     let body = &session.body;
-    BodyFacts { name: body.name.clone(), mass_kg: body.mass_kg, length_overall_m: body.length_overall_m }
+    BodyFacts {
+        name: body.name.clone(),
+        mass_kg: body.mass_kg,
+        length_overall_m: body.length_overall_m,
+    }
 }
 
 /// Every stated figure, the same figure of several swings once.
@@ -50,11 +58,24 @@ fn stated(session: &Session) -> Vec<StatedFigure> {
         list.add("spacing above", hung.top_spacing_m, "m", id);
         list.add("height of the swing axis", hung.axis_height_m, "m", id);
         list.add("hull pitch, bow up", hung.hull_pitch_deg, "°", id);
-        list.add("suspension points moved forward", hung.points_moved_m, "m", id);
-        swing.added_masses.iter().for_each(|mass| list.add("added mass", Some(mass.mass_kg), "kg", id));
+        list.add(
+            "suspension points moved forward",
+            hung.points_moved_m,
+            "m",
+            id,
+        );
+        swing
+            .added_masses
+            .iter()
+            .for_each(|mass| list.add("added mass", Some(mass.mass_kg), "kg", id));
     }
     for attachment in &session.attachments {
-        list.add(&format!("mass of {}", attachment.name), Some(attachment.mass_kg), "kg", None);
+        list.add(
+            &format!("mass of {}", attachment.name),
+            Some(attachment.mass_kg),
+            "kg",
+            None,
+        );
     }
     for (i, incline) in session.inclines.iter().enumerate() {
         let id = format!("incline {}", i + 1);
@@ -76,7 +97,10 @@ struct Stated {
 impl Stated {
     fn add(&mut self, what: &str, value: Option<Quantity>, unit: &str, id: Option<&str>) {
         let Some(value) = value else { return };
-        let known = self.figures.iter_mut().find(|figure| figure.what == what && figure.value == value);
+        let known = self
+            .figures
+            .iter_mut()
+            .find(|figure| figure.what == what && figure.value == value);
         match (known, id) {
             (Some(figure), Some(id)) => {
                 if figure.applies_to.last().is_none_or(|last| last != id) {
@@ -107,13 +131,19 @@ struct Channel<'a> {
 
 fn recording(evidence: &Evidence) -> RecordingFigureData {
     let left = residuals(&evidence.groups, &evidence.found);
-    let firsts: Vec<usize> = if evidence.map.gyroscope.is_none() && evidence.map.accelerometer.is_none() {
-        vec![0]
-    } else {
-        [evidence.map.gyroscope, evidence.map.accelerometer].into_iter().flatten().collect()
-    };
-    let channels: Vec<Channel> =
-        firsts.into_iter().filter_map(|first| Channel::strongest(evidence, &left, first)).collect();
+    let firsts: Vec<usize> =
+        if evidence.map.gyroscope.is_none() && evidence.map.accelerometer.is_none() {
+            vec![0]
+        } else {
+            [evidence.map.gyroscope, evidence.map.accelerometer]
+                .into_iter()
+                .flatten()
+                .collect()
+        };
+    let channels: Vec<Channel> = firsts
+        .into_iter()
+        .filter_map(|first| Channel::strongest(evidence, &left, first))
+        .collect();
     RecordingFigureData {
         id: evidence.id.clone(),
         traces: channels.iter().map(Channel::trace).collect(),
@@ -132,7 +162,13 @@ impl<'a> Channel<'a> {
         let in_group = &evidence.groups[group];
         let first_of_group = start - in_group.channels.len();
         let energy = |c: &usize| -> f64 {
-            evidence.found.modes.iter().filter_map(|mode| mode.shape.get(*c)).map(|a| a.norm_sqr()).sum()
+            evidence
+                .found
+                .modes
+                .iter()
+                .filter_map(|mode| mode.shape.get(*c))
+                .map(|a| a.norm_sqr())
+                .sum()
         };
         let index = (first..start).max_by(|a, b| energy(a).total_cmp(&energy(b)))?;
         let (label, unit) = label(evidence, index);
@@ -148,10 +184,18 @@ impl<'a> Channel<'a> {
     }
 
     fn trace(&self) -> Trace {
-        let model: Vec<f64> = self.measured.iter().zip(self.residual).map(|(y, left)| y - left).collect();
+        let model: Vec<f64> = self
+            .measured
+            .iter()
+            .zip(self.residual)
+            .map(|(y, left)| y - left)
+            .collect();
         let close_up = self.close_up_end().map(|end| {
             let near = &self.t_s[..end];
-            [thinned(near, &self.measured[..end]), thinned(near, &model[..end])]
+            [
+                thinned(near, &self.measured[..end]),
+                thinned(near, &model[..end]),
+            ]
         });
         Trace {
             label: self.label.clone(),
@@ -164,25 +208,42 @@ impl<'a> Channel<'a> {
         }
     }
 
-    /// Samples of a few cycles of the channel's strongest mode; none where the record is hardly longer.
+    /// Samples of a few cycles of the channel's strongest mode; none where the record is hardly
+    /// longer.
     fn close_up_end(&self) -> Option<usize> {
-        let size = |mode: &crate::signal::FittedMode| mode.shape.get(self.index).map_or(0.0, |a| a.norm());
-        let strongest = self.evidence.found.modes.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let size =
+            |mode: &crate::signal::FittedMode| mode.shape.get(self.index).map_or(0.0, |a| a.norm());
+        let strongest = self
+            .evidence
+            .found
+            .modes
+            .iter()
+            .max_by(|a, b| size(a).total_cmp(&size(b)))?;
         let (first, last) = (self.t_s.first()?, self.t_s.last()?);
         let length = CLOSE_UP_CYCLES * strongest.period_s();
-        (length < CLOSE_UP_SHARE * (last - first)).then(|| self.t_s.partition_point(|t| t - first <= length))
+        (length < CLOSE_UP_SHARE * (last - first))
+            .then(|| self.t_s.partition_point(|t| t - first <= length))
     }
 
     fn spectrum(&self) -> SpectrumFigureData {
         let curve = |y: &[f64]| {
-            let found = spectrum(&[ChannelGroup { t_s: self.t_s.to_vec(), channels: vec![y.to_vec()] }]);
-            Curve { x: found.freq_hz, y: found.amplitude.into_iter().next().unwrap_or_default() }
+            let found = spectrum(&[ChannelGroup {
+                t_s: self.t_s.to_vec(),
+                channels: vec![y.to_vec()],
+            }]);
+            Curve {
+                x: found.freq_hz,
+                y: found.amplitude.into_iter().next().unwrap_or_default(),
+            }
         };
         let found = &self.evidence.found.modes;
-        let peaks = found.iter().zip(&self.evidence.named).map(|(mode, named)| Peak {
-            freq_hz: mode.omega_rad_s / TAU,
-            name: words::mode_text(named.name).into(),
-        });
+        let peaks = found
+            .iter()
+            .zip(&self.evidence.named)
+            .map(|(mode, named)| Peak {
+                freq_hz: mode.omega_rad_s / TAU,
+                name: words::mode_text(named.name).into(),
+            });
         SpectrumFigureData {
             label: self.label.clone(),
             unit: self.unit.into(),

@@ -1,4 +1,5 @@
-//! Which figures head the report: where the base simulation was found wanting, those of the extended one.
+//! Which figures head the report: where the base simulation was found wanting, those of the
+//! extended one.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +19,8 @@ pub(super) struct Headline {
 }
 
 impl Headline {
-    /// The measurement's figures, and over them those of the extended simulation where something was missing.
+    /// The measurement's figures, and over them those of the extended simulation where something
+    /// was missing.
     pub fn of(source: &ReportSource) -> Self {
         let mut quantities = source.measurement.quantities.clone();
         let mut replaced = BTreeMap::new();
@@ -32,7 +34,11 @@ impl Headline {
             false => old.clone(),
         };
         let verdicts = source.measurement.verdicts.iter().map(judged).collect();
-        Self { quantities, replaced, verdicts }
+        Self {
+            quantities,
+            replaced,
+            verdicts,
+        }
     }
 }
 
@@ -40,10 +46,18 @@ fn extended(source: &ReportSource) -> BTreeMap<String, QuantityResult> {
     let critique = source.criticised().map(|criticism| &criticism.critique);
     critique
         .filter(|critique| critique.verdict.status != "adequate")
-        .map_or_else(BTreeMap::new, |critique| critique.extended.quantities.clone())
+        .map_or_else(BTreeMap::new, |critique| {
+            critique.extended.quantities.clone()
+        })
 }
 
 fn judged_again(old: &Verdict, quantity: &QuantityResult) -> Option<Verdict> {
-    let limit: Limit = format!("{}{}{}", old.quantity, old.relation, old.limit).parse().ok()?;
-    verdict(Quantity::new(quantity.value.as_f64()?, quantity.u.as_f64()?), &limit).ok()
+    let limit: Limit = format!("{}{}{}", old.quantity, old.relation, old.limit)
+        .parse()
+        .ok()?;
+    verdict(
+        Quantity::new(quantity.value.as_f64()?, quantity.u.as_f64()?),
+        &limit,
+    )
+    .ok()
 }

@@ -1,4 +1,5 @@
-//! HTML and SVG that is well formed by construction: tags and attribute names are the program's own, all else is escaped.
+//! HTML and SVG that is well formed by construction: tags and attribute names are the program's
+//! own, all else is escaped.
 
 use super::pictures::Figure;
 
@@ -46,13 +47,24 @@ impl Markup {
         self.text.push_str(&other.text);
     }
 
-    /// JSON inside a script element: no character is left that HTML could take for a tag or an entity.
+    /// JSON inside a script element: no character is left that HTML could take for a tag or an
+    /// entity.
     pub fn json(&mut self, json: &str) {
-        self.text.push_str(&json.replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026"));
+        self.text.push_str(
+            &json
+                .replace('<', "\\u003c")
+                .replace('>', "\\u003e")
+                .replace('&', "\\u0026"),
+        );
     }
 
     /// An element around whatever `inner` writes.
-    pub fn within(&mut self, name: &'static str, attributes: Attributes, inner: impl FnOnce(&mut Self)) {
+    pub fn within(
+        &mut self,
+        name: &'static str,
+        attributes: Attributes,
+        inner: impl FnOnce(&mut Self),
+    ) {
         self.start(name, attributes);
         self.raw(">");
         inner(self);

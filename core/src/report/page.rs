@@ -27,9 +27,18 @@ pub fn html(source: &ReportSource) -> String {
 
 fn head(source: &ReportSource, out: &mut Markup) {
     out.empty("meta", &[("charset", "utf-8")]);
-    out.empty("meta", &[("name", "viewport"), ("content", "width=device-width, initial-scale=1")]);
+    out.empty(
+        "meta",
+        &[
+            ("name", "viewport"),
+            ("content", "width=device-width, initial-scale=1"),
+        ],
+    );
     if !source.generated_by.is_empty() {
-        out.empty("meta", &[("name", "generator"), ("content", &source.generated_by)]);
+        out.empty(
+            "meta",
+            &[("name", "generator"), ("content", &source.generated_by)],
+        );
     }
     out.element("title", &[], sections::title(source));
     out.within("style", &[], |out| out.raw(STYLE));
@@ -53,15 +62,27 @@ fn embedded(id: &str, result: &impl Serialize, out: &mut Markup) {
 /// Every picture of the report, in its order.
 pub fn figures(source: &ReportSource) -> Vec<Figure> {
     let measurement = &source.measurement;
-    let mut all: Vec<Figure> = pictures::court(&measurement.consistency).into_iter().collect();
+    let mut all: Vec<Figure> = pictures::court(&measurement.consistency)
+        .into_iter()
+        .collect();
     if let Some(criticism) = source.criticised() {
         all.extend(pictures::causes(&criticism.critique));
         all.extend(pictures::against_simulations(&criticism.traces));
-        all.extend(criticism.critique.learned.as_ref().and_then(pictures::learned_force));
+        all.extend(
+            criticism
+                .critique
+                .learned
+                .as_ref()
+                .and_then(pictures::learned_force),
+        );
     }
     all.extend(pictures::budgets(measurement));
     for swing in &measurement.swings {
-        if let Some(recording) = source.recordings.iter().find(|recording| recording.id == swing.id) {
+        if let Some(recording) = source
+            .recordings
+            .iter()
+            .find(|recording| recording.id == swing.id)
+        {
             all.extend(pictures::fits(recording));
             all.extend(pictures::spectrum(recording));
         }

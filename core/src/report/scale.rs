@@ -1,4 +1,5 @@
-//! Scales of a chart: a range of values laid along a line of the drawing, with ticks at round numbers.
+//! Scales of a chart: a range of values laid along a line of the drawing, with ticks at round
+//! numbers.
 
 use super::words::raised;
 use crate::language::minus;
@@ -25,10 +26,13 @@ pub(super) fn drawable(value: f64) -> bool {
 
 /// Least and greatest of the drawable values.
 pub(super) fn extent(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
-    values.into_iter().filter(|v| drawable(*v)).fold(None, |found, v| match found {
-        None => Some([v, v]),
-        Some([low, high]) => Some([v.min(low), v.max(high)]),
-    })
+    values
+        .into_iter()
+        .filter(|v| drawable(*v))
+        .fold(None, |found, v| match found {
+            None => Some([v, v]),
+            Some([low, high]) => Some([v.min(low), v.max(high)]),
+        })
 }
 
 /// A range wide enough to be drawn, with a margin as a share of its width.
@@ -46,19 +50,35 @@ pub(super) fn padded(range: Option<[f64; 2]>, margin: f64) -> [f64; 2] {
 impl Scale {
     /// An even scale.
     pub fn linear([low, high]: [f64; 2], from: f64, to: f64) -> Self {
-        Self { low, high, log: false, from, to }
+        Self {
+            low,
+            high,
+            log: false,
+            from,
+            to,
+        }
     }
 
     /// A logarithmic scale of positive values.
     pub fn logarithmic([low, high]: [f64; 2], from: f64, to: f64) -> Self {
         let low = low.max(f64::MIN_POSITIVE).log10();
         let high = high.max(f64::MIN_POSITIVE).log10();
-        Self { low, high: if high > low { high } else { low + 1.0 }, log: true, from, to }
+        Self {
+            low,
+            high: if high > low { high } else { low + 1.0 },
+            log: true,
+            from,
+            to,
+        }
     }
 
     /// Place of a value; none for what cannot be drawn.
     pub fn place(&self, value: f64) -> Option<f64> {
-        let value = if self.log && value > 0.0 { value.log10() } else { value };
+        let value = if self.log && value > 0.0 {
+            value.log10()
+        } else {
+            value
+        };
         if !drawable(value) || (self.log && value <= -300.0) {
             return None;
         }
@@ -73,7 +93,11 @@ impl Scale {
 
     /// Ticks inside the scale, about `count` of them: value and text.
     pub fn ticks(&self, count: usize) -> Vec<(f64, String)> {
-        if self.log { self.decades(count) } else { self.rounds(count) }
+        if self.log {
+            self.decades(count)
+        } else {
+            self.rounds(count)
+        }
     }
 
     fn rounds(&self, count: usize) -> Vec<(f64, String)> {
@@ -95,7 +119,10 @@ impl Scale {
             return self.within_a_decade();
         }
         let stride = ((last - first) as usize).div_ceil(count.max(1)).max(1);
-        (first..=last).step_by(stride).map(|n| (10f64.powi(n), power_of_ten(n))).collect()
+        (first..=last)
+            .step_by(stride)
+            .map(|n| (10f64.powi(n), power_of_ten(n)))
+            .collect()
     }
 
     fn within_a_decade(&self) -> Vec<(f64, String)> {
@@ -111,21 +138,37 @@ impl Scale {
 /// The round step (1, 2 or 5 times a power of ten) at or above a width.
 fn round_step(width: f64) -> f64 {
     let decade = 10f64.powf(width.max(1e-300).log10().floor());
-    let digit = [1.0, 2.0, 5.0].into_iter().find(|d| d * decade >= width * (1.0 - 1e-9));
+    let digit = [1.0, 2.0, 5.0]
+        .into_iter()
+        .find(|d| d * decade >= width * (1.0 - 1e-9));
     decade * digit.unwrap_or(10.0)
 }
 
 fn tick_text(value: f64, step: f64, places: usize) -> String {
     let large = value.abs().max(step);
     if large >= 1e6 || step < 1e-6 {
-        return minus(&format!("{:.1e}", if value.abs() < 1e-6 * step { 0.0 } else { value }));
+        return minus(&format!(
+            "{:.1e}",
+            if value.abs() < 1e-6 * step {
+                0.0
+            } else {
+                value
+            }
+        ));
     }
     minus(&format!("{value:.places$}"))
 }
 
 /// `10⁻³`.
 fn power_of_ten(n: i32) -> String {
-    if n == 0 { "1".into() } else { format!("10{}", n.to_string().chars().map(raised).collect::<String>()) }
+    if n == 0 {
+        "1".into()
+    } else {
+        format!(
+            "10{}",
+            n.to_string().chars().map(raised).collect::<String>()
+        )
+    }
 }
 
 #[cfg(test)]
@@ -133,14 +176,24 @@ mod tests {
     use super::*;
 
     fn texts(range: [f64; 2], count: usize) -> Vec<String> {
-        Scale::linear(range, 0.0, 100.0).ticks(count).into_iter().map(|(_, text)| text).collect()
+        Scale::linear(range, 0.0, 100.0)
+            .ticks(count)
+            .into_iter()
+            .map(|(_, text)| text)
+            .collect()
     }
 
     #[test]
     fn ticks_are_round() {
         assert_eq!(texts([-0.3, 1.1], 4), ["0.0", "0.5", "1.0"]);
-        assert_eq!(texts([0.0, 120.0], 6), ["0", "20", "40", "60", "80", "100", "120"]);
-        assert_eq!(texts([9.79, 9.83], 4), ["9.79", "9.80", "9.81", "9.82", "9.83"]);
+        assert_eq!(
+            texts([0.0, 120.0], 6),
+            ["0", "20", "40", "60", "80", "100", "120"]
+        );
+        assert_eq!(
+            texts([9.79, 9.83], 4),
+            ["9.79", "9.80", "9.81", "9.82", "9.83"]
+        );
     }
 
     #[test]

@@ -17,7 +17,8 @@ pub struct ReportSource {
     pub stated: Vec<StatedFigure>,
     /// What was recorded, thinned for pictures; found by the swing's id.
     pub recordings: Vec<RecordingFigureData>,
-    /// When it was measured, as the operator writes it; the report leaves a blank where it is not given.
+    /// When it was measured, as the operator writes it; the report leaves a blank where it is not
+    /// given.
     pub measured_on: Option<String>,
     /// Program and version.
     pub generated_by: String,

@@ -5,7 +5,9 @@ use super::pictures::Figure;
 
 /// A table whose rows become paragraphs on a narrow screen, each cell behind its head.
 pub(super) fn table(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
-    out.within("div", &[("class", "scroll stacks")], |out| grid(out, heads, rows));
+    out.within("div", &[("class", "scroll stacks")], |out| {
+        grid(out, heads, rows)
+    });
 }
 
 /// A table that keeps its shape and scrolls sideways on a narrow screen.
@@ -16,15 +18,22 @@ pub(super) fn matrix(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
 fn grid(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
     out.within("table", &[], |out| {
         out.within("thead", &[], |out| {
-            out.within("tr", &[], |out| heads.iter().for_each(|head| out.element("th", &[], head)));
+            out.within("tr", &[], |out| {
+                heads.iter().for_each(|head| out.element("th", &[], head))
+            });
         });
-        out.within("tbody", &[], |out| rows.iter().for_each(|cells| row(out, heads, cells)));
+        out.within("tbody", &[], |out| {
+            rows.iter().for_each(|cells| row(out, heads, cells))
+        });
     });
 }
 
 fn row(out: &mut Markup, heads: &[&str], cells: &[String]) {
     out.within("tr", &[], |out| {
-        cells.iter().zip(heads).for_each(|(text, head)| out.element("td", &[("data-head", head)], text));
+        cells
+            .iter()
+            .zip(heads)
+            .for_each(|(text, head)| out.element("td", &[("data-head", head)], text));
     });
 }
 
@@ -33,7 +42,9 @@ pub(super) fn figures(out: &mut Markup, figures: &[Figure]) {
     if figures.is_empty() {
         return;
     }
-    out.within("div", &[("class", "figures")], |out| figures.iter().for_each(|picture| figure(out, picture)));
+    out.within("div", &[("class", "figures")], |out| {
+        figures.iter().for_each(|picture| figure(out, picture))
+    });
 }
 
 fn figure(out: &mut Markup, figure: &Figure) {

@@ -1,4 +1,5 @@
-//! Long records thinned for pictures: the least and the greatest value of each column stay, so that no spike is lost.
+//! Long records thinned for pictures: the least and the greatest value of each column stay, so that
+//! no spike is lost.
 
 use super::source::Curve;
 
@@ -18,7 +19,9 @@ pub fn thinned(x: &[f64], y: &[f64]) -> Curve {
         if i > 0 {
             points.push((piece[0].0, f64::NAN));
         }
-        piece.chunks(column).for_each(|samples| points.extend(least_and_greatest(samples)));
+        piece
+            .chunks(column)
+            .for_each(|samples| points.extend(least_and_greatest(samples)));
     }
     Curve::of(points)
 }

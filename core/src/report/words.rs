@@ -48,14 +48,19 @@ pub(super) fn unit_text(unit: &str) -> String {
     let mut parts = unit.split('^');
     let first = parts.next().unwrap_or_default().to_string();
     parts.fold(first, |text, part| {
-        let end = part.find(|c: char| !matches!(c, '-' | '0'..='9')).unwrap_or(part.len());
+        let end = part
+            .find(|c: char| !matches!(c, '-' | '0'..='9'))
+            .unwrap_or(part.len());
         text + &part[..end].chars().map(raised).collect::<String>() + &part[end..]
     })
 }
 
 /// A name less the unit that it ends in: `yaw_n_m_s` in `N m s` is `yaw`.
 pub(super) fn without_unit<'a>(name: &'a str, unit: &str) -> &'a str {
-    let ending = unit.to_lowercase().replace('^', "").replace([' ', '/'], "_");
+    let ending = unit
+        .to_lowercase()
+        .replace('^', "")
+        .replace([' ', '/'], "_");
     name.strip_suffix(&format!("_{ending}")).unwrap_or(name)
 }
 
@@ -66,17 +71,26 @@ pub(super) fn raised(character: char) -> char {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        digit => digit.to_digit(10).and_then(|n| char::from_u32(0x2070 + n)).unwrap_or(digit),
+        digit => digit
+            .to_digit(10)
+            .and_then(|n| char::from_u32(0x2070 + n))
+            .unwrap_or(digit),
     }
 }
 
 /// First letter large; a symbol such as `k_yaw_m` stays as it is.
 pub(super) fn sentence_case(text: &str) -> String {
-    if text.split(' ').next().is_some_and(|word| word.contains('_')) {
+    if text
+        .split(' ')
+        .next()
+        .is_some_and(|word| word.contains('_'))
+    {
         return text.into();
     }
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 #[cfg(test)]
@@ -85,8 +99,28 @@ mod tests {
 
     #[test]
     fn powers_are_set_high() {
-        let written = ["m/s^2", "N m s^2", "rad s^-1", "kg m^2/rad", "N^2 m^-10 s", "1", ""].map(unit_text);
-        assert_eq!(written, ["m/s²", "N m s²", "rad s⁻¹", "kg m²/rad", "N² m⁻¹⁰ s", "", ""]);
+        let written = [
+            "m/s^2",
+            "N m s^2",
+            "rad s^-1",
+            "kg m^2/rad",
+            "N^2 m^-10 s",
+            "1",
+            "",
+        ]
+        .map(unit_text);
+        assert_eq!(
+            written,
+            [
+                "m/s²",
+                "N m s²",
+                "rad s⁻¹",
+                "kg m²/rad",
+                "N² m⁻¹⁰ s",
+                "",
+                ""
+            ]
+        );
     }
 
     #[test]
@@ -94,7 +128,10 @@ mod tests {
         assert_eq!(without_unit("yaw_n_m_s", "N m s"), "yaw");
         assert_eq!(without_unit("yaw_kg_m2_rad", "kg m^2/rad"), "yaw");
         assert_eq!(without_unit("steady_x_m_s", "m/s"), "steady_x");
-        assert_eq!(without_unit("yaw_torque_coefficient", "N m s^2"), "yaw_torque_coefficient");
+        assert_eq!(
+            without_unit("yaw_torque_coefficient", "N m s^2"),
+            "yaw_torque_coefficient"
+        );
         assert_eq!(without_unit("exponent", "1"), "exponent");
     }
 }

@@ -1,7 +1,9 @@
-//! Period and decay of one mode against its amplitude: the mode is fitted window by window through the record.
+//! Period and decay of one mode against its amplitude: the mode is fitted window by window through
+//! the record.
 //!
-//! A global fit knows one law for the whole record; windows show what the law really is (a pendulum's 1 + A²/16,
-//! drag, dry friction, a shift linear in amplitude that goes on to the smallest swing).
+//! A global fit knows one law for the whole record; windows show what the law really is (a
+//! pendulum's 1 + A²/16, drag, dry friction, a shift linear in amplitude that goes on to the
+//! smallest swing).
 
 use std::f64::consts::{PI, TAU};
 
@@ -26,9 +28,9 @@ pub struct Pole {
 /// What is wanted of [`against_amplitude`].
 ///
 /// # Conventions
-/// Channels count through the groups in the order given. A window's amplitude is `|Σ_c project_c · a_c|` with a_c the
-/// channel's complex amplitude at the middle of the window: to read an angle from a rate, divide by ω
-/// ([`WindowPoint::amplitude_over_omega`]).
+/// Channels count through the groups in the order given. A window's amplitude is `|Σ_c project_c ·
+/// a_c|` with a_c the channel's complex amplitude at the middle of the window: to read an angle
+/// from a rate, divide by ω ([`WindowPoint::amplitude_over_omega`]).
 #[derive(Debug, Clone)]
 pub struct WindowedMode<'a> {
     /// Start and end of the free swing, s.
@@ -50,7 +52,8 @@ pub struct WindowPoint {
     pub amplitude: f64,
     /// Period, s.
     pub period_s: f64,
-    /// Its standard error from the window's own residual, as noise of each channel; the other modes as given, s.
+    /// Its standard error from the window's own residual, as noise of each channel; the other modes
+    /// as given, s.
     pub period_se_s: f64,
     /// Logarithmic decrement per cycle.
     pub decrement: f64,
@@ -59,13 +62,15 @@ pub struct WindowPoint {
 }
 
 impl WindowPoint {
-    /// Amplitude of the angle where the projection is an angular rate (of the displacement where it is a speed).
+    /// Amplitude of the angle where the projection is an angular rate (of the displacement where it
+    /// is a speed).
     pub fn amplitude_over_omega(&self) -> f64 {
         self.amplitude * self.period_s / TAU
     }
 }
 
-/// Cycles per window: the fewest that separate a mode from its own drift in frequency and from a slope.
+/// Cycles per window: the fewest that separate a mode from its own drift in frequency and from a
+/// slope.
 const CYCLES: f64 = 6.0;
 /// A neighbour must turn this many times against the mode within a window to be told from it.
 const BEATS: f64 = 1.25;
@@ -95,7 +100,9 @@ pub fn against_amplitude(groups: &[ChannelGroup], wanted: &WindowedMode<'_>) -> 
     let mut points = Vec::new();
     for k in 0..count as usize {
         let from_s = start_s + k as f64 * width_s;
-        let Some(point) = window(groups, wanted, mode, (from_s, from_s + width_s)) else { continue };
+        let Some(point) = window(groups, wanted, mode, (from_s, from_s + width_s)) else {
+            continue;
+        };
         // The next window starts from here: the frequency of a strong swing drifts a long way.
         mode.omega_rad_s = TAU / point.period_s;
         points.push(point);
@@ -112,14 +119,18 @@ struct Cut {
 impl Cut {
     fn new(parts: &[ChannelGroup], project: &[Complex64], clock: Clock, model: &Model) -> Self {
         let width = TAU / (FINAL_CELLS * model.highest_omega());
-        let mut cut = Self { cells: Vec::new(), project: Vec::new() };
+        let mut cut = Self {
+            cells: Vec::new(),
+            project: Vec::new(),
+        };
         let mut weights = project;
         for part in parts {
             let (own, later) = weights.split_at(part.channels.len().min(weights.len()));
             weights = later;
             if part.t_s.len() >= 2 * model.linear() {
                 let levels: Vec<f64> = part.channels.iter().map(|c| c[0]).collect();
-                cut.cells.push(Cells::gather(part, clock, width).less(&levels));
+                cut.cells
+                    .push(Cells::gather(part, clock, width).less(&levels));
                 cut.project.extend_from_slice(own);
             }
         }
@@ -130,25 +141,44 @@ impl Cut {
 /// A group's samples within the clock's span.
 fn part(group: &ChannelGroup, clock: Clock) -> ChannelGroup {
     let first = group.t_s.partition_point(|t| *t < clock.t_ref_s);
-    let end = group.t_s.partition_point(|t| *t < clock.t_ref_s + clock.span_s);
+    let end = group
+        .t_s
+        .partition_point(|t| *t < clock.t_ref_s + clock.span_s);
     ChannelGroup {
         t_s: group.t_s[first..end].to_vec(),
-        channels: group.channels.iter().map(|x| x[first..end].to_vec()).collect(),
+        channels: group
+            .channels
+            .iter()
+            .map(|x| x[first..end].to_vec())
+            .collect(),
     }
 }
 
-/// The mode followed, the others, a straight baseline, and the mode's harmonics where they stand alone.
+/// The mode followed, the others, a straight baseline, and the mode's harmonics where they stand
+/// alone.
 fn window_model(mode: Pole, wanted: &WindowedMode<'_>, width_s: f64, samples: usize) -> Model {
-    let scaled = |pole: &Pole| Motion::plain(pole.omega_rad_s * width_s, pole.alpha_per_s * width_s);
-    let modes: Vec<Motion> = std::iter::once(&mode).chain(wanted.others).map(scaled).collect();
+    let scaled =
+        |pole: &Pole| Motion::plain(pole.omega_rad_s * width_s, pole.alpha_per_s * width_s);
+    let modes: Vec<Motion> = std::iter::once(&mode)
+        .chain(wanted.others)
+        .map(scaled)
+        .collect();
     let harmonic = |k: i32| {
         let omega = f64::from(k) * modes[0].omega;
-        let alone = modes[1..].iter().all(|other| (other.omega - omega).abs() > TAU);
-        let multiples = std::iter::once(k).chain(modes[1..].iter().map(|_| 0)).collect();
+        let alone = modes[1..]
+            .iter()
+            .all(|other| (other.omega - omega).abs() > TAU);
+        let multiples = std::iter::once(k)
+            .chain(modes[1..].iter().map(|_| 0))
+            .collect();
         (alone && omega < 0.25 * PI * samples as f64).then_some(multiples)
     };
     let tones = [2, 3].into_iter().filter_map(harmonic).collect();
-    Model { modes, tones, baseline: 2 }
+    Model {
+        modes,
+        tones,
+        baseline: 2,
+    }
 }
 
 fn window(
@@ -157,7 +187,10 @@ fn window(
     start: Pole,
     (from_s, to_s): (f64, f64),
 ) -> Option<WindowPoint> {
-    let clock = Clock { t_ref_s: from_s, span_s: to_s - from_s };
+    let clock = Clock {
+        t_ref_s: from_s,
+        span_s: to_s - from_s,
+    };
     let parts: Vec<ChannelGroup> = groups.iter().map(|group| part(group, clock)).collect();
     let samples = parts.iter().map(|part| part.t_s.len()).max()?;
     let model = window_model(start, wanted, clock.span_s, samples);
@@ -168,7 +201,12 @@ fn window(
     let covariance = curvature.hessian.fixed_view::<2, 2>(0, 0).try_inverse()?;
     let mode = fit.model.modes[0];
     let period_s = TAU * clock.span_s / mode.omega;
-    let together: Complex64 = cut.project.iter().enumerate().map(|(c, p)| p * fit.amplitude(c, 0)).sum();
+    let together: Complex64 = cut
+        .project
+        .iter()
+        .enumerate()
+        .map(|(c, p)| p * fit.amplitude(c, 0))
+        .sum();
     let point = WindowPoint {
         t_s: 0.5 * (from_s + to_s),
         amplitude: together.norm() * mode.envelope(0.5),

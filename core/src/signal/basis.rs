@@ -1,9 +1,10 @@
 //! The columns of the linear model, their derivatives, and the inner products that a fit needs.
 //!
 //! # Conventions
-//! Columns: for each atom (modes, then tones) `Re z, −Im z`, so that the coefficients are the real and
-//! imaginary part of the amplitude; then Legendre polynomials over the span; then, if wanted, the derivative
-//! columns `Re D, −Im D`; then the channels. A tone of multiples n is `Π E_m^|n_m| exp(i Σ n_m φ_m)`.
+//! Columns: for each atom (modes, then tones) `Re z, −Im z`, so that the coefficients are the real
+//! and imaginary part of the amplitude; then Legendre polynomials over the span; then, if wanted,
+//! the derivative columns `Re D, −Im D`; then the channels. A tone of multiples n is `Π E_m^|n_m|
+//! exp(i Σ n_m φ_m)`.
 
 use nalgebra::{DMatrix, DMatrixView};
 use num_complex::Complex64;
@@ -74,25 +75,38 @@ impl Model {
         self.modes[..mode].iter().map(Motion::parameter_count).sum()
     }
 
-    /// The fastest line that cells must resolve; tones, being weak, may lose 2 % of their information.
+    /// The fastest line that cells must resolve; tones, being weak, may lose 2 % of their
+    /// information.
     pub fn highest_omega(&self) -> f64 {
         let modes = self.modes.iter().map(|m| m.omega);
-        let tones = self.tones.iter().map(|n| 0.5 * combined(n, &self.modes).abs());
+        let tones = self
+            .tones
+            .iter()
+            .map(|n| 0.5 * combined(n, &self.modes).abs());
         modes.chain(tones).fold(0.0, f64::max)
     }
 
     /// Angular frequency of an atom, and whether an amplitude law moves it.
     pub fn atom_omega(&self, atom: usize) -> (f64, bool) {
         let turns = |m: usize| self.multiple(atom, m);
-        let omega: f64 =
-            self.modes.iter().enumerate().map(|(m, mode)| f64::from(turns(m)) * mode.omega).sum();
-        let moved = self.modes.iter().enumerate().any(|(m, mode)| turns(m) != 0 && mode.law.is_some());
+        let omega: f64 = self
+            .modes
+            .iter()
+            .enumerate()
+            .map(|(m, mode)| f64::from(turns(m)) * mode.omega)
+            .sum();
+        let moved = self
+            .modes
+            .iter()
+            .enumerate()
+            .any(|(m, mode)| turns(m) != 0 && mode.law.is_some());
         (omega.abs(), moved)
     }
 
     /// Envelope of an atom.
     pub fn atom_envelope(&self, atom: usize, tau: f64) -> f64 {
-        let factor = |(m, mode): (usize, &Motion)| mode.envelope(tau).powi(self.multiple(atom, m).abs());
+        let factor =
+            |(m, mode): (usize, &Motion)| mode.envelope(tau).powi(self.multiple(atom, m).abs());
         self.modes.iter().enumerate().map(factor).product()
     }
 
@@ -117,7 +131,12 @@ impl Model {
                 }
                 let parameter = self.parameter_offset(mode);
                 let mut push = |offset: usize, column: usize, factor: Complex64| {
-                    levers.push(Lever { parameter: parameter + offset, atom, column, factor });
+                    levers.push(Lever {
+                        parameter: parameter + offset,
+                        atom,
+                        column,
+                        factor,
+                    });
                 };
                 push(0, time_column, Complex64::new(0.0, n));
                 if motion.law.is_none() {
@@ -131,7 +150,8 @@ impl Model {
         (levers, column)
     }
 
-    /// All columns for every cell, row by row, weighted by the root of its samples; returns rows and row length.
+    /// All columns for every cell, row by row, weighted by the root of its samples; returns rows
+    /// and row length.
     pub fn rows(&self, cells: &Cells, derivatives: bool) -> (Vec<f64>, usize) {
         let columns = if derivatives { 2 * self.levers().1 } else { 0 };
         let linear = self.linear();
@@ -173,14 +193,25 @@ impl Model {
         let (mut rate, mut z) = (Complex64::ZERO, Complex64::ONE);
         for (mode, &n) in self.tones[atom - self.modes.len()].iter().enumerate() {
             rate += turned(walk.at[mode].rate, n);
-            let factor = if n < 0 { walk.z[mode].conj() } else { walk.z[mode] };
+            let factor = if n < 0 {
+                walk.z[mode].conj()
+            } else {
+                walk.z[mode]
+            };
             (0..n.abs()).for_each(|_| z *= factor);
         }
         (rate, z)
     }
 
     /// The derivative columns of the cell where the walk stands and whose linear columns are known.
-    fn derivative_row(&self, cells: &Cells, i: usize, walk: &Walk, linear: &[f64], derived: &mut [f64]) {
+    fn derivative_row(
+        &self,
+        cells: &Cells,
+        i: usize,
+        walk: &Walk,
+        linear: &[f64],
+        derived: &mut [f64],
+    ) {
         let mut columns = derived.chunks_exact_mut(2);
         let mut put = |value: Complex64| {
             if let Some(column) = columns.next() {
@@ -191,10 +222,17 @@ impl Model {
             let (log_rate, z) = self.atom_at(atom, walk);
             let mean = Complex64::new(linear[2 * atom], -linear[2 * atom + 1]);
             put(mean * cells.tau[i] + z * log_rate * cells.m2[i]);
-            for (mode, _) in self.modes.iter().enumerate().filter(|(_, motion)| motion.law.is_some()) {
+            for (mode, _) in self
+                .modes
+                .iter()
+                .enumerate()
+                .filter(|(_, motion)| motion.law.is_some())
+            {
                 let n = self.multiple(atom, mode);
                 if n != 0 {
-                    walk.at[mode].slopes[1..].iter().for_each(|slope| put(mean * turned(*slope, n)));
+                    walk.at[mode].slopes[1..]
+                        .iter()
+                        .for_each(|slope| put(mean * turned(*slope, n)));
                 }
             }
         }
@@ -214,7 +252,11 @@ fn turned(log: Complex64, n: i32) -> Complex64 {
 
 /// Angular frequency of a combination.
 pub(super) fn combined(multiples: &[i32], modes: &[Motion]) -> f64 {
-    multiples.iter().zip(modes).map(|(&n, mode)| f64::from(n) * mode.omega).sum()
+    multiples
+        .iter()
+        .zip(modes)
+        .map(|(&n, mode)| f64::from(n) * mode.omega)
+        .sum()
 }
 
 /// Legendre polynomials on [0, 1].
@@ -253,8 +295,9 @@ pub(super) fn products(rows: &[f64], size: usize) -> Products {
 
 /// Phasors of all modes, carried from stamp to stamp.
 ///
-/// A plain mode is turned by `exp(λΔ)`, corrected by a short series for the uneven part of the step and set
-/// anew every 32 steps, which is exact to 1e-9 and spares the sine and exponential of every stamp.
+/// A plain mode is turned by `exp(λΔ)`, corrected by a short series for the uneven part of the step
+/// and set anew every 32 steps, which is exact to 1e-9 and spares the sine and exponential of every
+/// stamp.
 pub(super) struct Walk<'a> {
     modes: &'a [Motion],
     tau: f64,
@@ -271,7 +314,16 @@ impl<'a> Walk<'a> {
         let at: Vec<MotionAt> = modes.iter().map(|mode| mode.at(0.0)).collect();
         let ones = vec![Complex64::ONE; modes.len()];
         let fastest = modes.iter().map(|m| m.omega).fold(0.0, f64::max);
-        Self { modes, tau: 0.0, step: 0.0, turn: ones.clone(), fastest, age: u32::MAX, at, z: ones }
+        Self {
+            modes,
+            tau: 0.0,
+            step: 0.0,
+            turn: ones.clone(),
+            fastest,
+            age: u32::MAX,
+            at,
+            z: ones,
+        }
     }
 
     #[inline]
@@ -294,7 +346,11 @@ impl<'a> Walk<'a> {
             if new_step {
                 *turn = (at.rate * step).exp();
             }
-            *z = if fresh { (at.rate * tau).exp() } else { *z * *turn * near_one(at.rate * uneven) };
+            *z = if fresh {
+                (at.rate * tau).exp()
+            } else {
+                *z * *turn * near_one(at.rate * uneven)
+            };
         }
         self.tau = tau;
     }

@@ -1,9 +1,10 @@
 //! Samples gathered into short cells of time.
 //!
-//! Modes of a hull lie near 0.1–3 Hz, samples at 100 Hz: the mean over a cell of a 24th of a period keeps all but
-//! 0.6 % of the information (1 − sinc²) and white noise stays white. Nothing is resampled: each cell keeps the
-//! centroid and the variance of the stamps that really fell into it, and the model is averaged over the same
-//! stamps (`z̄ = z(t̄)(1 + λ²m₂/2)`), so that the estimate has no bias from it.
+//! Modes of a hull lie near 0.1–3 Hz, samples at 100 Hz: the mean over a cell of a 24th of a period
+//! keeps all but 0.6 % of the information (1 − sinc²) and white noise stays white. Nothing is
+//! resampled: each cell keeps the centroid and the variance of the stamps that really fell into it,
+//! and the model is averaged over the same stamps (`z̄ = z(t̄)(1 + λ²m₂/2)`), so that the estimate
+//! has no bias from it.
 //!
 //! # Conventions
 //! Time inside the fit is `τ = (t − t_ref)/span`, in [0, 1]; frequencies and decays are per span.
@@ -19,9 +20,18 @@ pub(super) struct Clock {
 
 impl Clock {
     pub fn of(groups: &[ChannelGroup]) -> Self {
-        let first = groups.iter().filter_map(|g| g.t_s.first()).fold(f64::INFINITY, |a, &b| a.min(b));
-        let last = groups.iter().filter_map(|g| g.t_s.last()).fold(f64::NEG_INFINITY, |a, &b| a.max(b));
-        Self { t_ref_s: first, span_s: last - first }
+        let first = groups
+            .iter()
+            .filter_map(|g| g.t_s.first())
+            .fold(f64::INFINITY, |a, &b| a.min(b));
+        let last = groups
+            .iter()
+            .filter_map(|g| g.t_s.last())
+            .fold(f64::NEG_INFINITY, |a, &b| a.max(b));
+        Self {
+            t_ref_s: first,
+            span_s: last - first,
+        }
     }
 
     pub fn tau(&self, t_s: f64) -> f64 {
@@ -68,7 +78,9 @@ impl Cells {
     /// The same with a level taken off each channel.
     pub fn less(mut self, levels: &[f64]) -> Self {
         for row in self.mean.chunks_exact_mut(levels.len()) {
-            row.iter_mut().zip(levels).for_each(|(y, level)| *y -= level);
+            row.iter_mut()
+                .zip(levels)
+                .for_each(|(y, level)| *y -= level);
         }
         self
     }
@@ -91,7 +103,12 @@ impl Cells {
         }
         start.push(group.t_s.len());
         let channels = group.channels.len();
-        Self { channels, start, slot, ..Self::default() }
+        Self {
+            channels,
+            start,
+            slot,
+            ..Self::default()
+        }
     }
 
     fn add_moments(&mut self, stamps: &[f64], clock: Clock) {
@@ -104,7 +121,8 @@ impl Cells {
         let mean = sum / n;
         self.count.push(n);
         self.tau.push(clock.tau(anchor + mean));
-        self.m2.push((squares / n - mean * mean).max(0.0) / (clock.span_s * clock.span_s));
+        self.m2
+            .push((squares / n - mean * mean).max(0.0) / (clock.span_s * clock.span_s));
     }
 }
 
@@ -112,6 +130,8 @@ impl Cells {
 fn sum(values: &[f64]) -> f64 {
     let fours = values.chunks_exact(4);
     let rest: f64 = fours.remainder().iter().sum();
-    let strands = fours.fold([0.0; 4], |s, v| [s[0] + v[0], s[1] + v[1], s[2] + v[2], s[3] + v[3]]);
+    let strands = fours.fold([0.0; 4], |s, v| {
+        [s[0] + v[0], s[1] + v[1], s[2] + v[2], s[3] + v[3]]
+    });
     rest + strands.iter().sum::<f64>()
 }

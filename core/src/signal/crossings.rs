@@ -1,4 +1,5 @@
-//! Zero crossings of one channel between samples, and periods from them: a check that shares nothing with the fit.
+//! Zero crossings of one channel between samples, and periods from them: a check that shares
+//! nothing with the fit.
 
 use super::marquardt::linear;
 
@@ -35,31 +36,48 @@ pub struct CrossingPeriod {
     pub crossings: usize,
 }
 
-/// Half width of the local straight line, as a part of a period: sin x departs from x by 1 % at its ends.
+/// Half width of the local straight line, as a part of a period: sin x departs from x by 1 % at its
+/// ends.
 const LINE_HALF_WIDTH: f64 = 0.04;
 
 /// Crossings of the channel's middle level, each from a straight line through the samples about it.
 ///
-/// Noise makes no crossings: the channel must swing beyond a quarter of its present size on both sides.
+/// Noise makes no crossings: the channel must swing beyond a quarter of its present size on both
+/// sides.
 pub fn zero_crossings(t_s: &[f64], x: &[f64]) -> Vec<Crossing> {
     let level = middle(x);
     let y: Vec<f64> = x.iter().map(|v| v - level).collect();
     let size = 2f64.sqrt() * (y.iter().map(|v| v * v).sum::<f64>() / y.len().max(1) as f64).sqrt();
     let coarse = sign_changes(t_s, &y, 0.25 * size);
-    let Some(half_period_s) = median(&coarse.windows(2).map(|w| w[1].t_s - w[0].t_s).collect::<Vec<f64>>())
-    else {
+    let Some(half_period_s) = median(
+        &coarse
+            .windows(2)
+            .map(|w| w[1].t_s - w[0].t_s)
+            .collect::<Vec<f64>>(),
+    ) else {
         return Vec::new();
     };
     // The threshold follows the decay once the period is known.
     let local = local_size(t_s, &y, 2.0 * half_period_s);
-    let found = sign_changes_above(t_s, &y, &local.iter().map(|s| 0.25 * s).collect::<Vec<f64>>());
-    found.iter().filter_map(|c| refined(t_s, &y, c, 2.0 * LINE_HALF_WIDTH * half_period_s)).collect()
+    let found = sign_changes_above(
+        t_s,
+        &y,
+        &local.iter().map(|s| 0.25 * s).collect::<Vec<f64>>(),
+    );
+    found
+        .iter()
+        .filter_map(|c| refined(t_s, &y, c, 2.0 * LINE_HALF_WIDTH * half_period_s))
+        .collect()
 }
 
 /// Periods between crossings of the same direction: each crossing starts one.
 pub fn crossing_periods(crossings: &[Crossing]) -> PeriodSeries {
-    let spans = crossings.windows(3).filter(|w| w[0].rising == w[2].rising && w[0].rising != w[1].rising);
-    let (t_s, period_s) = spans.map(|w| (0.5 * (w[0].t_s + w[2].t_s), w[2].t_s - w[0].t_s)).unzip();
+    let spans = crossings
+        .windows(3)
+        .filter(|w| w[0].rising == w[2].rising && w[0].rising != w[1].rising);
+    let (t_s, period_s) = spans
+        .map(|w| (0.5 * (w[0].t_s + w[2].t_s), w[2].t_s - w[0].t_s))
+        .unzip();
     PeriodSeries { t_s, period_s }
 }
 
@@ -72,7 +90,10 @@ pub fn period_from_crossings(crossings: &[Crossing]) -> Option<CrossingPeriod> {
     for w in t.windows(2) {
         count.push(count.last().copied().unwrap_or(0.0) + ((w[1] - w[0]) / half_s).round());
     }
-    let side: Vec<f64> = crossings.iter().map(|c| if c.rising { 0.5 } else { -0.5 }).collect();
+    let side: Vec<f64> = crossings
+        .iter()
+        .map(|c| if c.rising { 0.5 } else { -0.5 })
+        .collect();
     let fit = linear(&[vec![1.0; t.len()], count, side], &t, &vec![1.0; t.len()])?;
     Some(CrossingPeriod {
         period_s: 2.0 * fit.parameters[1],
@@ -82,7 +103,8 @@ pub fn period_from_crossings(crossings: &[Crossing]) -> Option<CrossingPeriod> {
     })
 }
 
-/// The middle between the mean of the peaks and the mean of the troughs is disturbed by decay; the mean is not.
+/// The middle between the mean of the peaks and the mean of the troughs is disturbed by decay; the
+/// mean is not.
 fn middle(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len().max(1) as f64
 }
@@ -99,7 +121,8 @@ fn sign_changes(t_s: &[f64], y: &[f64], threshold: f64) -> Vec<Crossing> {
     sign_changes_above(t_s, y, &vec![threshold; y.len()])
 }
 
-/// Changes of sign between excursions beyond the threshold: the last change of sign before the far side is reached.
+/// Changes of sign between excursions beyond the threshold: the last change of sign before the far
+/// side is reached.
 fn sign_changes_above(t_s: &[f64], y: &[f64], threshold: &[f64]) -> Vec<Crossing> {
     let mut found = Vec::new();
     let mut side = 0.0;
@@ -114,7 +137,11 @@ fn sign_changes_above(t_s: &[f64], y: &[f64], threshold: &[f64]) -> Vec<Crossing
             if side * now < 0.0
                 && let Some(t_s) = median(&candidates)
             {
-                found.push(Crossing { t_s, rising: now > 0.0, slope: 0.0 });
+                found.push(Crossing {
+                    t_s,
+                    rising: now > 0.0,
+                    slope: 0.0,
+                });
             }
             (side, candidates) = (now, Vec::new());
         }
@@ -140,7 +167,8 @@ fn local_size(t_s: &[f64], y: &[f64], width_s: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Zero of the straight line through the samples about a coarse crossing, re-centred so that curvature cancels.
+/// Zero of the straight line through the samples about a coarse crossing, re-centred so that
+/// curvature cancels.
 fn refined(t_s: &[f64], y: &[f64], coarse: &Crossing, half_width_s: f64) -> Option<Crossing> {
     let mut at = *coarse;
     for _ in 0..3 {
@@ -151,12 +179,20 @@ fn refined(t_s: &[f64], y: &[f64], coarse: &Crossing, half_width_s: f64) -> Opti
             return (at.slope != 0.0 || end > 0).then_some(at);
         }
         let from: Vec<f64> = t_s[first..end].iter().map(|t| t - at.t_s).collect();
-        let fit = linear(&[vec![1.0; from.len()], from.clone()], &y[first..end], &vec![1.0; from.len()])?;
+        let fit = linear(
+            &[vec![1.0; from.len()], from.clone()],
+            &y[first..end],
+            &vec![1.0; from.len()],
+        )?;
         let (value, slope) = (fit.parameters[0], fit.parameters[1]);
         if slope == 0.0 || (slope > 0.0) != coarse.rising || (value / slope).abs() > half_width_s {
             return Some(at);
         }
-        at = Crossing { t_s: at.t_s - value / slope, slope, ..at };
+        at = Crossing {
+            t_s: at.t_s - value / slope,
+            slope,
+            ..at
+        };
     }
     Some(at)
 }

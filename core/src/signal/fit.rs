@@ -1,12 +1,14 @@
 //! Variable projection: amplitudes and baselines are eliminated, the shared poles iterated.
 //!
-//! The crate `varpro` solves the same problem in general; here all channels of a group share their columns, so
-//! that one small matrix of inner products serves every channel and every derivative, and an iteration costs
-//! one pass over the cells. That is what brings six channels of 12 000 samples under 2 ms.
+//! The crate `varpro` solves the same problem in general; here all channels of a group share their
+//! columns, so that one small matrix of inner products serves every channel and every derivative,
+//! and an iteration costs one pass over the cells. That is what brings six channels of 12 000
+//! samples under 2 ms.
 //!
-//! Channels have their own units and noise: with the noise of each channel eliminated too, the function that
-//! falls is `Σ_c N_c ln RSS_c`, and the weights are 1/σ_c² of the current iterate. The derivative of the
-//! projection is Kaufman's (1975): its second term is of the order of the residual times the curvature.
+//! Channels have their own units and noise: with the noise of each channel eliminated too, the
+//! function that falls is `Σ_c N_c ln RSS_c`, and the weights are 1/σ_c² of the current iterate.
+//! The derivative of the projection is Kaufman's (1975): its second term is of the order of the
+//! residual times the curvature.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use num_complex::Complex64;
@@ -50,7 +52,8 @@ pub(super) struct Curvature {
 }
 
 impl Fit {
-    /// Noise variance per sample of a channel as the residual shows it; infinite for a channel that is constant.
+    /// Noise variance per sample of a channel as the residual shows it; infinite for a channel that
+    /// is constant.
     pub fn variance(&self, channel: usize) -> f64 {
         if self.rss[channel] <= f64::MIN_POSITIVE {
             return f64::INFINITY;
@@ -91,22 +94,42 @@ pub(super) fn promise(model: &Model, groups: &[Cells]) -> Option<f64> {
     Some(curvature.gradient.dot(&damped_step(&curvature, 1e-9, &[])?))
 }
 
-/// Levenberg–Marquardt from a start, as far as a trial needs; none where the start itself cannot be evaluated.
+/// Levenberg–Marquardt from a start, as far as a trial needs; none where the start itself cannot be
+/// evaluated.
 pub(super) fn refine(start: &Model, groups: &[Cells], iterations: usize) -> Option<Fit> {
     descend(start, groups, iterations, TRIAL_END, &[])
 }
 
 /// The same to the end, with some parameters held.
-pub(super) fn polish(start: &Model, groups: &[Cells], iterations: usize, held: &[usize]) -> Option<Fit> {
+pub(super) fn polish(
+    start: &Model,
+    groups: &[Cells],
+    iterations: usize,
+    held: &[usize],
+) -> Option<Fit> {
     descend(start, groups, iterations, FINAL_END, held)
 }
 
-fn descend(start: &Model, groups: &[Cells], iterations: usize, end: f64, held: &[usize]) -> Option<Fit> {
+fn descend(
+    start: &Model,
+    groups: &[Cells],
+    iterations: usize,
+    end: f64,
+    held: &[usize],
+) -> Option<Fit> {
     let (mut fit, mut curvature) = project_for_step(start, groups)?;
     let mut damping = 1e-4;
     for _ in 0..iterations {
-        let Some(step) = damped_step(&curvature, damping, held) else { break };
-        let moved: Vec<f64> = fit.model.parameters().iter().zip(step.iter()).map(|(p, d)| p + d).collect();
+        let Some(step) = damped_step(&curvature, damping, held) else {
+            break;
+        };
+        let moved: Vec<f64> = fit
+            .model
+            .parameters()
+            .iter()
+            .zip(step.iter())
+            .map(|(p, d)| p + d)
+            .collect();
         let trial = fit.model.with_parameters(&moved);
         let sound = trial.modes.iter().all(|mode| mode.is_sound());
         match sound.then(|| project_for_step(&trial, groups)).flatten() {
@@ -151,8 +174,18 @@ enum Wanted {
 
 fn evaluate(model: &Model, groups: &[Cells], wanted: Wanted) -> Option<(Fit, Option<Curvature>)> {
     let derivatives = wanted != Wanted::Fit;
-    let (levers, columns) = if derivatives { model.levers() } else { (vec![], 0) };
-    let mut fit = Fit { model: model.clone(), coefficients: vec![], rss: vec![], cells: vec![], merit: 0.0 };
+    let (levers, columns) = if derivatives {
+        model.levers()
+    } else {
+        (vec![], 0)
+    };
+    let mut fit = Fit {
+        model: model.clone(),
+        coefficients: vec![],
+        rss: vec![],
+        cells: vec![],
+        merit: 0.0,
+    };
     let parameters = model.parameter_count();
     let mut curvature = Curvature {
         hessian: DMatrix::zeros(parameters, parameters),
@@ -164,18 +197,36 @@ fn evaluate(model: &Model, groups: &[Cells], wanted: Wanted) -> Option<(Fit, Opt
     };
     for cells in groups {
         let (rows, size) = model.rows(cells, derivatives);
-        let group = Group { products: products(&rows, size), linear: model.linear(), columns };
+        let group = Group {
+            products: products(&rows, size),
+            linear: model.linear(),
+            columns,
+        };
         let factor = group.factor()?;
         let first = fit.rss.len();
         for channel in 0..cells.channels {
             group.solve_channel(channel, &factor, cells.len() as f64, &mut fit);
         }
         if derivatives {
-            group.add_curvature(&levers, &factor, &fit, first, wanted == Wanted::Errors, &mut curvature);
+            group.add_curvature(
+                &levers,
+                &factor,
+                &fit,
+                first,
+                wanted == Wanted::Errors,
+                &mut curvature,
+            );
         }
     }
-    fit.merit = fit.rss.iter().zip(&fit.cells).map(|(rss, n)| n * rss.ln()).sum();
-    fit.merit.is_finite().then_some((fit, derivatives.then_some(curvature)))
+    fit.merit = fit
+        .rss
+        .iter()
+        .zip(&fit.cells)
+        .map(|(rss, n)| n * rss.ln())
+        .sum();
+    fit.merit
+        .is_finite()
+        .then_some((fit, derivatives.then_some(curvature)))
 }
 
 /// The inner products of one group, cut into their blocks.
@@ -197,12 +248,22 @@ impl Group {
         self.linear + 2 * self.columns
     }
 
-    fn solve_channel(&self, channel: usize, factor: &Cholesky<f64, Dyn>, cells: f64, fit: &mut Fit) {
+    fn solve_channel(
+        &self,
+        channel: usize,
+        factor: &Cholesky<f64, Dyn>,
+        cells: f64,
+        fit: &mut Fit,
+    ) {
         let y = self.first_channel() + channel;
         let b = DVector::from_fn(self.linear, |i, _| self.products.get(i, y));
         let a = factor.solve(&b);
         let total = self.products.get(y, y);
-        fit.rss.push((total - a.dot(&b)).max(total * ROUNDING).max(f64::MIN_POSITIVE));
+        fit.rss.push(
+            (total - a.dot(&b))
+                .max(total * ROUNDING)
+                .max(f64::MIN_POSITIVE),
+        );
         fit.coefficients.push(a.as_slice().to_vec());
         fit.cells.push(cells);
     }
@@ -225,7 +286,8 @@ impl Group {
             let pull = lever_matrix(levers, d, out.hessian.nrows(), fit, channel);
             let y = self.first_channel() + channel - first;
             let a = DVector::from_column_slice(&fit.coefficients[channel]);
-            let residual = DVector::from_fn(d, |i, _| self.products.get(n + i, y)) - cross.tr_mul(&a);
+            let residual =
+                DVector::from_fn(d, |i, _| self.products.get(n + i, y)) - cross.tr_mul(&a);
             let square = pull.tr_mul(&(&schur * &pull));
             let weight = 1.0 / fit.variance(channel);
             out.gradient += pull.tr_mul(&residual) * weight;
@@ -243,7 +305,13 @@ impl Group {
 }
 
 /// Coefficients of the derivative columns for each parameter: `Re(a·factor·D)`.
-fn lever_matrix(levers: &[Lever], d: usize, parameters: usize, fit: &Fit, channel: usize) -> DMatrix<f64> {
+fn lever_matrix(
+    levers: &[Lever],
+    d: usize,
+    parameters: usize,
+    fit: &Fit,
+    channel: usize,
+) -> DMatrix<f64> {
     let mut pull = DMatrix::zeros(d, parameters);
     for lever in levers {
         let amplitude = fit.amplitude(channel, lever.atom) * lever.factor;

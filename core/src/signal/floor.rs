@@ -1,8 +1,8 @@
 //! The noise floor of a periodogram, coloured as it may be.
 //!
-//! Sensors have white noise with 1/f noise and drift below. The floor of each channel is `a + b·k^−γ` (γ = 1 or 2),
-//! fitted by Whittle's likelihood to medians over short stretches so that lines do not lift it, and raised where
-//! a wider stretch of the spectrum stands above that law.
+//! Sensors have white noise with 1/f noise and drift below. The floor of each channel is `a +
+//! b·k^−γ` (γ = 1 or 2), fitted by Whittle's likelihood to medians over short stretches so that
+//! lines do not lift it, and raised where a wider stretch of the spectrum stands above that law.
 
 use super::spectrum::Periodogram;
 
@@ -29,7 +29,11 @@ pub(super) struct Floor {
 impl Floor {
     /// Floor of every channel between two frequencies.
     pub fn of(spectrum: &Periodogram, lowest: f64, highest: f64) -> Vec<Self> {
-        spectrum.power.iter().map(|power| Self::fit(power, spectrum.step, lowest, highest)).collect()
+        spectrum
+            .power
+            .iter()
+            .map(|power| Self::fit(power, spectrum.step, lowest, highest))
+            .collect()
     }
 
     /// Expected power of the noise.
@@ -39,10 +43,23 @@ impl Floor {
 
     fn fit(power: &[f64], step: f64, lowest: f64, highest: f64) -> Self {
         let stretches = stretches(power, step, lowest, highest);
-        let mut best = (f64::INFINITY, Self { white: f64::MIN_POSITIVE, red: 0.0, gamma: 1, raised: vec![] });
+        let mut best = (
+            f64::INFINITY,
+            Self {
+                white: f64::MIN_POSITIVE,
+                red: 0.0,
+                gamma: 1,
+                raised: vec![],
+            },
+        );
         for gamma in [1, 2] {
             let (white, red) = whittle(&stretches, gamma);
-            let floor = Self { white, red, gamma, raised: vec![] };
+            let floor = Self {
+                white,
+                red,
+                gamma,
+                raised: vec![],
+            };
             let misfit = stretches.iter().map(|s| s.misfit(floor.law(s.k))).sum();
             if misfit < best.0 {
                 best = (misfit, floor);
@@ -72,7 +89,10 @@ fn stretches(power: &[f64], step: f64, lowest: f64, highest: f64) -> Vec<Stretch
     let mut k = lowest.max(1.0);
     while k < highest {
         let width = if k < 16.0 { 1.0 } else { k / 8.0 };
-        let (from, to) = ((k / step) as usize, (((k + width) / step) as usize).min(power.len()));
+        let (from, to) = (
+            (k / step) as usize,
+            (((k + width) / step) as usize).min(power.len()),
+        );
         if from >= to {
             break;
         }
@@ -111,10 +131,15 @@ fn whittle(stretches: &[Stretch], gamma: i32) -> (f64, f64) {
             let weight = stretch.bins / (law * law);
             let y = stretch.power.min(5.0 * law);
             let terms = [1.0, x, x * x, y, x * y];
-            s.iter_mut().zip(terms).for_each(|(s, term)| *s += weight * term);
+            s.iter_mut()
+                .zip(terms)
+                .for_each(|(s, term)| *s += weight * term);
         }
         let determinant = s[0] * s[2] - s[1] * s[1];
-        let solved = ((s[3] * s[2] - s[4] * s[1]) / determinant, (s[0] * s[4] - s[1] * s[3]) / determinant);
+        let solved = (
+            (s[3] * s[2] - s[4] * s[1]) / determinant,
+            (s[0] * s[4] - s[1] * s[3]) / determinant,
+        );
         (white, red) = if determinant.is_nan() || determinant <= 0.0 || solved.1 < 0.0 {
             (s[3] / s[0], 0.0)
         } else if solved.0 <= 0.0 {
@@ -144,7 +169,10 @@ fn raised(stretches: &[Stretch], floor: &Floor) -> Vec<(f64, f64)> {
 
 fn interpolate(knots: &[(f64, f64)], x: f64) -> f64 {
     let after = knots.partition_point(|knot| knot.0 < x);
-    match (after.checked_sub(1).and_then(|i| knots.get(i)), knots.get(after)) {
+    match (
+        after.checked_sub(1).and_then(|i| knots.get(i)),
+        knots.get(after),
+    ) {
         (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0),
         (Some(end), None) | (None, Some(end)) => end.1,
         (None, None) => 1.0,

@@ -1,8 +1,9 @@
 //! A two-gate timer: passages, periods, and amplitude from the time a flag blocks the beam.
 //!
-//! A gate stands beside the rest position, so passages to and fro are unevenly spaced; passages in the same
-//! direction are one period apart whatever the gate's place. Gates at the two ends of a body see yaw alike and sway
-//! with opposite sign: the mean of their passages is free of sway to first order, their difference shows it.
+//! A gate stands beside the rest position, so passages to and fro are unevenly spaced; passages in
+//! the same direction are one period apart whatever the gate's place. Gates at the two ends of a
+//! body see yaw alike and sway with opposite sign: the mean of their passages is free of sway to
+//! first order, their difference shows it.
 
 use crate::error::{Error, Result};
 use crate::recording::{GateEvents, PeriodList};
@@ -48,9 +49,10 @@ fn passages(t_s: &[f64], blocked: &[bool]) -> Vec<Passage> {
             (false, true) => entered = Some(t_s[i]),
             (true, false) => {
                 let whole = entered.take().filter(|from| t_s[i] > *from);
-                found.extend(
-                    whole.map(|from| Passage { t_s: 0.5 * (from + t_s[i]), blocked_s: t_s[i] - from }),
-                );
+                found.extend(whole.map(|from| Passage {
+                    t_s: 0.5 * (from + t_s[i]),
+                    blocked_s: t_s[i] - from,
+                }));
             }
             _ => {}
         }
@@ -61,9 +63,16 @@ fn passages(t_s: &[f64], blocked: &[bool]) -> Vec<Passage> {
 /// Periods and amplitudes of a two-gate (or one-gate) log whose flag is `flag_width_m` wide.
 pub fn gate_periods(events: &GateEvents, flag_width_m: f64) -> Result<GatePeriods> {
     if !(flag_width_m > 0.0 && flag_width_m.is_finite()) {
-        return Err(Error::argument("flag_width_m", "a positive width", flag_width_m));
+        return Err(Error::argument(
+            "flag_width_m",
+            "a positive width",
+            flag_width_m,
+        ));
     }
-    let (a, b) = (passages(&events.t_s, &events.a), passages(&events.t_s, &events.b));
+    let (a, b) = (
+        passages(&events.t_s, &events.a),
+        passages(&events.t_s, &events.b),
+    );
     let mut notes = Vec::new();
     let joined = match (a.len() < 4, b.len() < 4) {
         (false, false) => paired(&a, &b, flag_width_m, &mut notes),
@@ -83,14 +92,22 @@ struct Joined {
 }
 
 fn alone(passages: &[Passage], flag_width_m: f64) -> Vec<Joined> {
-    let joined =
-        |p: &Passage| Joined { t_s: p.t_s, speed_m_s: flag_width_m / p.blocked_s, difference_s: None };
+    let joined = |p: &Passage| Joined {
+        t_s: p.t_s,
+        speed_m_s: flag_width_m / p.blocked_s,
+        difference_s: None,
+    };
     passages.iter().map(joined).collect()
 }
 
 /// Passages seen by both gates within an eighth of a period of each other.
 fn paired(a: &[Passage], b: &[Passage], flag_width_m: f64, notes: &mut Vec<String>) -> Vec<Joined> {
-    let half_s = median(&a.windows(2).map(|w| w[1].t_s - w[0].t_s).collect::<Vec<f64>>()).unwrap_or(0.0);
+    let half_s = median(
+        &a.windows(2)
+            .map(|w| w[1].t_s - w[0].t_s)
+            .collect::<Vec<f64>>(),
+    )
+    .unwrap_or(0.0);
     let mut joined = Vec::new();
     let mut from = 0;
     for p in a {
@@ -118,8 +135,10 @@ fn paired(a: &[Passage], b: &[Passage], flag_width_m: f64, notes: &mut Vec<Strin
 
 fn series(joined: &[Joined], mut notes: Vec<String>) -> Result<GatePeriods> {
     let t: Vec<f64> = joined.iter().map(|j| j.t_s).collect();
-    let half_s = median(&t.windows(2).map(|w| w[1] - w[0]).collect::<Vec<f64>>())
-        .ok_or_else(|| Error::no_result("light gates", "the two gates never saw the same passage"))?;
+    let half_s =
+        median(&t.windows(2).map(|w| w[1] - w[0]).collect::<Vec<f64>>()).ok_or_else(|| {
+            Error::no_result("light gates", "the two gates never saw the same passage")
+        })?;
     let mut out = GatePeriods {
         t_s: Vec::new(),
         period_s: Vec::new(),
@@ -133,16 +152,25 @@ fn series(joined: &[Joined], mut notes: Vec<String>) -> Result<GatePeriods> {
     for w in joined.windows(3) {
         let (there_s, back_s) = (w[1].t_s - w[0].t_s, w[2].t_s - w[1].t_s);
         // A passage missed or made up makes one of the two steps far too long or short.
-        if [there_s, back_s].iter().all(|s| (s / half_s - 1.0).abs() < 0.4) {
+        if [there_s, back_s]
+            .iter()
+            .all(|s| (s / half_s - 1.0).abs() < 0.4)
+        {
             let period_s = there_s + back_s;
             out.t_s.push(w[1].t_s);
             out.period_s.push(period_s);
-            out.amplitude_m.push(amplitude(w[1].speed_m_s, period_s, 0.25 * (there_s - back_s)));
+            out.amplitude_m.push(amplitude(
+                w[1].speed_m_s,
+                period_s,
+                0.25 * (there_s - back_s),
+            ));
         }
     }
     let missed = joined.len().saturating_sub(2) - out.period_s.len();
     if missed > 0 {
-        notes.push(format!("{missed} periods are not used: a passage was missed or made up beside them"));
+        notes.push(format!(
+            "{missed} periods are not used: a passage was missed or made up beside them"
+        ));
     }
     let scatter_s = scatter(&out.period_s);
     out.period_se_s = vec![scatter_s; out.period_s.len()];
@@ -150,13 +178,14 @@ fn series(joined: &[Joined], mut notes: Vec<String>) -> Result<GatePeriods> {
     Ok(out)
 }
 
-/// Amplitude from the speed at the gate; `late_s` is how far the passage is from the middle between its neighbours,
-/// which gives the gate's distance from the rest position.
+/// Amplitude from the speed at the gate; `late_s` is how far the passage is from the middle between
+/// its neighbours, which gives the gate's distance from the rest position.
 fn amplitude(speed_m_s: f64, period_s: f64, late_s: f64) -> f64 {
     (speed_m_s * period_s / std::f64::consts::TAU).hypot(speed_m_s * late_s)
 }
 
-/// Scatter of single periods from differences of neighbours two apart (those share no passage's direction).
+/// Scatter of single periods from differences of neighbours two apart (those share no passage's
+/// direction).
 fn scatter(period_s: &[f64]) -> f64 {
     let steps: Vec<f64> = period_s.windows(3).map(|w| (w[2] - w[0]).abs()).collect();
     // 1.4826: σ of a normal distribution over its median deviation; √2: a difference of two.
@@ -174,12 +203,14 @@ impl GatePeriods {
         }
     }
 
-    /// Period and decay against amplitude (m) in windows of `passages_per_window` passages: the slope of passage
-    /// time against count, to and fro displaced by the gate's place.
+    /// Period and decay against amplitude (m) in windows of `passages_per_window` passages: the
+    /// slope of passage time against count, to and fro displaced by the gate's place.
     pub fn against_amplitude(&self, passages_per_window: usize) -> Vec<WindowPoint> {
         let size = passages_per_window.max(5);
         let count = self.passages_s.len() / size;
-        (0..count).filter_map(|k| self.window(k * size, (k + 1) * size)).collect()
+        (0..count)
+            .filter_map(|k| self.window(k * size, (k + 1) * size))
+            .collect()
     }
 
     fn window(&self, from: usize, to: usize) -> Option<WindowPoint> {
@@ -189,8 +220,14 @@ impl GatePeriods {
         for w in t.windows(2) {
             count.push(count.last()? + ((w[1] - w[0]) / half_s).round());
         }
-        let side: Vec<f64> = count.iter().map(|c| if c.rem_euclid(2.0) < 0.5 { 0.5 } else { -0.5 }).collect();
-        let centred: Vec<f64> = count.iter().map(|c| c - 0.5 * count[count.len() - 1]).collect();
+        let side: Vec<f64> = count
+            .iter()
+            .map(|c| if c.rem_euclid(2.0) < 0.5 { 0.5 } else { -0.5 })
+            .collect();
+        let centred: Vec<f64> = count
+            .iter()
+            .map(|c| c - 0.5 * count[count.len() - 1])
+            .collect();
         let ones = vec![1.0; t.len()];
         let times = linear(&[ones.clone(), centred.clone(), side], t, &ones)?;
         let period_s = 2.0 * times.parameters[1];

@@ -10,8 +10,14 @@ pub const GERMAN: [(&str, &str); 6] = [
         "growing",
         "{count} der Schwingungsformen würden anwachsen, was eine freie Schwingung nicht tut: ihr Abklingen ist auf null gesetzt",
     ),
-    ("many", "Es wurden so viele Schwingungsformen gefunden wie erlaubt; es kann mehr geben"),
-    ("lead_in", "Die ersten {length_s} s (Warten, Handhaben, Loslassen) sind weggelassen"),
+    (
+        "many",
+        "Es wurden so viele Schwingungsformen gefunden wie erlaubt; es kann mehr geben",
+    ),
+    (
+        "lead_in",
+        "Die ersten {length_s} s (Warten, Handhaben, Loslassen) sind weggelassen",
+    ),
     (
         "lead_out",
         "Die letzten {length_s} s, von {from_s} s an, sind weggelassen: die Schwingung wurde gestört",

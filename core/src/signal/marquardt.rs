@@ -37,10 +37,16 @@ pub(super) fn linear(columns: &[Vec<f64>], y: &[f64], weight: &[f64]) -> Option<
     let inverse = inverse_normal(&matrix)?;
     let parameters = &inverse * matrix.transpose() * &right;
     let rss = (&matrix * &parameters - right).norm_squared();
-    Some(finished(parameters.iter().copied().collect(), inverse, rss, rows - count))
+    Some(finished(
+        parameters.iter().copied().collect(),
+        inverse,
+        rss,
+        rows - count,
+    ))
 }
 
-/// Minimises the squares of `residuals` from `start`; `scale` is the size of a change that matters of each parameter.
+/// Minimises the squares of `residuals` from `start`; `scale` is the size of a change that matters
+/// of each parameter.
 pub(super) fn nonlinear(
     residuals: &dyn Fn(&[f64]) -> Vec<f64>,
     start: &[f64],
@@ -52,7 +58,12 @@ pub(super) fn nonlinear(
     let mut jacobian = slopes(residuals, &p, scale, r.len());
     for _ in 0..60 {
         let step = damped_step(&jacobian, &r, damping)?;
-        let tried: Vec<f64> = p.iter().zip(scale).zip(step.iter()).map(|((p, s), d)| p + s * d).collect();
+        let tried: Vec<f64> = p
+            .iter()
+            .zip(scale)
+            .zip(step.iter())
+            .map(|((p, s), d)| p + s * d)
+            .collect();
         let tried_r = DVector::from_vec(residuals(&tried));
         if tried_r.norm_squared() < r.norm_squared() {
             let gained = 1.0 - tried_r.norm_squared() / r.norm_squared();
@@ -81,7 +92,12 @@ pub(super) fn nonlinear(
 }
 
 fn finished(parameters: Vec<f64>, inverse: DMatrix<f64>, rss: f64, dof: usize) -> CurveFit {
-    CurveFit { parameters, covariance: inverse * (rss / dof as f64), rss, dof }
+    CurveFit {
+        parameters,
+        covariance: inverse * (rss / dof as f64),
+        rss,
+        dof,
+    }
 }
 
 /// (MᵀM)⁻¹ by QR: the condition number is not squared.
@@ -90,15 +106,24 @@ fn inverse_normal(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     if size.iter().any(|s| !s.is_finite() || *s == 0.0) {
         return None;
     }
-    let unit = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |r, c| matrix[(r, c)] / size[c]);
+    let unit = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |r, c| {
+        matrix[(r, c)] / size[c]
+    });
     let r = unit.qr().r();
     let inverse = r.try_inverse()?;
     let normal = &inverse * inverse.transpose();
-    Some(DMatrix::from_fn(size.len(), size.len(), |i, j| normal[(i, j)] / (size[i] * size[j])))
+    Some(DMatrix::from_fn(size.len(), size.len(), |i, j| {
+        normal[(i, j)] / (size[i] * size[j])
+    }))
 }
 
 /// Central differences with respect to each parameter in units of its scale.
-fn slopes(residuals: &dyn Fn(&[f64]) -> Vec<f64>, p: &[f64], scale: &[f64], rows: usize) -> DMatrix<f64> {
+fn slopes(
+    residuals: &dyn Fn(&[f64]) -> Vec<f64>,
+    p: &[f64],
+    scale: &[f64],
+    rows: usize,
+) -> DMatrix<f64> {
     const STEP: f64 = 1e-4;
     let mut jacobian = DMatrix::zeros(rows, p.len());
     for k in 0..p.len() {
@@ -117,7 +142,9 @@ fn damped_step(jacobian: &DMatrix<f64>, r: &DVector<f64>, damping: f64) -> Optio
     let mut normal = jacobian.transpose() * jacobian;
     let floor = 1e-12 * normal.trace() + f64::MIN_POSITIVE;
     (0..normal.nrows()).for_each(|k| normal[(k, k)] += damping * normal[(k, k)] + floor);
-    normal.cholesky().map(|c| -c.solve(&(jacobian.transpose() * r)))
+    normal
+        .cholesky()
+        .map(|c| -c.solve(&(jacobian.transpose() * r)))
 }
 
 #[cfg(test)]
@@ -126,7 +153,8 @@ mod tests {
 
     #[test]
     fn a_straight_line_with_its_textbook_errors() {
-        // y = 1 + 2x with residuals +1, −1, −1, +1: slope and intercept stay, s² = 4/2, Σ(x − x̄)² = 5.
+        // y = 1 + 2x with residuals +1, −1, −1, +1: slope and intercept stay, s² = 4/2, Σ(x − x̄)²
+        // = 5.
         let columns = [vec![1.0; 4], vec![0.0, 1.0, 2.0, 3.0]];
         let fit = linear(&columns, &[2.0, 2.0, 4.0, 8.0], &[1.0; 4]).unwrap();
         assert!((fit.parameters[0] - 1.0).abs() < 1e-12 && (fit.parameters[1] - 2.0).abs() < 1e-12);
@@ -137,8 +165,11 @@ mod tests {
     #[test]
     fn an_exponential_is_found_from_afar() {
         let t: Vec<f64> = (0..50).map(|i| i as f64 * 0.1).collect();
-        let residuals =
-            |p: &[f64]| t.iter().map(|t| p[0] * (-p[1] * t).exp() - 3.0 * (-0.7 * t).exp()).collect();
+        let residuals = |p: &[f64]| {
+            t.iter()
+                .map(|t| p[0] * (-p[1] * t).exp() - 3.0 * (-0.7 * t).exp())
+                .collect()
+        };
         let fit = nonlinear(&residuals, &[1.0, 0.1], &[1.0, 0.1]).unwrap();
         assert!((fit.parameters[0] - 3.0).abs() < 1e-6 && (fit.parameters[1] - 0.7).abs() < 1e-6);
     }

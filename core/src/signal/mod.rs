@@ -43,7 +43,8 @@ pub use small_amplitude::{PeriodLaw, SmallAmplitude, small_amplitude_limit};
 pub use spectrum::spectrum;
 pub use trim::{FreeSpan, SpanNote, SpanNoteKind, free_swing_span, undisturbed_span};
 pub use types::{
-    AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode, Spectrum,
+    AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode,
+    Spectrum,
 };
 pub(crate) use words::sentence;
 pub use words::sentences;

@@ -1,6 +1,8 @@
-//! Eq. (14): a list of periods whose mean drifts and which a second motion modulates at the beat period.
+//! Eq. (14): a list of periods whose mean drifts and which a second motion modulates at the beat
+//! period.
 //!
-//! The print lost the amplitude of the modulation; with it, T(t) = T0 (1 + bt) + C exp(−t/τ_m) sin(2πt/T_m + φ_m).
+//! The print lost the amplitude of the modulation; with it, T(t) = T0 (1 + bt) + C exp(−t/τ_m)
+//! sin(2πt/T_m + φ_m).
 //!
 //! # Conventions
 //! `t` counts from the first period of the list, so `T0` is the unmodulated period there.
@@ -52,20 +54,26 @@ pub struct Modulation {
 impl Modulation {
     /// τ_m, s; infinite where no decay is seen.
     pub fn tau_m_s(&self) -> f64 {
-        if self.decay_per_s > 0.0 { 1.0 / self.decay_per_s } else { f64::INFINITY }
+        if self.decay_per_s > 0.0 {
+            1.0 / self.decay_per_s
+        } else {
+            f64::INFINITY
+        }
     }
 }
 
 impl PeriodTrend {
     /// The curve at `t_s` after the first entry, s: eq. (14).
     pub fn at(&self, t_s: f64) -> f64 {
-        let wave =
-            |m: &Modulation| m.c_s * (-m.decay_per_s * t_s).exp() * (TAU * t_s / m.t_m_s + m.phase_rad).sin();
+        let wave = |m: &Modulation| {
+            m.c_s * (-m.decay_per_s * t_s).exp() * (TAU * t_s / m.t_m_s + m.phase_rad).sin()
+        };
         self.t0_s * (1.0 + self.b_per_s * t_s) + self.modulation.as_ref().map_or(0.0, wave)
     }
 }
 
-/// Evidence (in units of the information criterion) a richer curve must win by: odds of about 20 to 1.
+/// Evidence (in units of the information criterion) a richer curve must win by: odds of about 20 to
+/// 1.
 const BIC_MARGIN: f64 = 6.0;
 
 /// Fits eq. (14), falling back to T0 (1 + bt) and to a constant; `None` below two periods.
@@ -105,7 +113,12 @@ fn modulated(t: &[f64], y: &[f64], plain: &CurveFit) -> Option<CurveFit> {
         .filter_map(|(f, decay)| at_frequency(t, y, f, decay))
         .min_by(|a, b| a.1.total_cmp(&b.1))?
         .0;
-    let residuals = |p: &[f64]| t.iter().zip(y).map(|(t, y)| curve(p, *t) - y).collect::<Vec<f64>>();
+    let residuals = |p: &[f64]| {
+        t.iter()
+            .zip(y)
+            .map(|(t, y)| curve(p, *t) - y)
+            .collect::<Vec<f64>>()
+    };
     let size = start[2].hypot(start[3]).max(1e-12 * start[0].abs());
     let scale = [size, size / span, size, size, 0.1 / span, 1.0 / span];
     let fit = nonlinear(&residuals, &start, &scale)?;
@@ -118,10 +131,21 @@ fn modulated(t: &[f64], y: &[f64], plain: &CurveFit) -> Option<CurveFit> {
 
 fn at_frequency(t: &[f64], y: &[f64], f: f64, decay: f64) -> Option<([f64; 6], f64)> {
     let part = |sine: bool| {
-        let of = |t: &f64| (-decay * t).exp() * if sine { (TAU * f * t).sin() } else { (TAU * f * t).cos() };
+        let of = |t: &f64| {
+            (-decay * t).exp()
+                * if sine {
+                    (TAU * f * t).sin()
+                } else {
+                    (TAU * f * t).cos()
+                }
+        };
         t.iter().map(of).collect::<Vec<f64>>()
     };
-    let fit = linear(&[vec![1.0; t.len()], t.to_vec(), part(true), part(false)], y, &vec![1.0; t.len()])?;
+    let fit = linear(
+        &[vec![1.0; t.len()], t.to_vec(), part(true), part(false)],
+        y,
+        &vec![1.0; t.len()],
+    )?;
     let p = &fit.parameters;
     Some(([p[0], p[1], p[2], p[3], f, decay], fit.rss))
 }
@@ -130,9 +154,16 @@ fn described(fit: &CurveFit, middle: f64, with_modulation: bool) -> PeriodTrend 
     let p = &fit.parameters;
     let v = &fit.covariance;
     let sloped = p.len() > 1;
-    let (slope, slope_se) = if sloped { (p[1], fit.se(1)) } else { (0.0, 0.0) };
-    let mean_variance =
-        if sloped { v[(0, 0)] + 2.0 * middle * v[(0, 1)] + middle * middle * v[(1, 1)] } else { v[(0, 0)] };
+    let (slope, slope_se) = if sloped {
+        (p[1], fit.se(1))
+    } else {
+        (0.0, 0.0)
+    };
+    let mean_variance = if sloped {
+        v[(0, 0)] + 2.0 * middle * v[(0, 1)] + middle * middle * v[(1, 1)]
+    } else {
+        v[(0, 0)]
+    };
     PeriodTrend {
         t0_s: p[0],
         t0_se_s: fit.se(0),
@@ -150,7 +181,8 @@ fn modulation(fit: &CurveFit) -> Modulation {
     let c_s = p[2].hypot(p[3]);
     let v = &fit.covariance;
     let c_variance =
-        (p[2] * p[2] * v[(2, 2)] + 2.0 * p[2] * p[3] * v[(2, 3)] + p[3] * p[3] * v[(3, 3)]) / (c_s * c_s);
+        (p[2] * p[2] * v[(2, 2)] + 2.0 * p[2] * p[3] * v[(2, 3)] + p[3] * p[3] * v[(3, 3)])
+            / (c_s * c_s);
     Modulation {
         c_s,
         c_se_s: c_variance.max(0.0).sqrt(),

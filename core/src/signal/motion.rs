@@ -1,9 +1,9 @@
 //! One mode's motion and how it depends on the mode's parameters.
 //!
 //! # Conventions
-//! `z(τ) = E(τ) exp(iφ(τ))`, `E' = −E(α + βE)`, `φ' = ω + shift·E^power`, `z(0) = 1`. In closed form, with
-//! `u = (1 − e^{−ατ})/α`: `E = e^{−ατ}/(1 + βu)`; `∫E = ln(1 + βu)/β`;
-//! `∫E² = ((1 + α/β)(1 − 1/(1 + βu)) − (α/β) ln(1 + βu))/β`.
+//! `z(τ) = E(τ) exp(iφ(τ))`, `E' = −E(α + βE)`, `φ' = ω + shift·E^power`, `z(0) = 1`. In closed
+//! form, with `u = (1 − e^{−ατ})/α`: `E = e^{−ατ}/(1 + βu)`; `∫E = ln(1 + βu)/β`; `∫E² = ((1 +
+//! α/β)(1 − 1/(1 + βu)) − (α/β) ln(1 + βu))/β`.
 
 use num_complex::Complex64;
 
@@ -33,7 +33,11 @@ pub(super) struct MotionAt {
 
 impl Motion {
     pub fn plain(omega: f64, alpha: f64) -> Self {
-        Self { omega, alpha, law: None }
+        Self {
+            omega,
+            alpha,
+            law: None,
+        }
     }
 
     pub fn parameter_count(&self) -> usize {
@@ -42,19 +46,33 @@ impl Motion {
 
     pub fn parameters(&self) -> Vec<f64> {
         let law = self.law.map(|law| [law.shift, law.beta]);
-        [self.omega, self.alpha].into_iter().chain(law.into_iter().flatten()).collect()
+        [self.omega, self.alpha]
+            .into_iter()
+            .chain(law.into_iter().flatten())
+            .collect()
     }
 
     pub fn with_parameters(&self, p: &[f64]) -> Self {
-        let law = self.law.map(|law| Law { shift: p[2], beta: p[3], power: law.power });
-        Self { omega: p[0], alpha: p[1], law }
+        let law = self.law.map(|law| Law {
+            shift: p[2],
+            beta: p[3],
+            power: law.power,
+        });
+        Self {
+            omega: p[0],
+            alpha: p[1],
+            law,
+        }
     }
 
     /// Whether the envelope stays finite over the span.
     pub fn is_sound(&self) -> bool {
         let beta = self.law.map_or(0.0, |law| law.beta);
         let turned = 1.0 + beta * ramp(self.alpha, 1.0);
-        self.omega > 0.0 && self.alpha.abs() < 0.7 * self.omega + 5.0 && turned > 0.02 && turned.is_finite()
+        self.omega > 0.0
+            && self.alpha.abs() < 0.7 * self.omega + 5.0
+            && turned > 0.02
+            && turned.is_finite()
     }
 
     /// Envelope E(τ).
@@ -68,7 +86,11 @@ impl Motion {
         let Some(law) = self.law else {
             let rate = Complex64::new(-self.alpha, self.omega);
             let zero = Complex64::ZERO;
-            return MotionAt { log: rate * tau, rate, slopes: [i * tau, Complex64::from(-tau), zero, zero] };
+            return MotionAt {
+                log: rate * tau,
+                rate,
+                slopes: [i * tau, Complex64::from(-tau), zero, zero],
+            };
         };
         let (alpha, beta) = (self.alpha, law.beta);
         let decay = (-alpha * tau).exp();
@@ -77,9 +99,13 @@ impl Motion {
         let (envelope, log_turned) = (decay / turned, (beta * u).ln_1p());
         let swept = Swept::of(alpha, beta, u, log_turned, law.power);
         let along = (decay / (turned * turned), 1.0 / turned);
-        let swept_by_alpha = swept.by_alpha + by_alpha * if law.power == 1 { along.1 } else { along.0 };
+        let swept_by_alpha =
+            swept.by_alpha + by_alpha * if law.power == 1 { along.1 } else { along.0 };
         MotionAt {
-            log: Complex64::new(-alpha * tau - log_turned, self.omega * tau + law.shift * swept.value),
+            log: Complex64::new(
+                -alpha * tau - log_turned,
+                self.omega * tau + law.shift * swept.value,
+            ),
             rate: Complex64::new(
                 -alpha - beta * envelope,
                 self.omega + law.shift * envelope.powi(i32::from(law.power)),
@@ -97,7 +123,11 @@ impl Motion {
 /// u = (1 − e^{−ατ})/α.
 fn ramp(alpha: f64, tau: f64) -> f64 {
     let x = alpha * tau;
-    if x.abs() < 1e-8 { tau * (1.0 - 0.5 * x) } else { -(-x).exp_m1() / alpha }
+    if x.abs() < 1e-8 {
+        tau * (1.0 - 0.5 * x)
+    } else {
+        -(-x).exp_m1() / alpha
+    }
 }
 
 /// ∂u/∂α.
@@ -109,8 +139,8 @@ fn ramp_slope(alpha: f64, tau: f64, decay: f64) -> f64 {
     (tau * decay - ramp(alpha, tau)) / alpha
 }
 
-/// ∫₀^τ E^power = ∫₀^u g(v) dv with `g = 1/(1 + βv)` (power 1) or `(1 − αv)/(1 + βv)²` (power 2), and its derivatives
-/// at constant u.
+/// ∫₀^τ E^power = ∫₀^u g(v) dv with `g = 1/(1 + βv)` (power 1) or `(1 − αv)/(1 + βv)²` (power 2),
+/// and its derivatives at constant u.
 struct Swept {
     value: f64,
     by_alpha: f64,
@@ -121,11 +151,18 @@ impl Swept {
     fn of(alpha: f64, beta: f64, u: f64, log_turned: f64, power: u8) -> Self {
         let x = beta * u;
         // Below 0.05 the closed forms cancel.
-        let [one, first, second] =
-            if x.abs() < 0.05 { moments_series(beta, u) } else { moments(beta, u, log_turned) };
+        let [one, first, second] = if x.abs() < 0.05 {
+            moments_series(beta, u)
+        } else {
+            moments(beta, u, log_turned)
+        };
         let turned = 1.0 + x;
         if power == 1 {
-            return Self { value: one, by_alpha: 0.0, by_beta: -first };
+            return Self {
+                value: one,
+                by_alpha: 0.0,
+                by_beta: -first,
+            };
         }
         // ∫(1 − αv)/(1 + βv)² = u/(1 + βu) − α∫v/(1 + βv)².
         Self {
@@ -164,10 +201,22 @@ mod tests {
     /// Against numerical integration of the differential equations (midpoint rule, 20 000 steps).
     #[test]
     fn closed_forms_solve_the_equations() {
-        for (alpha, beta, power) in
-            [(1.3, 0.8, 2), (1.3, 0.01, 2), (0.0, 2.0, 2), (-0.2, 0.6, 1), (2.0, 0.0, 1)]
-        {
-            let motion = Motion { omega: 40.0, alpha, law: Some(Law { shift: -3.0, beta, power }) };
+        for (alpha, beta, power) in [
+            (1.3, 0.8, 2),
+            (1.3, 0.01, 2),
+            (0.0, 2.0, 2),
+            (-0.2, 0.6, 1),
+            (2.0, 0.0, 1),
+        ] {
+            let motion = Motion {
+                omega: 40.0,
+                alpha,
+                law: Some(Law {
+                    shift: -3.0,
+                    beta,
+                    power,
+                }),
+            };
             let (mut envelope, mut phase, steps) = (1.0_f64, 0.0, 20_000);
             let h = 1.0 / f64::from(steps);
             for _ in 0..steps {
@@ -176,17 +225,39 @@ mod tests {
                 phase += h * (40.0 - 3.0 * middle.powi(i32::from(power)));
             }
             let log = motion.at(1.0).log;
-            assert!((log.re - envelope.ln()).abs() < 1e-7, "{alpha} {beta}: {} {}", log.re, envelope.ln());
-            assert!((log.im - phase).abs() < 1e-6, "{alpha} {beta}: {} {phase}", log.im);
+            assert!(
+                (log.re - envelope.ln()).abs() < 1e-7,
+                "{alpha} {beta}: {} {}",
+                log.re,
+                envelope.ln()
+            );
+            assert!(
+                (log.im - phase).abs() < 1e-6,
+                "{alpha} {beta}: {} {phase}",
+                log.im
+            );
         }
     }
     /// Central differences of the logarithm, which the first test holds.
     #[test]
     fn slopes_are_the_derivatives() {
-        for (alpha, beta, power) in
-            [(1.3, 0.8, 2), (1.3, 0.01, 2), (1e-5, 2.0, 2), (-0.2, -0.3, 1), (2.0, 0.0, 1), (0.4, 0.0, 2)]
-        {
-            let motion = Motion { omega: 40.0, alpha, law: Some(Law { shift: -3.0, beta, power }) };
+        for (alpha, beta, power) in [
+            (1.3, 0.8, 2),
+            (1.3, 0.01, 2),
+            (1e-5, 2.0, 2),
+            (-0.2, -0.3, 1),
+            (2.0, 0.0, 1),
+            (0.4, 0.0, 2),
+        ] {
+            let motion = Motion {
+                omega: 40.0,
+                alpha,
+                law: Some(Law {
+                    shift: -3.0,
+                    beta,
+                    power,
+                }),
+            };
             let at = motion.at(0.7);
             let p = motion.parameters();
             for (i, slope) in at.slopes.iter().enumerate() {

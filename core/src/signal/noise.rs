@@ -1,11 +1,13 @@
 //! The white noise of each channel and the size of the residual, at full resolution.
 //!
-//! Two figures for each channel. The white level: residuals are cut into runs of 16 samples; the median over the
-//! runs of the variance about the run's own mean knows nothing of misfit, drift or single knocks. The root mean
-//! square of the whole residual: it contains them. Their ratio tells whether the model is complete.
+//! Two figures for each channel. The white level: residuals are cut into runs of 16 samples; the
+//! median over the runs of the variance about the run's own mean knows nothing of misfit, drift or
+//! single knocks. The root mean square of the whole residual: it contains them. Their ratio tells
+//! whether the model is complete.
 //!
-//! The model is not evaluated at each sample but expanded to third order about each cell's centroid, which is
-//! exact to 2e-5 of a mode's amplitude and costs three multiplications a sample for any number of modes.
+//! The model is not evaluated at each sample but expanded to third order about each cell's
+//! centroid, which is exact to 2e-5 of a mode's amplitude and costs three multiplications a sample
+//! for any number of modes.
 
 use num_complex::Complex64;
 
@@ -43,7 +45,11 @@ pub(super) fn group_noise(
     let from_centroid = from_centroid(cells, group, clock);
     let of_channel = |(c, values): (usize, &Vec<f64>)| {
         let mut residuals = values.clone();
-        for (bounds, poly) in cells.start.windows(2).zip(expansions.iter().skip(c).step_by(cells.channels)) {
+        for (bounds, poly) in cells
+            .start
+            .windows(2)
+            .zip(expansions.iter().skip(c).step_by(cells.channels))
+        {
             let own = bounds[0]..bounds[1];
             for (y, s) in residuals[own.clone()].iter_mut().zip(&from_centroid[own]) {
                 *y -= poly[0] + s * (poly[1] + s * (poly[2] + s * poly[3]));
@@ -60,7 +66,11 @@ fn from_centroid(cells: &Cells, group: &ChannelGroup, clock: Clock) -> Vec<f64> 
     let mut all = Vec::with_capacity(group.t_s.len());
     for (bounds, tau) in cells.start.windows(2).zip(&cells.tau) {
         let centroid_s = clock.t_ref_s + tau * clock.span_s;
-        all.extend(group.t_s[bounds[0]..bounds[1]].iter().map(|t| (t - centroid_s) * scale));
+        all.extend(
+            group.t_s[bounds[0]..bounds[1]]
+                .iter()
+                .map(|t| (t - centroid_s) * scale),
+        );
     }
     all
 }
@@ -73,7 +83,10 @@ fn expansions(fit: &Fit, first: usize, cells: &Cells, offsets: &[f64]) -> Vec<[f
     let mut all = Vec::with_capacity(cells.len() * cells.channels);
     for &tau in &cells.tau {
         walk.go_to(tau);
-        atoms.iter_mut().enumerate().for_each(|(k, atom)| *atom = fit.model.atom_at(k, &walk));
+        atoms
+            .iter_mut()
+            .enumerate()
+            .for_each(|(k, atom)| *atom = fit.model.atom_at(k, &walk));
         legendre(tau, &mut values);
         let slopes = legendre_slopes(&values);
         all.extend(
@@ -119,9 +132,14 @@ impl ChannelNoise {
         } else {
             *variances.select_nth_unstable_by(middle, f64::total_cmp).1 / RUN_MEDIAN
         };
-        // Coarsely quantised channels can have runs without any scatter; then the residual speaks alone.
+        // Coarsely quantised channels can have runs without any scatter; then the residual speaks
+        // alone.
         let variance = if median > 0.0 { median } else { rss / samples };
-        Self { white: variance.sqrt(), rss, samples }
+        Self {
+            white: variance.sqrt(),
+            rss,
+            samples,
+        }
     }
 }
 

@@ -1,9 +1,10 @@
 //! How many modes there are, decided from the data.
 //!
-//! The strongest line of the residual's spectrum, each channel measured against its own coloured floor, is
-//! tried as what it may be: a combination tone of known modes, an amplitude law of the mode it stands beside,
-//! the other half of a close pair, or a mode of its own. A trial stays if what it takes off the sum of squares,
-//! measured against the floor *after* the trial, is beyond what the largest of all noise bins would take off.
+//! The strongest line of the residual's spectrum, each channel measured against its own coloured
+//! floor, is tried as what it may be: a combination tone of known modes, an amplitude law of the
+//! mode it stands beside, the other half of a close pair, or a mode of its own. A trial stays if
+//! what it takes off the sum of squares, measured against the floor *after* the trial, is beyond
+//! what the largest of all noise bins would take off.
 
 use std::cell::RefCell;
 
@@ -74,7 +75,10 @@ impl<'a> Search<'a> {
     pub fn new(record: &'a Record<'a>, options: &'a DecomposeOptions) -> Option<Self> {
         let band_width = record.band_width();
         let band_cells = record.gather(band_width);
-        let model = Model { baseline: 2, ..Model::default() };
+        let model = Model {
+            baseline: 2,
+            ..Model::default()
+        };
         let width = band_width.max(1.0 / START_CELLS);
         let cells = record.gather(width);
         let fit = project(&model, &cells)?;
@@ -95,7 +99,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Adds lines until the residual has none; where there are none, below a drift that stands in front of them.
+    /// Adds lines until the residual has none; where there are none, below a drift that stands in
+    /// front of them.
     pub fn run(&mut self) {
         self.add_lines();
         while self.fit.model.modes.is_empty() && self.take_more_drift() {
@@ -108,10 +113,16 @@ impl<'a> Search<'a> {
     /// A richer baseline before there are modes, as far as some of the band stays above it.
     fn take_more_drift(&mut self) -> bool {
         let baseline = self.fit.model.baseline + DRIFT_STEP;
-        let model = Model { baseline, ..Model::default() };
-        let fit = (baseline <= MOST_BASELINE).then(|| project(&model, &self.cells)).flatten();
+        let model = Model {
+            baseline,
+            ..Model::default()
+        };
+        let fit = (baseline <= MOST_BASELINE)
+            .then(|| project(&model, &self.cells))
+            .flatten();
         let Some(fit) = fit else { return false };
-        let taken = self.gain(&fit, &self.whiten(&fit), 0.5 * baseline as f64) > DRIFT_GAIN * self.bound;
+        let taken =
+            self.gain(&fit, &self.whiten(&fit), 0.5 * baseline as f64) > DRIFT_GAIN * self.bound;
         if taken {
             self.fit = fit;
         }
@@ -121,7 +132,10 @@ impl<'a> Search<'a> {
     /// The band as far as the baseline does not follow it.
     fn band(&self) -> (f64, f64) {
         let (low, high) = self.record.band;
-        (low.max(self.fit.model.baseline as f64 / BASELINE_PER_CYCLE), high)
+        (
+            low.max(self.fit.model.baseline as f64 / BASELINE_PER_CYCLE),
+            high,
+        )
     }
 
     fn add_lines(&mut self) {
@@ -131,11 +145,16 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The strongest line of all, where none was found: its own skirts may have passed for the floor that hides it.
+    /// The strongest line of all, where none was found: its own skirts may have passed for the
+    /// floor that hides it.
     fn add_strongest_line(&mut self) -> bool {
         let flat = self.whiten(&self.fit).over_mean_power();
-        let Some(peak) = flat.peak(self.band(), &[], &self.fit) else { return false };
-        let Some((fit, Some(after))) = self.improve(&peak, &[]) else { return false };
+        let Some(peak) = flat.peak(self.band(), &[], &self.fit) else {
+            return false;
+        };
+        let Some((fit, Some(after))) = self.improve(&peak, &[]) else {
+            return false;
+        };
         let stands = self.gain(&fit, &after, peak.k) > DRIFT_GAIN * self.bound;
         if stands {
             self.fit = fit;
@@ -150,7 +169,9 @@ impl<'a> Search<'a> {
             if tried.is_empty() && self.raise_baseline(&whitened) {
                 whitened = self.whiten(&self.fit);
             }
-            let Some(peak) = whitened.peak(self.band(), &masked, &self.fit) else { break };
+            let Some(peak) = whitened.peak(self.band(), &masked, &self.fit) else {
+                break;
+            };
             if self.options.mode_count.is_none() && peak.power < 0.6 * self.bound {
                 break;
             }
@@ -167,7 +188,11 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        self.top_floor = whitened.floors.iter().map(|floor| floor.at(self.record.band.1)).collect();
+        self.top_floor = whitened
+            .floors
+            .iter()
+            .map(|floor| floor.at(self.record.band.1))
+            .collect();
     }
 
     /// The last steps, on cells so fine that next to nothing is lost.
@@ -175,7 +200,9 @@ impl<'a> Search<'a> {
         if self.fit.model.modes.is_empty() {
             return;
         }
-        let width = self.record.fit_width(self.fit.model.highest_omega(), FINAL_CELLS);
+        let width = self
+            .record
+            .fit_width(self.fit.model.highest_omega(), FINAL_CELLS);
         if width < 0.8 * self.width {
             self.width = width;
             self.cells = self.record.gather(width);
@@ -188,10 +215,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// A free swing does not grow: where the fit says so beyond its noise, the decay is held at zero.
+    /// A free swing does not grow: where the fit says so beyond its noise, the decay is held at
+    /// zero.
     fn hold_growing(&mut self) {
-        let Some((_, curvature)) = project_with_curvature(&self.fit.model, &self.cells) else { return };
-        let Some(covariance) = curvature.hessian.cholesky().map(|c| c.inverse()) else { return };
+        let Some((_, curvature)) = project_with_curvature(&self.fit.model, &self.cells) else {
+            return;
+        };
+        let Some(covariance) = curvature.hessian.cholesky().map(|c| c.inverse()) else {
+            return;
+        };
         let (mut model, mut held) = (self.fit.model.clone(), vec![]);
         for m in 0..model.modes.len() {
             let at = model.parameter_offset(m) + 1;
@@ -228,7 +260,9 @@ impl<'a> Search<'a> {
                 let after = (fit.model.modes.len() < count).then(|| self.whiten(&fit));
                 Some((fit, after))
             }
-            None => self.best_trial(peak, tried).map(|(fit, after)| (fit, Some(after))),
+            None => self
+                .best_trial(peak, tried)
+                .map(|(fit, after)| (fit, Some(after))),
         };
         if let (None, Some(before)) = (&found, before) {
             (self.cells, self.width, self.fit) = before;
@@ -241,7 +275,11 @@ impl<'a> Search<'a> {
         for (kind, fit) in proposals(self, peak, false, tried) {
             let after = self.whiten(&fit);
             let gain = self.gain(&fit, &after, peak.k);
-            let needed = if kind == Kind::Law { LAW_GAIN } else { 2.0 * self.bound };
+            let needed = if kind == Kind::Law {
+                LAW_GAIN
+            } else {
+                2.0 * self.bound
+            };
             if gain < needed {
                 continue;
             }
@@ -258,11 +296,19 @@ impl<'a> Search<'a> {
 
     /// χ² that a fit gains over the present one, by the floor at a frequency.
     fn gain(&self, fit: &Fit, after: &Whitened, k: f64) -> f64 {
-        let lost = self.fit.rss.iter().zip(&fit.rss).map(|(before, after)| before - after);
-        lost.zip(&after.floors).map(|(lost, floor)| (lost / floor.at(k)).clamp(-1e12, 1e12)).sum()
+        let lost = self
+            .fit
+            .rss
+            .iter()
+            .zip(&fit.rss)
+            .map(|(before, after)| before - after);
+        lost.zip(&after.floors)
+            .map(|(lost, floor)| (lost / floor.at(k)).clamp(-1e12, 1e12))
+            .sum()
     }
 
-    /// Finer cells where a faster line is tried than the present cells resolve; what was before is returned.
+    /// Finer cells where a faster line is tried than the present cells resolve; what was before is
+    /// returned.
     fn make_cells_for(&mut self, omega: f64) -> Option<(Vec<Cells>, f64, Fit)> {
         let fastest = self.fit.model.highest_omega().max(omega);
         let width = self.record.fit_width(fastest, SEARCH_CELLS);
@@ -272,12 +318,20 @@ impl<'a> Search<'a> {
         }
         let cells = std::mem::replace(&mut self.cells, self.record.gather(width));
         let fit = refine(&self.fit.model, &self.cells, 3).unwrap_or_else(|| self.fit.clone());
-        Some((cells, std::mem::replace(&mut self.width, width), std::mem::replace(&mut self.fit, fit)))
+        Some((
+            cells,
+            std::mem::replace(&mut self.width, width),
+            std::mem::replace(&mut self.fit, fit),
+        ))
     }
 
     /// Residual spectrum of a fit over its floor, on the finer of the two sets of cells.
     pub fn whiten(&self, fit: &Fit) -> Whitened {
-        let finer = if self.width < self.band_width { &self.cells } else { &self.band_cells };
+        let finer = if self.width < self.band_width {
+            &self.cells
+        } else {
+            &self.band_cells
+        };
         let width = self.width.min(self.band_width);
         Whitened::of(self.residual_spectrum(fit, finer, width), self.record.band)
     }
@@ -288,20 +342,37 @@ impl<'a> Search<'a> {
     }
 
     fn residual_spectrum(&self, fit: &Fit, cells: &[Cells], width: f64) -> Periodogram {
-        periodogram(&mut self.planner.borrow_mut(), cells, &cell_residuals(fit, cells), width)
+        periodogram(
+            &mut self.planner.borrow_mut(),
+            cells,
+            &cell_residuals(fit, cells),
+            width,
+        )
     }
 
     /// Two more baseline polynomials where the spectrum stands high below the band.
     fn raise_baseline(&mut self, whitened: &Whitened) -> bool {
-        let slowest = self.fit.model.modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
-        let room = (BASELINE_PER_CYCLE * slowest / std::f64::consts::TAU).min(MOST_BASELINE as f64) as usize;
+        let slowest = self
+            .fit
+            .model
+            .modes
+            .iter()
+            .map(|m| m.omega)
+            .fold(f64::INFINITY, f64::min);
+        let room = (BASELINE_PER_CYCLE * slowest / std::f64::consts::TAU).min(MOST_BASELINE as f64)
+            as usize;
         let baseline = self.fit.model.baseline + 2;
         let low = whitened.highest(0.3, self.record.band.0.min(1.5));
         if slowest.is_infinite() || baseline > room || low < 0.5 * self.bound {
             return false;
         }
-        let model = Model { baseline, ..self.fit.model.clone() };
-        let Some(fit) = refine(&model, &self.cells, 6) else { return false };
+        let model = Model {
+            baseline,
+            ..self.fit.model.clone()
+        };
+        let Some(fit) = refine(&model, &self.cells, 6) else {
+            return false;
+        };
         let after = self.whiten(&fit);
         let raised = self.gain(&fit, &after, 0.5 * baseline as f64) > 2.0 * self.bound;
         if raised {
@@ -318,11 +389,16 @@ impl<'a> Search<'a> {
             }
             let mut model = self.fit.model.clone();
             model.modes[m].law = None;
-            let Some(plain) = refine(&model, &self.cells, 12) else { continue };
+            let Some(plain) = refine(&model, &self.cells, 12) else {
+                continue;
+            };
             let after = self.whiten(&self.fit);
             let k = self.fit.model.modes[m].omega / std::f64::consts::TAU;
             let lost = plain.rss.iter().zip(&self.fit.rss).map(|(a, b)| a - b);
-            let gain: f64 = lost.zip(&after.floors).map(|(lost, floor)| lost / floor.at(k)).sum();
+            let gain: f64 = lost
+                .zip(&after.floors)
+                .map(|(lost, floor)| lost / floor.at(k))
+                .sum();
             if gain < LAW_GAIN {
                 self.fit = plain;
             }
@@ -331,9 +407,18 @@ impl<'a> Search<'a> {
 }
 
 /// Whether a trial beats the one held.
-fn prefer(kind: Kind, gain: f64, fit: &Fit, held_kind: Kind, held: f64, held_fit: &Fit, bound: f64) -> bool {
+fn prefer(
+    kind: Kind,
+    gain: f64,
+    fit: &Fit,
+    held_kind: Kind,
+    held: f64,
+    held_fit: &Fit,
+    bound: f64,
+) -> bool {
     match (held_kind, kind) {
-        // A line that a combination explains by half is that combination, its parents' law being imperfect.
+        // A line that a combination explains by half is that combination, its parents' law being
+        // imperfect.
         (Kind::Tone, Kind::Mode) => held < 0.5 * gain,
         // A law needs two numbers, a mode two for each channel besides; a tie is the law's.
         (Kind::Law, Kind::Mode) => held_fit.merit - fit.merit > 2.0 * bound && held < 0.97 * gain,
@@ -353,11 +438,18 @@ impl Whitened {
             let k = 0.5 * (from + to - 1) as f64 * spectrum.step;
             for (power, floor) in spectrum.power.iter().zip(&floors) {
                 let scale = 1.0 / floor.at(k);
-                sum[from..to].iter_mut().zip(&power[from..to]).for_each(|(s, p)| *s += p * scale);
+                sum[from..to]
+                    .iter_mut()
+                    .zip(&power[from..to])
+                    .for_each(|(s, p)| *s += p * scale);
             }
             from = to;
         }
-        Self { spectrum, floors, sum }
+        Self {
+            spectrum,
+            floors,
+            sum,
+        }
     }
 
     /// The same over each channel's mean power in place of its floor.
@@ -366,7 +458,10 @@ impl Whitened {
         for power in &self.spectrum.power {
             let power = &power[..self.sum.len()];
             let mean = power.iter().sum::<f64>() / power.len().max(1) as f64;
-            self.sum.iter_mut().zip(power).for_each(|(s, p)| *s += p / mean.max(f64::MIN_POSITIVE));
+            self.sum
+                .iter_mut()
+                .zip(power)
+                .for_each(|(s, p)| *s += p / mean.max(f64::MIN_POSITIVE));
         }
         self
     }
@@ -378,7 +473,10 @@ impl Whitened {
     /// Largest whitened power between two frequencies.
     pub fn highest(&self, from: f64, to: f64) -> f64 {
         let (from, to) = (self.index(from), self.index(to));
-        self.sum[from.min(to)..=to].iter().copied().fold(0.0, f64::max)
+        self.sum[from.min(to)..=to]
+            .iter()
+            .copied()
+            .fold(0.0, f64::max)
     }
 
     /// The strongest peak of the band away from masked frequencies, with its half-power width.
@@ -386,20 +484,39 @@ impl Whitened {
         let step = self.spectrum.step;
         let free = |j: &usize| masked.iter().all(|k| (*j as f64 * step - k).abs() > 1.5);
         let range = self.index(band.0)..=self.index(band.1);
-        let top = range.filter(free).max_by(|&a, &b| self.sum[a].total_cmp(&self.sum[b]))?;
+        let top = range
+            .filter(free)
+            .max_by(|&a, &b| self.sum[a].total_cmp(&self.sum[b]))?;
         let power = self.sum[top];
-        let above = self.sum[top..].iter().take_while(|&&s| s > 0.5 * power).count();
-        let below = self.sum[..top].iter().rev().take_while(|&&s| s > 0.5 * power).count();
+        let above = self.sum[top..]
+            .iter()
+            .take_while(|&&s| s > 0.5 * power)
+            .count();
+        let below = self.sum[..top]
+            .iter()
+            .rev()
+            .take_while(|&&s| s > 0.5 * power)
+            .count();
         let centre = (above as f64 - 1.0 - below as f64) * 0.5;
         let shift = if above + below > 6 { 0.0 } else { centre };
         let k = (top as f64 + shift) * step;
-        let over = self.floors.iter().enumerate().map(|(c, floor)| fit.variance(c) / floor.at(k));
+        let over = self
+            .floors
+            .iter()
+            .enumerate()
+            .map(|(c, floor)| fit.variance(c) / floor.at(k));
         let over_floor = over.filter(|ratio| ratio.is_finite()).fold(1.0, f64::max);
-        Some(Peak { k, power, width: (above + below) as f64 * step, over_floor })
+        Some(Peak {
+            k,
+            power,
+            width: (above + below) as f64 * step,
+            over_floor,
+        })
     }
 }
 
-/// Whitened power that the largest of `bins` noise bins of `channels` channels exceeds with [`FALSE_ALARM`].
+/// Whitened power that the largest of `bins` noise bins of `channels` channels exceeds with
+/// [`FALSE_ALARM`].
 fn bound(channels: usize, bins: f64) -> f64 {
     let tail = |x: f64| {
         let (mut term, mut sum) = (1.0, 1.0);
@@ -413,7 +530,11 @@ fn bound(channels: usize, bins: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1000.0 + 4.0 * channels as f64);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if tail(middle) > wanted { low = middle } else { high = middle }
+        if tail(middle) > wanted {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     high
 }

@@ -1,6 +1,7 @@
 //! Linear prediction of a record in blocks, from both sides, and where both fail.
 //!
-//! Only where to look is decided here: the analysis itself uses the samples with their own time stamps.
+//! Only where to look is decided here: the analysis itself uses the samples with their own time
+//! stamps.
 
 use nalgebra::{DMatrix, DVector};
 use rustfft::{FftPlanner, num_complex::Complex};
@@ -15,13 +16,15 @@ const LAGS: usize = 24;
 const ABOVE_NOISE: f64 = 7.0;
 /// … and above this share of the swing's own size.
 const ABOVE_SWING: f64 = 0.05;
-/// Motion below this share of that on the other side is rest. From one window of a cycle and a half to the next, the full
-/// beat of two periods 15 % apart falls to no less than 0.3.
+/// Motion below this share of that on the other side is rest. From one window of a cycle and a half
+/// to the next, the full beat of two periods 15 % apart falls to no less than 0.3.
 const AT_REST: f64 = 0.15;
-/// Share of the threshold that a surprise must reach where motion meets rest: such a place is suspect already.
+/// Share of the threshold that a surprise must reach where motion meets rest: such a place is
+/// suspect already.
 const SUSPECT: f64 = 0.3;
 
-/// Who tells of a disturbance knows its time to about so many blocks: it was seen in blocks, and lasts.
+/// Who tells of a disturbance knows its time to about so many blocks: it was seen in blocks, and
+/// lasts.
 const KNOWN_BLOCKS: f64 = 2.0;
 
 /// All channels averaged over blocks of one common grid; `None` where a block has no sample.
@@ -38,10 +41,19 @@ pub(super) struct BlockSeries {
 }
 
 impl BlockSeries {
-    /// Blocks of a sixteenth of the strongest oscillation's period; `None` where there is nothing to average.
+    /// Blocks of a sixteenth of the strongest oscillation's period; `None` where there is nothing
+    /// to average.
     pub(super) fn new(groups: &[ChannelGroup]) -> Option<Self> {
-        let start_s = groups.iter().filter_map(|g| g.t_s.first()).copied().reduce(f64::min)?;
-        let end_s = groups.iter().filter_map(|g| g.t_s.last()).copied().reduce(f64::max)?;
+        let start_s = groups
+            .iter()
+            .filter_map(|g| g.t_s.first())
+            .copied()
+            .reduce(f64::min)?;
+        let end_s = groups
+            .iter()
+            .filter_map(|g| g.t_s.last())
+            .copied()
+            .reduce(f64::max)?;
         let fine_s = ((end_s - start_s) / 4096.0).max(0.05);
         let fine = Self::averaged(groups, start_s, end_s, fine_s)?;
         let period_s = fine.strongest_period()?;
@@ -62,13 +74,26 @@ impl BlockSeries {
         for (index, g) in groups.iter().enumerate() {
             for channel in &g.channels {
                 let sigma = noise(channel);
-                values.push(block_values(&g.t_s, &without_spikes(channel, sigma), start_s, step_s, count));
+                values.push(block_values(
+                    &g.t_s,
+                    &without_spikes(channel, sigma),
+                    start_s,
+                    step_s,
+                    count,
+                ));
                 weight.push(1.0 / sigma);
                 group.push(index);
             }
         }
         values.iter_mut().for_each(|v| remove_median(v));
-        (!values.is_empty()).then_some(Self { start_s, step_s, period_s: step_s, values, group, weight })
+        (!values.is_empty()).then_some(Self {
+            start_s,
+            step_s,
+            period_s: step_s,
+            values,
+            group,
+            weight,
+        })
     }
 
     /// Number of blocks.
@@ -96,13 +121,19 @@ impl BlockSeries {
         self.step_s
     }
 
-    /// Root mean square over a stretch of blocks, all channels in units of their noise, each about its own mean.
+    /// Root mean square over a stretch of blocks, all channels in units of their noise, each about
+    /// its own mean.
     pub(super) fn rms(&self, first: usize, end: usize) -> f64 {
         let of_channel = |(v, w): (&Vec<Option<f64>>, &f64)| {
             let present: Vec<f64> = v[first..end].iter().flatten().copied().collect();
             w * w * variance(&present)
         };
-        self.values.iter().zip(&self.weight).map(of_channel).sum::<f64>().sqrt()
+        self.values
+            .iter()
+            .zip(&self.weight)
+            .map(of_channel)
+            .sum::<f64>()
+            .sqrt()
     }
 
     fn strongest_period(&self) -> Option<f64> {
@@ -119,7 +150,10 @@ impl BlockSeries {
                 })
                 .collect();
             fft.process(&mut buffer);
-            power.iter_mut().zip(&buffer).for_each(|(p, b)| *p += b.norm_sqr());
+            power
+                .iter_mut()
+                .zip(&buffer)
+                .for_each(|(p, b)| *p += b.norm_sqr());
         }
         // Fewer than four cycles in the record is drift, not a swing.
         let strongest = (4..n / 2).max_by(|&a, &b| power[a].total_cmp(&power[b]))?;
@@ -127,15 +161,24 @@ impl BlockSeries {
     }
 }
 
-/// Value at the middle of each block, by a straight line through its samples: the mean alone would move with the
-/// samples that happen to fall into the block.
-fn block_values(t_s: &[f64], x: &[f64], start_s: f64, step_s: f64, count: usize) -> Vec<Option<f64>> {
+/// Value at the middle of each block, by a straight line through its samples: the mean alone would
+/// move with the samples that happen to fall into the block.
+fn block_values(
+    t_s: &[f64],
+    x: &[f64],
+    start_s: f64,
+    step_s: f64,
+    count: usize,
+) -> Vec<Option<f64>> {
     let mut sums = vec![[0.0; 5]; count];
     for (t, x) in t_s.iter().zip(x) {
         let n = ((t - start_s) / step_s) as usize;
         let u = (t - start_s) / step_s - n as f64 - 0.5;
         if let Some(s) = sums.get_mut(n) {
-            [1.0, u, u * u, *x, u * x].iter().zip(s).for_each(|(term, sum)| *sum += term);
+            [1.0, u, u * u, *x, u * x]
+                .iter()
+                .zip(s)
+                .for_each(|(term, sum)| *sum += term);
         }
     }
     sums.iter().map(line_at_middle).collect()
@@ -146,11 +189,16 @@ fn line_at_middle([n, u, uu, x, ux]: &[f64; 5]) -> Option<f64> {
         return None;
     }
     let spread = uu - u * u / n;
-    let slope = if *n >= 3.0 && spread > 0.02 * n { (ux - u * x / n) / spread } else { 0.0 };
+    let slope = if *n >= 3.0 && spread > 0.02 * n {
+        (ux - u * x / n) / spread
+    } else {
+        0.0
+    };
     Some((x - slope * u) / n)
 }
 
-/// Single samples far from both neighbours, which agree, give way to the neighbours' mean: a spike is no touch.
+/// Single samples far from both neighbours, which agree, give way to the neighbours' mean: a spike
+/// is no touch.
 fn without_spikes(x: &[f64], sigma: f64) -> Vec<f64> {
     let mut smooth = x.to_vec();
     for i in 1..x.len().saturating_sub(1) {
@@ -163,7 +211,8 @@ fn without_spikes(x: &[f64], sigma: f64) -> Vec<f64> {
     smooth
 }
 
-/// The usual (95th percentile) interval of the slowest group, so that blocks are not empty by design.
+/// The usual (95th percentile) interval of the slowest group, so that blocks are not empty by
+/// design.
 fn longest_interval(groups: &[ChannelGroup]) -> f64 {
     let usual = |g: &ChannelGroup| {
         let steps: Vec<f64> = g.t_s.windows(2).map(|w| w[1] - w[0]).collect();
@@ -172,11 +221,16 @@ fn longest_interval(groups: &[ChannelGroup]) -> f64 {
     groups.iter().map(usual).fold(0.0, f64::max) * 1.01
 }
 
-/// Noise from second differences, robust; a thousandth of the channel's spread where quantisation hides it.
+/// Noise from second differences, robust; a thousandth of the channel's spread where quantisation
+/// hides it.
 fn noise(x: &[f64]) -> f64 {
-    let differences: Vec<f64> = x.windows(3).map(|w| (w[2] - 2.0 * w[1] + w[0]).abs()).collect();
+    let differences: Vec<f64> = x
+        .windows(3)
+        .map(|w| (w[2] - 2.0 * w[1] + w[0]).abs())
+        .collect();
     let spread = variance(x).sqrt();
-    // 0.6745: quartile of the normal distribution; √6: gain of the second difference on white noise.
+    // 0.6745: quartile of the normal distribution; √6: gain of the second difference on white
+    // noise.
     let white = quantile(&differences, 0.5).unwrap_or(0.0) / (0.6745 * 6f64.sqrt());
     white.max(1e-3 * spread).max(f64::MIN_POSITIVE.sqrt())
 }
@@ -196,10 +250,13 @@ fn variance(x: &[f64]) -> f64 {
 fn quantile(x: &[f64], q: f64) -> Option<f64> {
     let mut sorted: Vec<f64> = x.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
-    sorted.get((q * sorted.len().saturating_sub(1) as f64).round() as usize).copied()
+    sorted
+        .get((q * sorted.len().saturating_sub(1) as f64).round() as usize)
+        .copied()
 }
 
-/// How far every block is from what its neighbours foretell, relative to the threshold of a disturbance.
+/// How far every block is from what its neighbours foretell, relative to the threshold of a
+/// disturbance.
 pub(super) struct Surprise {
     coefficients: Vec<f64>,
     /// Channel, block: the threshold.
@@ -230,34 +287,54 @@ impl Surprise {
         let threshold = thresholds(series, &errors);
         let ratio = |side: usize| {
             let worst = |n: usize| {
-                (0..errors.len()).map(|c| errors[c][side][n].abs() / threshold[c][n]).fold(0.0, nan_aside)
+                (0..errors.len())
+                    .map(|c| errors[c][side][n].abs() / threshold[c][n])
+                    .fold(0.0, nan_aside)
             };
             (0..series.len()).map(worst).collect::<Vec<f64>>()
         };
-        Some(Self { forward: ratio(0), backward: ratio(1), coefficients, threshold })
+        Some(Self {
+            forward: ratio(0),
+            backward: ratio(1),
+            coefficients,
+            threshold,
+        })
     }
 
-    /// Blocks at which the motion before and the motion after do not belong together, and those about a time at which the
-    /// swing is known to have been disturbed.
+    /// Blocks at which the motion before and the motion after do not belong together, and those
+    /// about a time at which the swing is known to have been disturbed.
     pub(super) fn breaks(&self, series: &BlockSeries, known_s: &[f64]) -> Vec<bool> {
         let n = series.len();
         let at = |v: &[f64], i: usize| v.get(i).copied().unwrap_or(0.0);
         let broken = |i: usize| {
             let ahead = at(&self.forward, i).max(at(&self.forward, i + 1));
-            let behind = at(&self.backward, i).max(if i > 0 { at(&self.backward, i - 1) } else { 0.0 });
+            let behind = at(&self.backward, i).max(if i > 0 {
+                at(&self.backward, i - 1)
+            } else {
+                0.0
+            });
             // Near the ends only one side can foretell.
             let early = i < LAGS && at(&self.backward, i) > 1.0;
             let late = i + LAGS >= n && at(&self.forward, i) > 1.0;
-            ahead.min(behind) > 1.0 || early || late || (ahead.max(behind) > SUSPECT && meets_rest(series, i))
+            ahead.min(behind) > 1.0
+                || early
+                || late
+                || (ahead.max(behind) > SUSPECT && meets_rest(series, i))
         };
         let mut disturbed: Vec<bool> = (0..n).map(broken).collect();
-        let known: Vec<bool> = (0..n).map(|i| known_s.iter().any(|at_s| series.is_about(i, *at_s))).collect();
+        let known: Vec<bool> = (0..n)
+            .map(|i| known_s.iter().any(|at_s| series.is_about(i, *at_s)))
+            .collect();
         self.forgive_glitches(series, &mut disturbed, &known);
-        disturbed.iter().zip(known).map(|(disturbed, known)| *disturbed || known).collect()
+        disturbed
+            .iter()
+            .zip(known)
+            .map(|(disturbed, known)| *disturbed || known)
+            .collect()
     }
 
-    /// A glitch leaves the motion as it was: with its blocks unknown, both sides follow one rule. What is known to be none
-    /// is not forgiven.
+    /// A glitch leaves the motion as it was: with its blocks unknown, both sides follow one rule.
+    /// What is known to be none is not forgiven.
     fn forgive_glitches(&self, series: &BlockSeries, disturbed: &mut [bool], known: &[bool]) {
         for (first, end) in runs(disturbed) {
             let (a, b) = (first.saturating_sub(1), (end + 1).min(series.len()));
@@ -287,8 +364,8 @@ fn meets_rest(series: &BlockSeries, i: usize) -> bool {
     i >= LAGS && i + LAGS < series.len() && !goes_on(series, i, i + 1)
 }
 
-/// Whether there is as much motion after block `b` as before block `a`. Rest follows the rule of any swing: a constant
-/// foretells itself, and a few unknown blocks lead from the one to the other.
+/// Whether there is as much motion after block `b` as before block `a`. Rest follows the rule of
+/// any swing: a constant foretells itself, and a few unknown blocks lead from the one to the other.
 fn goes_on(series: &BlockSeries, a: usize, b: usize) -> bool {
     let (before, after) = (series.rms(a - LAGS, a), series.rms(b, b + LAGS));
     before.min(after) > AT_REST * before.max(after)
@@ -310,35 +387,53 @@ fn runs(flags: &[bool]) -> Vec<(usize, usize)> {
     found
 }
 
-/// Lags of block `n`, nearest first, looking back (`forward`) or ahead; `None` where one is missing.
+/// Lags of block `n`, nearest first, looking back (`forward`) or ahead; `None` where one is
+/// missing.
 fn lags(x: &[Option<f64>], n: usize, forward: bool) -> Option<[f64; LAGS]> {
     let mut row = [0.0; LAGS];
     for (k, slot) in row.iter_mut().enumerate() {
-        let index = if forward { n.checked_sub(k + 1)? } else { n + k + 1 };
+        let index = if forward {
+            n.checked_sub(k + 1)?
+        } else {
+            n + k + 1
+        };
         *slot = (*x.get(index)?)?;
     }
     Some(row)
 }
 
-/// Common coefficients of all channels, both directions (weak damping makes the rule nearly the same both ways).
+/// Common coefficients of all channels, both directions (weak damping makes the rule nearly the
+/// same both ways).
 fn fit(series: &BlockSeries, trust: &[f64]) -> Option<Vec<f64>> {
     let mut normal = DMatrix::zeros(LAGS, LAGS);
     let mut right = DVector::zeros(LAGS);
     for (x, w) in series.values.iter().zip(&series.weight) {
         for n in 0..x.len() {
-            let (Some(value), true) = (x[n], trust[n] > 0.0) else { continue };
+            let (Some(value), true) = (x[n], trust[n] > 0.0) else {
+                continue;
+            };
             for forward in [true, false] {
-                let Some(row) = lags(x, n, forward) else { continue };
+                let Some(row) = lags(x, n, forward) else {
+                    continue;
+                };
                 add_row(&mut normal, &mut right, &row, value, w * w);
             }
         }
     }
     let ridge = 1e-10 * normal.trace() / LAGS as f64 + f64::MIN_POSITIVE;
     (0..LAGS).for_each(|k| normal[(k, k)] += ridge);
-    normal.cholesky().map(|c| c.solve(&right).iter().copied().collect())
+    normal
+        .cholesky()
+        .map(|c| c.solve(&right).iter().copied().collect())
 }
 
-fn add_row(normal: &mut DMatrix<f64>, right: &mut DVector<f64>, row: &[f64; LAGS], value: f64, weight: f64) {
+fn add_row(
+    normal: &mut DMatrix<f64>,
+    right: &mut DVector<f64>,
+    row: &[f64; LAGS],
+    value: f64,
+    weight: f64,
+) {
     for i in 0..LAGS {
         right[i] += weight * row[i] * value;
         for j in 0..LAGS {
@@ -350,7 +445,11 @@ fn add_row(normal: &mut DMatrix<f64>, right: &mut DVector<f64>, row: &[f64; LAGS
 /// Prediction error of each block; NaN where it cannot be foretold.
 fn predict(x: &[Option<f64>], coefficients: &[f64], forward: bool) -> Vec<f64> {
     let error = |n: usize| {
-        let foretold = lags(x, n, forward)?.iter().zip(coefficients).map(|(l, a)| l * a).sum::<f64>();
+        let foretold = lags(x, n, forward)?
+            .iter()
+            .zip(coefficients)
+            .map(|(l, a)| l * a)
+            .sum::<f64>();
         Some(x[n]? - foretold)
     };
     (0..x.len()).map(|n| error(n).unwrap_or(f64::NAN)).collect()
@@ -367,7 +466,10 @@ fn trusted(series: &BlockSeries, coefficients: &[f64]) -> Vec<f64> {
         }
     }
     let usual = quantile(&total, 0.5).unwrap_or(0.0);
-    total.iter().map(|t| if *t <= 9.0 * usual { 1.0 } else { 0.0 }).collect()
+    total
+        .iter()
+        .map(|t| if *t <= 9.0 * usual { 1.0 } else { 0.0 })
+        .collect()
 }
 
 fn thresholds(series: &BlockSeries, errors: &[[Vec<f64>; 2]]) -> Vec<Vec<f64>> {
@@ -379,31 +481,49 @@ fn thresholds(series: &BlockSeries, errors: &[[Vec<f64>; 2]]) -> Vec<Vec<f64>> {
         (0..series.len())
             .map(|n| {
                 let here = quieter_side(ahead, behind, n, reach).clamp(usual, 3.0 * usual);
-                (ABOVE_NOISE * here).max(ABOVE_SWING * size[series.group[c]][n]).max(f64::MIN_POSITIVE)
+                (ABOVE_NOISE * here)
+                    .max(ABOVE_SWING * size[series.group[c]][n])
+                    .max(f64::MIN_POSITIVE)
             })
             .collect()
     };
     errors.iter().enumerate().map(of_channel).collect()
 }
 
-/// Usual prediction error in the quieter of the stretches before and after: strong swings predict less well.
+/// Usual prediction error in the quieter of the stretches before and after: strong swings predict
+/// less well.
 fn quieter_side(ahead: &[f64], behind: &[f64], n: usize, reach: usize) -> f64 {
     let usual = |first: usize, end: usize| {
-        let errors: Vec<f64> = ahead[first..end].iter().chain(&behind[first..end]).map(|e| e.abs()).collect();
-        if errors.len() < reach { f64::INFINITY } else { quantile(&errors, 0.5).unwrap_or(0.0) / 0.6745 }
+        let errors: Vec<f64> = ahead[first..end]
+            .iter()
+            .chain(&behind[first..end])
+            .map(|e| e.abs())
+            .collect();
+        if errors.len() < reach {
+            f64::INFINITY
+        } else {
+            quantile(&errors, 0.5).unwrap_or(0.0) / 0.6745
+        }
     };
-    usual(n.saturating_sub(reach), n).min(usual((n + 1).min(ahead.len()), (n + reach).min(ahead.len())))
+    usual(n.saturating_sub(reach), n).min(usual(
+        (n + 1).min(ahead.len()),
+        (n + reach).min(ahead.len()),
+    ))
 }
 
-/// Root mean square of each group's channels over a few cycles about each block, in the group's unit.
+/// Root mean square of each group's channels over a few cycles about each block, in the group's
+/// unit.
 fn swing_size(series: &BlockSeries) -> Vec<Vec<f64>> {
     let reach = (2.0 * BLOCKS_PER_CYCLE) as usize;
     let count = series.group.iter().max().map_or(0, |g| g + 1);
     let mut sizes = vec![vec![0.0; series.len()]; count];
     for (x, g) in series.values.iter().zip(&series.group) {
         for (n, size) in sizes[*g].iter_mut().enumerate() {
-            let near: Vec<f64> =
-                x[n.saturating_sub(reach)..(n + reach).min(x.len())].iter().flatten().copied().collect();
+            let near: Vec<f64> = x[n.saturating_sub(reach)..(n + reach).min(x.len())]
+                .iter()
+                .flatten()
+                .copied()
+                .collect();
             *size += variance(&near);
         }
     }
@@ -418,7 +538,8 @@ fn rooted_and_capped(size: &mut [f64]) {
     size.iter_mut().for_each(|v| *v = v.min(cap));
 }
 
-/// Least prediction errors over blocks a .. b + lags when blocks a .. b are unknown; `None` where others are missing.
+/// Least prediction errors over blocks a .. b + lags when blocks a .. b are unknown; `None` where
+/// others are missing.
 fn bridge_error(x: &[Option<f64>], coefficients: &[f64], a: usize, b: usize) -> Option<Vec<f64>> {
     let rows = b - a + LAGS;
     let mut matrix = DMatrix::zeros(rows, b - a);

@@ -1,7 +1,7 @@
 //! The period of an infinitely small swing, from periods against amplitude.
 //!
-//! No law is known beforehand: a pendulum is quadratic, other hangings are nearly linear. The laws are weighed by
-//! their evidence, and the result carries the spread between them.
+//! No law is known beforehand: a pendulum is quadratic, other hangings are nearly linear. The laws
+//! are weighed by their evidence, and the result carries the spread between them.
 
 use super::amplitude::WindowPoint;
 use super::marquardt::{CurveFit, linear};
@@ -28,7 +28,8 @@ pub struct SmallAmplitude {
     pub period_se_s: f64,
     /// The law with the most evidence.
     pub law: PeriodLaw,
-    /// Its coefficients c₁ and c₂, s per unit of amplitude and per its square; 0 where the law has none.
+    /// Its coefficients c₁ and c₂, s per unit of amplitude and per its square; 0 where the law has
+    /// none.
     pub coefficients: [f64; 2],
     /// Weighted residual squares of that law, with the windows' own standard errors.
     pub chi2: f64,
@@ -50,22 +51,42 @@ pub fn small_amplitude_limit(points: &[WindowPoint]) -> Option<SmallAmplitude> {
     if points.len() < 2 {
         return points.first().map(single);
     }
-    let fits: Vec<(PeriodLaw, &[i32], CurveFit)> =
-        LAWS.iter().filter_map(|(law, powers)| Some((*law, *powers, fit(points, powers)?))).collect();
+    let fits: Vec<(PeriodLaw, &[i32], CurveFit)> = LAWS
+        .iter()
+        .filter_map(|(law, powers)| Some((*law, *powers, fit(points, powers)?)))
+        .collect();
     // The scatter about the law that follows the points best is the scale of all of them.
-    let scale = fits.iter().map(|f| f.2.rss / f.2.dof as f64).fold(f64::INFINITY, f64::min).max(1.0);
+    let scale = fits
+        .iter()
+        .map(|f| f.2.rss / f.2.dof as f64)
+        .fold(f64::INFINITY, f64::min)
+        .max(1.0);
     let n = points.len() as f64;
     let criterion = |f: &CurveFit| f.rss / scale + f.parameters.len() as f64 * n.ln();
-    let best = fits.iter().min_by(|a, b| criterion(&a.2).total_cmp(&criterion(&b.2)))?;
-    let evidence: Vec<f64> =
-        fits.iter().map(|f| (-0.5 * (criterion(&f.2) - criterion(&best.2))).exp()).collect();
+    let best = fits
+        .iter()
+        .min_by(|a, b| criterion(&a.2).total_cmp(&criterion(&b.2)))?;
+    let evidence: Vec<f64> = fits
+        .iter()
+        .map(|f| (-0.5 * (criterion(&f.2) - criterion(&best.2))).exp())
+        .collect();
     let sum: f64 = evidence.iter().sum();
-    let mean = fits.iter().zip(&evidence).map(|(f, w)| w * f.2.parameters[0]).sum::<f64>() / sum;
+    let mean = fits
+        .iter()
+        .zip(&evidence)
+        .map(|(f, w)| w * f.2.parameters[0])
+        .sum::<f64>()
+        / sum;
     let variance = |f: &CurveFit| {
         let own = f.covariance[(0, 0)] / (f.rss / f.dof as f64).max(f64::MIN_POSITIVE) * scale;
         own + (f.parameters[0] - mean).powi(2)
     };
-    let spread = fits.iter().zip(&evidence).map(|(f, w)| w * variance(&f.2)).sum::<f64>() / sum;
+    let spread = fits
+        .iter()
+        .zip(&evidence)
+        .map(|(f, w)| w * variance(&f.2))
+        .sum::<f64>()
+        / sum;
     let (mean, spread) = match witness(points).filter(|_| scale > NO_LAW_FITS) {
         // Neither knows better: their middle, and half their distance as a further uncertainty.
         Some(other) => (0.5 * (mean + other), spread + 0.25 * (mean - other).powi(2)),
@@ -74,10 +95,12 @@ pub fn small_amplitude_limit(points: &[WindowPoint]) -> Option<SmallAmplitude> {
     Some(described(best, mean, spread.sqrt(), points))
 }
 
-/// χ² per degree of freedom above which none of the laws describes the points (windows three sigma off).
+/// χ² per degree of freedom above which none of the laws describes the points (windows three sigma
+/// off).
 const NO_LAW_FITS: f64 = 9.0;
 
-/// Limit of the smaller half of the swings by the law of every smooth symmetric restoring force, T0 + c₂ A².
+/// Limit of the smaller half of the swings by the law of every smooth symmetric restoring force, T0
+/// + c₂ A².
 fn witness(points: &[WindowPoint]) -> Option<f64> {
     let mut smaller = points.to_vec();
     smaller.sort_by(|a, b| a.amplitude.total_cmp(&b.amplitude));
@@ -87,9 +110,17 @@ fn witness(points: &[WindowPoint]) -> Option<f64> {
 
 fn fit(points: &[WindowPoint], powers: &[i32]) -> Option<CurveFit> {
     let mut columns = vec![vec![1.0; points.len()]];
-    columns.extend(powers.iter().map(|k| points.iter().map(|p| p.amplitude.powi(*k)).collect::<Vec<f64>>()));
+    columns.extend(powers.iter().map(|k| {
+        points
+            .iter()
+            .map(|p| p.amplitude.powi(*k))
+            .collect::<Vec<f64>>()
+    }));
     let period: Vec<f64> = points.iter().map(|p| p.period_s).collect();
-    let weight: Vec<f64> = points.iter().map(|p| 1.0 / p.period_se_s.max(1e-9 * p.period_s)).collect();
+    let weight: Vec<f64> = points
+        .iter()
+        .map(|p| 1.0 / p.period_se_s.max(1e-9 * p.period_s))
+        .collect();
     linear(&columns, &period, &weight)
 }
 
@@ -118,15 +149,28 @@ fn described(
     let largest = points.iter().map(|p| p.amplitude).fold(0.0, f64::max);
     let change = coefficients[0] * largest + coefficients[1] * largest * largest;
     let text = match law {
-        PeriodLaw::Constant => "the period does not depend on the amplitude within its error".to_string(),
+        PeriodLaw::Constant => {
+            "the period does not depend on the amplitude within its error".to_string()
+        }
         _ => {
             let shape = match law {
                 PeriodLaw::Quadratic => "with the square of the amplitude",
                 PeriodLaw::Linear => "linearly with the amplitude",
                 _ => "with the amplitude and its square",
             };
-            format!("the period changes {shape}, by {:+.2} % at the largest swing", 100.0 * change / period_s)
+            format!(
+                "the period changes {shape}, by {:+.2} % at the largest swing",
+                100.0 * change / period_s
+            )
         }
     };
-    SmallAmplitude { period_s, period_se_s, law: *law, coefficients, chi2: fit.rss, dof: fit.dof, text }
+    SmallAmplitude {
+        period_s,
+        period_se_s,
+        law: *law,
+        coefficients,
+        chi2: fit.rss,
+        dof: fit.dof,
+        text,
+    }
 }

@@ -1,8 +1,9 @@
 //! Periodograms of cell residuals, and the public amplitude spectrum.
 //!
 //! # Conventions
-//! Frequency is `k`, in cycles per span. A power is scaled to the variance per sample: white noise of standard
-//! deviation σ has the expectation σ² at every k, and fitting a line takes `2P` off the sum of squares.
+//! Frequency is `k`, in cycles per span. A power is scaled to the variance per sample: white noise
+//! of standard deviation σ has the expectation σ² at every k, and fitting a line takes `2P` off the
+//! sum of squares.
 
 use num_complex::Complex64;
 use rustfft::FftPlanner;
@@ -57,7 +58,11 @@ pub(super) fn periodogram(
     values: &[Vec<f64>],
     width: f64,
 ) -> Periodogram {
-    let slots = groups.iter().filter_map(|g| g.slot.last()).max().map_or(1, |s| s + 1);
+    let slots = groups
+        .iter()
+        .filter_map(|g| g.slot.last())
+        .max()
+        .map_or(1, |s| s + 1);
     let length = (2 * slots).next_power_of_two();
     let plan = planner.plan_fft_forward(length);
     let mut buffer = vec![Complex64::ZERO; length];
@@ -67,11 +72,16 @@ pub(super) fn periodogram(
     for pair in channels.chunks(2) {
         buffer.fill(Complex64::ZERO);
         pair[0].each(|slot, value| buffer[slot].re = value);
-        pair[1..].iter().for_each(|second| second.each(|slot, value| buffer[slot].im = value));
+        pair[1..]
+            .iter()
+            .for_each(|second| second.each(|slot, value| buffer[slot].im = value));
         plan.process_with_scratch(&mut buffer, &mut scratch);
         power.extend(unpaired(&buffer, pair));
     }
-    Periodogram { step: 1.0 / (length as f64 * width), power }
+    Periodogram {
+        step: 1.0 / (length as f64 * width),
+        power,
+    }
 }
 
 /// Cell values of one channel.
@@ -83,7 +93,11 @@ struct Channel<'a> {
 
 impl<'a> Channel<'a> {
     fn all((cells, values): (&'a Cells, &'a Vec<f64>)) -> impl Iterator<Item = Self> {
-        (0..cells.channels).map(move |channel| Channel { cells, values, channel })
+        (0..cells.channels).map(move |channel| Channel {
+            cells,
+            values,
+            channel,
+        })
     }
 
     /// Place on the grid and weighted value of each cell.
@@ -111,39 +125,59 @@ fn unpaired(buffer: &[Complex64], pair: &[Channel]) -> Vec<Vec<f64>> {
         let mut power = Vec::with_capacity(half);
         power.push(of(&buffer[0], &buffer[0]));
         let mirrored = buffer[half + 1..].iter().rev();
-        power.extend(buffer[1..half].iter().zip(mirrored).map(|(plus, minus)| of(plus, minus)));
+        power.extend(
+            buffer[1..half]
+                .iter()
+                .zip(mirrored)
+                .map(|(plus, minus)| of(plus, minus)),
+        );
         power
     };
     pair.iter().enumerate().map(power).collect()
 }
 
-/// Amplitude spectrum of every channel, mean taken off, at most about 2000 points up to the Nyquist frequency
-/// or 20 Hz; a point shows the largest amplitude among those it stands for.
+/// Amplitude spectrum of every channel, mean taken off, at most about 2000 points up to the Nyquist
+/// frequency or 20 Hz; a point shows the largest amplitude among those it stands for.
 pub fn spectrum(groups: &[ChannelGroup]) -> Spectrum {
     let groups: Vec<ChannelGroup> = groups.iter().filter(|g| g.t_s.len() > 3).cloned().collect();
     let clock = Clock::of(&groups);
-    let Some(interval) = super::record::median_interval(&groups) else { return Spectrum::default() };
+    let Some(interval) = super::record::median_interval(&groups) else {
+        return Spectrum::default();
+    };
     if clock.span_s <= 0.0 {
         return Spectrum::default();
     }
     let width = interval.max(1.0 / 50.0) / clock.span_s;
-    let cells: Vec<Cells> = groups.iter().map(|g| Cells::gather(g, clock, width)).collect();
+    let cells: Vec<Cells> = groups
+        .iter()
+        .map(|g| Cells::gather(g, clock, width))
+        .collect();
     let centred: Vec<Vec<f64>> = cells.iter().map(centred).collect();
     let spectrum = periodogram(&mut FftPlanner::new(), &cells, &centred, width);
     let top_hz = (0.5 / interval).min(20.0);
     let kept = ((top_hz * clock.span_s / spectrum.step) as usize).min(spectrum.len());
-    let samples = cells.iter().flat_map(|g| vec![g.count.iter().sum::<f64>(); g.channels]);
+    let samples = cells
+        .iter()
+        .flat_map(|g| vec![g.count.iter().sum::<f64>(); g.channels]);
     let stride = kept.div_ceil(2000).max(1);
     let frequency = |block: usize| (block * stride) as f64 * spectrum.step / clock.span_s;
     Spectrum {
         freq_hz: (0..kept.div_ceil(stride)).map(frequency).collect(),
-        amplitude: spectrum.power.iter().zip(samples).map(|(p, n)| thinned(&p[..kept], stride, n)).collect(),
+        amplitude: spectrum
+            .power
+            .iter()
+            .zip(samples)
+            .map(|(p, n)| thinned(&p[..kept], stride, n))
+            .collect(),
     }
 }
 
 fn thinned(power: &[f64], stride: usize, samples: f64) -> Vec<f64> {
     let peak = |block: &[f64]| block.iter().copied().fold(0.0, f64::max);
-    power.chunks(stride).map(|block| 2.0 * (peak(block) / samples).sqrt()).collect()
+    power
+        .chunks(stride)
+        .map(|block| 2.0 * (peak(block) / samples).sqrt())
+        .collect()
 }
 
 fn centred(cells: &Cells) -> Vec<f64> {
@@ -153,5 +187,11 @@ fn centred(cells: &Cells) -> Vec<f64> {
         sums.iter_mut().zip(row).for_each(|(s, y)| *s += n * y);
     }
     let rows = cells.mean.chunks_exact(cells.channels);
-    rows.flat_map(|row| row.iter().zip(&sums).map(|(y, s)| y - s / total).collect::<Vec<_>>()).collect()
+    rows.flat_map(|row| {
+        row.iter()
+            .zip(&sums)
+            .map(|(y, s)| y - s / total)
+            .collect::<Vec<_>>()
+    })
+    .collect()
 }

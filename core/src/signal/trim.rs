@@ -1,10 +1,12 @@
-//! Which part of a record is a free swing: after the release, before anybody touches the hull again.
+//! Which part of a record is a free swing: after the release, before anybody touches the hull
+//! again.
 //!
-//! A freely swinging hull is a sum of a few damped oscillations, whatever their beats, so every sample follows
-//! linearly from the ones before it, by one rule for all channels (linear prediction). A hand, a release, a stop or
-//! a phone picked up is what the rule does not foresee, from neither side. An envelope would not do: two modes of
-//! equal strength beat to nothing and back without anybody touching the hull. Rest follows every such rule too; where motion
-//! meets rest, the prediction is judged more strictly.
+//! A freely swinging hull is a sum of a few damped oscillations, whatever their beats, so every
+//! sample follows linearly from the ones before it, by one rule for all channels (linear
+//! prediction). A hand, a release, a stop or a phone picked up is what the rule does not foresee,
+//! from neither side. An envelope would not do: two modes of equal strength beat to nothing and
+//! back without anybody touching the hull. Rest follows every such rule too; where motion meets
+//! rest, the prediction is judged more strictly.
 
 use super::prediction::{BlockSeries, Surprise};
 use super::types::ChannelGroup;
@@ -55,7 +57,8 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// What the stretch is worth: the Cramér–Rao bound of a period falls as amplitude × duration^1.5.
+    /// What the stretch is worth: the Cramér–Rao bound of a period falls as amplitude ×
+    /// duration^1.5.
     fn worth(&self) -> f64 {
         self.rms * ((self.end - self.first) as f64).powf(1.5)
     }
@@ -63,7 +66,8 @@ impl Stretch {
 
 /// A free swing shorter than this many cycles is not worth a note of its own.
 const SHORTEST_SWING_CYCLES: f64 = 8.0;
-/// Fewer cycles say nothing of a period: what is so short (a phone that is picked up) is the swing only where nothing longer moves.
+/// Fewer cycles say nothing of a period: what is so short (a phone that is picked up) is the swing
+/// only where nothing longer moves.
 const FEWEST_CYCLES: f64 = 4.0;
 /// A stretch moves where its size is more than so many times the noise of a sample.
 const MOVES: f64 = 3.0;
@@ -78,18 +82,49 @@ pub fn free_swing_span(groups: &[ChannelGroup]) -> FreeSpan {
 /// The same of a record whose swing is known to have been disturbed at these times, s.
 pub fn undisturbed_span(groups: &[ChannelGroup], disturbed_s: &[f64]) -> FreeSpan {
     let (first_s, last_s) = extent(groups);
-    let whole = FreeSpan { start_s: first_s, end_s: last_s, notes: Vec::new() };
-    let Some(series) = BlockSeries::new(groups) else { return whole };
-    let Some(surprise) = Surprise::new(&series) else { return whole };
+    let whole = FreeSpan {
+        start_s: first_s,
+        end_s: last_s,
+        notes: Vec::new(),
+    };
+    let Some(series) = BlockSeries::new(groups) else {
+        return whole;
+    };
+    let Some(surprise) = Surprise::new(&series) else {
+        return whole;
+    };
     let stretches = stretches(&series, &surprise.breaks(&series, disturbed_s));
     let fewest = (FEWEST_CYCLES * series.period_s() / series.step_s()).ceil() as usize;
     let swings = |s: &Stretch| s.end - s.first >= fewest && s.rms > MOVES;
-    let better = |a: &Stretch, b: &Stretch| swings(a).cmp(&swings(b)).then(a.worth().total_cmp(&b.worth()));
-    let Some(best) = stretches.iter().copied().max_by(better) else { return whole };
-    let start_s = if best.first == 0 { first_s } else { series.time_s(best.first) };
-    let end_s = if best.end == series.len() { last_s } else { series.time_s(best.end) };
-    let notes = notes(&series, &stretches, &best, (first_s, start_s, end_s, last_s));
-    FreeSpan { start_s, end_s, notes }
+    let better = |a: &Stretch, b: &Stretch| {
+        swings(a)
+            .cmp(&swings(b))
+            .then(a.worth().total_cmp(&b.worth()))
+    };
+    let Some(best) = stretches.iter().copied().max_by(better) else {
+        return whole;
+    };
+    let start_s = if best.first == 0 {
+        first_s
+    } else {
+        series.time_s(best.first)
+    };
+    let end_s = if best.end == series.len() {
+        last_s
+    } else {
+        series.time_s(best.end)
+    };
+    let notes = notes(
+        &series,
+        &stretches,
+        &best,
+        (first_s, start_s, end_s, last_s),
+    );
+    FreeSpan {
+        start_s,
+        end_s,
+        notes,
+    }
 }
 
 fn extent(groups: &[ChannelGroup]) -> (f64, f64) {
@@ -97,7 +132,11 @@ fn extent(groups: &[ChannelGroup]) -> (f64, f64) {
     let lasts = groups.iter().filter_map(|g| g.t_s.last()).copied();
     let first_s = firsts.fold(f64::INFINITY, f64::min);
     let last_s = lasts.fold(f64::NEG_INFINITY, f64::max);
-    if first_s <= last_s { (first_s, last_s) } else { (0.0, 0.0) }
+    if first_s <= last_s {
+        (first_s, last_s)
+    } else {
+        (0.0, 0.0)
+    }
 }
 
 /// The runs of blocks between disturbances.
@@ -107,7 +146,11 @@ fn stretches(series: &BlockSeries, disturbed: &[bool]) -> Vec<Stretch> {
     // The end of the record ends a stretch as a disturbed block does.
     for (n, ends) in disturbed.iter().copied().chain([true]).enumerate() {
         if ends && n > first + 2 {
-            found.push(Stretch { first, end: n, rms: series.rms(first, n) });
+            found.push(Stretch {
+                first,
+                end: n,
+                rms: series.rms(first, n),
+            });
         }
         if ends {
             first = n + 1;
@@ -124,15 +167,31 @@ fn notes(
 ) -> Vec<SpanNote> {
     let shortest = (SHORTEST_SWING_CYCLES * series.period_s() / series.step_s()).ceil() as usize;
     let another = |s: &&Stretch| s.rms > WAITING_SHARE * best.rms && s.end - s.first >= shortest;
-    let before: Vec<&Stretch> = stretches.iter().filter(|s| s.end <= best.first).filter(another).collect();
-    let after: Vec<&Stretch> = stretches.iter().filter(|s| s.first >= best.end).filter(another).collect();
+    let before: Vec<&Stretch> = stretches
+        .iter()
+        .filter(|s| s.end <= best.first)
+        .filter(another)
+        .collect();
+    let after: Vec<&Stretch> = stretches
+        .iter()
+        .filter(|s| s.first >= best.end)
+        .filter(another)
+        .collect();
     let mut notes = Vec::new();
     if start_s > first_s {
-        let kind = if before.is_empty() { SpanNoteKind::LeadIn } else { SpanNoteKind::SecondSwing };
+        let kind = if before.is_empty() {
+            SpanNoteKind::LeadIn
+        } else {
+            SpanNoteKind::SecondSwing
+        };
         notes.push(note(kind, first_s, start_s));
     }
     if end_s < last_s {
-        let kind = if after.is_empty() { SpanNoteKind::LeadOut } else { SpanNoteKind::SecondSwing };
+        let kind = if after.is_empty() {
+            SpanNoteKind::LeadOut
+        } else {
+            SpanNoteKind::SecondSwing
+        };
         notes.push(note(kind, end_s, last_s));
     }
     notes
@@ -146,7 +205,12 @@ fn note(kind: SpanNoteKind, from_s: f64, to_s: f64) -> SpanNote {
         SpanNoteKind::LeadOut => said("lead_out", [length, from]),
         SpanNoteKind::SecondSwing => said("second_swing", [from, to]),
     };
-    SpanNote { kind, from_s, to_s, said }
+    SpanNote {
+        kind,
+        from_s,
+        to_s,
+        said,
+    }
 }
 
 #[cfg(test)]
@@ -157,14 +221,20 @@ mod tests {
     fn nothing_in_nothing_out() {
         let span = free_swing_span(&[]);
         assert_eq!((span.start_s, span.end_s, span.notes.len()), (0.0, 0.0, 0));
-        let one = ChannelGroup { t_s: vec![3.0], channels: vec![vec![1.0]] };
+        let one = ChannelGroup {
+            t_s: vec![3.0],
+            channels: vec![vec![1.0]],
+        };
         assert_eq!(free_swing_span(&[one]).start_s, 3.0);
     }
 
     #[test]
     fn a_record_without_oscillation_is_kept_whole() {
         let t_s: Vec<f64> = (0..5000).map(|i| i as f64 * 0.01).collect();
-        let group = ChannelGroup { channels: vec![vec![0.0; t_s.len()]], t_s };
+        let group = ChannelGroup {
+            channels: vec![vec![0.0; t_s.len()]],
+            t_s,
+        };
         let span = free_swing_span(&[group]);
         assert_eq!((span.start_s, span.end_s), (0.0, 49.99));
     }

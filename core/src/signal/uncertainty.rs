@@ -1,9 +1,10 @@
 //! Standard errors that stay true when the noise is coloured or the model incomplete.
 //!
-//! The covariance is the sandwich `H⁻¹ (Σ_c s_c J_cᵀJ_c/σ_c²) H⁻¹`: H the curvature of the fit, `s_c` the power of
-//! the residual about a mode's frequency over the variance the fit assumed. Colour and misfit near the line
-//! both stand in that power. For white noise `s_c` scatters about 1 by a fifth; it counts only as far as it is
-//! significantly above 1, so that intervals of white records keep their level.
+//! The covariance is the sandwich `H⁻¹ (Σ_c s_c J_cᵀJ_c/σ_c²) H⁻¹`: H the curvature of the fit,
+//! `s_c` the power of the residual about a mode's frequency over the variance the fit assumed.
+//! Colour and misfit near the line both stand in that power. For white noise `s_c` scatters about 1
+//! by a fifth; it counts only as far as it is significantly above 1, so that intervals of white
+//! records keep their level.
 
 use nalgebra::DMatrix;
 
@@ -29,16 +30,22 @@ impl Errors {
     pub fn of(fit: &Fit, curvature: &Curvature, residual: &Periodogram) -> Option<Self> {
         let bread = curvature.hessian.clone().cholesky()?.inverse();
         let owner = owners(&fit.model);
-        let excess: Vec<Vec<f64>> = (0..fit.channels()).map(|c| excess(fit, residual, c)).collect();
+        let excess: Vec<Vec<f64>> = (0..fit.channels())
+            .map(|c| excess(fit, residual, c))
+            .collect();
         let mut filling = DMatrix::zeros(owner.len(), owner.len());
         for (c, square) in curvature.by_channel.iter().enumerate() {
             let weight = 1.0 / fit.variance(c);
-            filling += square
-                .map_with_location(|i, j, v| v * weight * (excess[c][owner[i]] * excess[c][owner[j]]).sqrt());
+            filling += square.map_with_location(|i, j, v| {
+                v * weight * (excess[c][owner[i]] * excess[c][owner[j]]).sqrt()
+            });
         }
         let covariance = &bread * filling * &bread;
         let shape_se = shape_errors(fit, curvature, &covariance, &excess);
-        Some(Self { covariance, shape_se })
+        Some(Self {
+            covariance,
+            shape_se,
+        })
     }
 
     /// Variance of a function of a mode's parameters, by its numerical gradient.
@@ -68,23 +75,39 @@ impl Errors {
 /// The mode that each parameter belongs to.
 fn owners(model: &Model) -> Vec<usize> {
     let modes = model.modes.iter().enumerate();
-    modes.flat_map(|(m, mode)| std::iter::repeat_n(m, mode.parameter_count())).collect()
+    modes
+        .flat_map(|(m, mode)| std::iter::repeat_n(m, mode.parameter_count()))
+        .collect()
 }
 
-/// Residual power about each mode over the assumed variance, as far as it is significant; at least 1.
+/// Residual power about each mode over the assumed variance, as far as it is significant; at least
+/// 1.
 fn excess(fit: &Fit, residual: &Periodogram, channel: usize) -> Vec<f64> {
     let centre = |mode: &Motion| mode.omega / std::f64::consts::TAU;
     let of_mode = |mode: &Motion| {
-        let (from, to) = ((centre(mode) - NEIGHBOURHOOD).max(0.5), centre(mode) + NEIGHBOURHOOD);
+        let (from, to) = (
+            (centre(mode) - NEIGHBOURHOOD).max(0.5),
+            centre(mode) + NEIGHBOURHOOD,
+        );
         let bin = |k: f64| ((k / residual.step) as usize).min(residual.len());
         let range = bin(from)..bin(to);
-        let near = fit.model.modes.iter().filter(|m| (from..to).contains(&centre(m))).count() as f64;
-        // Each fitted mode takes two real numbers of the channel, and a share of the poles, out of the bins.
+        let near = fit
+            .model
+            .modes
+            .iter()
+            .filter(|m| (from..to).contains(&centre(m)))
+            .count() as f64;
+        // Each fitted mode takes two real numbers of the channel, and a share of the poles, out of
+        // the bins.
         let bins = range.len() as f64 * residual.step - near * (1.0 + 1.0 / fit.channels() as f64);
         let sum: f64 = residual.power[channel][range].iter().sum::<f64>() * residual.step;
         let above = (sum / bins.max(1.0) / fit.variance(channel) - 1.0).max(0.0);
         let z4 = (above * bins.max(1.0).sqrt() / HALF_SIGNIFICANCE).powi(4);
-        if z4.is_finite() { 1.0 + above * z4 / (1.0 + z4) } else { 1.0 }
+        if z4.is_finite() {
+            1.0 + above * z4 / (1.0 + z4)
+        } else {
+            1.0
+        }
     };
     fit.model.modes.iter().map(of_mode).collect()
 }
@@ -102,14 +125,18 @@ fn shape_errors(
             let carried = slopes * covariance * slopes.transpose();
             let part = |i: usize, s: f64| linear[(i, i)] * fit.variance(c) * s + carried[(i, i)];
             let mode = |m: usize| 0.5 * (part(2 * m, excess[c][m]) + part(2 * m + 1, excess[c][m]));
-            (0..fit.model.modes.len()).map(|m| mode(m).max(0.0).sqrt()).collect()
+            (0..fit.model.modes.len())
+                .map(|m| mode(m).max(0.0).sqrt())
+                .collect()
         })
         .collect()
 }
 
 /// Energy-weighted means over the span of frequency and decay.
 pub(super) fn mean_rates(motion: &Motion) -> (f64, f64) {
-    let Some(Law { shift, beta, power }) = motion.law else { return (motion.omega, motion.alpha) };
+    let Some(Law { shift, beta, power }) = motion.law else {
+        return (motion.omega, motion.alpha);
+    };
     let steps = 400;
     let (mut weight, mut frequency, mut decay) = (0.0, 0.0, 0.0);
     for i in 0..steps {

@@ -12,10 +12,22 @@ const ENGLISH: [(&str, &str); 6] = [
         "misfit",
         "the residual is {times} times the white noise: coloured noise or motion that the model does not hold; the standard errors are widened for it",
     ),
-    ("growing", "{count} of the modes would grow, which a free swing does not: their decay is held at zero"),
-    ("many", "as many modes as allowed were found; there may be more"),
-    ("lead_in", "the first {length_s} s (waiting, handling, release) are left out"),
-    ("lead_out", "the last {length_s} s, from {from_s} s on, are left out: the swing was disturbed"),
+    (
+        "growing",
+        "{count} of the modes would grow, which a free swing does not: their decay is held at zero",
+    ),
+    (
+        "many",
+        "as many modes as allowed were found; there may be more",
+    ),
+    (
+        "lead_in",
+        "the first {length_s} s (waiting, handling, release) are left out",
+    ),
+    (
+        "lead_out",
+        "the last {length_s} s, from {from_s} s on, are left out: the swing was disturbed",
+    ),
     (
         "second_swing",
         "another swing between {from_s} s and {to_s} s (the hull was touched or released again) is left out",

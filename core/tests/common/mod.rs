@@ -4,9 +4,11 @@
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// A fresh seed, printed so that a failure can be repeated: `GYRADIUS_SEED=<seed> cargo test <name of the test>`.
+/// A fresh seed, printed so that a failure can be repeated: `GYRADIUS_SEED=<seed> cargo test <name
+/// of the test>`.
 pub fn seed(what: &str) -> u64 {
-    let seed = std::env::var("GYRADIUS_SEED").map_or_else(|_| rand::random(), |text| text.parse().unwrap());
+    let seed = std::env::var("GYRADIUS_SEED")
+        .map_or_else(|_| rand::random(), |text| text.parse().unwrap());
     println!("{what}: seed {seed}");
     seed
 }

@@ -1,5 +1,5 @@
-//! Predicted against achieved uncertainty: hulls are drawn at random, the planner is told rough figures of each, what it
-//! plans is swung by the simulation and measured.
+//! Predicted against achieved uncertainty: hulls are drawn at random, the planner is told rough
+//! figures of each, what it plans is swung by the simulation and measured.
 
 use std::collections::BTreeMap;
 
@@ -40,7 +40,10 @@ fn drawn(rng: &mut ChaCha8Rng) -> True {
 
 /// Told to a part of `off` of the truth.
 fn told(rng: &mut ChaCha8Rng, value: f64, off: f64) -> Option<Quantity> {
-    Some(Quantity::new(value * (1.0 + off * rng.random_range(-1.7..1.7)), off * value))
+    Some(Quantity::new(
+        value * (1.0 + off * rng.random_range(-1.7..1.7)),
+        off * value,
+    ))
 }
 
 fn asked(rng: &mut ChaCha8Rng, hull: &True, wanted: &[&str]) -> Request {
@@ -76,7 +79,8 @@ fn quantity(q: Quantity) -> String {
     format!("{{ value = {:?}, u = {:?} }}", q.value, q.u)
 }
 
-/// A rig that swings the true hull as the plan says, everything stated off by chance within its uncertainty.
+/// A rig that swings the true hull as the plan says, everything stated off by chance within its
+/// uncertainty.
 fn rig(rng: &mut ChaCha8Rng, plan: &Plan, hull: &True) -> String {
     let means = &plan.means;
     let mut text = format!(
@@ -96,17 +100,22 @@ fn rig(rng: &mut ChaCha8Rng, plan: &Plan, hull: &True) -> String {
         rng.random_range(-0.2..0.1),
         rng.random_range(-0.6..0.6),
     );
-    let tape = |rng: &mut ChaCha8Rng, known: &mut BTreeMap<String, f64>, name: &str, q: Quantity| {
-        *known.entry(format!("{name} {:?}", q.value)).or_insert_with(|| gauss(rng, q))
-    };
+    let tape =
+        |rng: &mut ChaCha8Rng, known: &mut BTreeMap<String, f64>, name: &str, q: Quantity| {
+            *known
+                .entry(format!("{name} {:?}", q.value))
+                .or_insert_with(|| gauss(rng, q))
+        };
     let mut known = BTreeMap::new();
     for step in &plan.steps {
         let Step::Swing(swing) = step else { continue };
         let hung = &swing.suspension;
         let orientation = serde_json::to_string(&hung.orientation).unwrap();
         let (length, spacing) = (hung.line_length_m.unwrap(), hung.spacing_m.unwrap());
-        let (true_length, true_spacing) =
-            (tape(rng, &mut known, "length", length), tape(rng, &mut known, "spacing", spacing));
+        let (true_length, true_spacing) = (
+            tape(rng, &mut known, "length", length),
+            tape(rng, &mut known, "spacing", spacing),
+        );
         let pitch = hung.hull_pitch_deg.unwrap();
         let true_pitch = tape(rng, &mut known, "pitch", pitch);
         text += &format!(
@@ -121,7 +130,10 @@ fn rig(rng: &mut ChaCha8Rng, plan: &Plan, hull: &True) -> String {
         if let Some(moved) = hung.points_moved_m {
             // The points are where the true hull hangs at the true tilt, read with the tape.
             let moved = Quantity::new(
-                gauss(rng, Quantity::new(hull.depth_m * true_pitch.to_radians().tan(), moved.u)),
+                gauss(
+                    rng,
+                    Quantity::new(hull.depth_m * true_pitch.to_radians().tan(), moved.u),
+                ),
                 moved.u,
             );
             text += &format!("points_moved = {}\n", quantity(moved));
@@ -141,16 +153,18 @@ fn rig(rng: &mut ChaCha8Rng, plan: &Plan, hull: &True) -> String {
     )
 }
 
-/// How an operator lets go: the turn by the amplitude, the lines leaning by half of it or as a hull that turns about its
-/// stern makes them.
+/// How an operator lets go: the turn by the amplitude, the lines leaning by half of it or as a hull
+/// that turns about its stern makes them.
 fn release(swing: &PlannedSwing, hull: &True) -> String {
     let has = |e: Excitation| swing.excited.contains(&e);
     let length_m = swing.suspension.line_length_m.unwrap().value;
     let lean = |share: f64| length_m * (share * swing.amplitude_deg).to_radians().sin();
     let mut text = String::new();
-    for (e, key) in
-        [(Excitation::Yaw, "yaw_deg"), (Excitation::Pitch, "pitch_deg"), (Excitation::Roll, "roll_deg")]
-    {
+    for (e, key) in [
+        (Excitation::Yaw, "yaw_deg"),
+        (Excitation::Pitch, "pitch_deg"),
+        (Excitation::Roll, "roll_deg"),
+    ] {
         if has(e) {
             text += &format!("{key} = {:?}\n", swing.amplitude_deg);
         }
@@ -184,9 +198,18 @@ fn one(rng: &mut ChaCha8Rng, wanted: &[&str]) -> BTreeMap<String, (f64, f64)> {
     let text = rig(rng, &plan, &hull);
     let practised = practise(&read_rig(&text, "drawn.toml").unwrap(), rng.random()).unwrap();
     let folder = tempfile::tempdir().unwrap();
-    save_practised(&practised, folder.path().join("s"), folder.path().join("t.json"), Overwrite::Refuse)
-        .unwrap();
-    let found = measure(&load_session(folder.path().join("s")).unwrap(), &MeasureOptions::default()).unwrap();
+    save_practised(
+        &practised,
+        folder.path().join("s"),
+        folder.path().join("t.json"),
+        Overwrite::Refuse,
+    )
+    .unwrap();
+    let found = measure(
+        &load_session(folder.path().join("s")).unwrap(),
+        &MeasureOptions::default(),
+    )
+    .unwrap();
     let truth = BTreeMap::from([
         ("k_roll_m", hull.k_m[0]),
         ("k_pitch_m", hull.k_m[1]),
@@ -198,13 +221,27 @@ fn one(rng: &mut ChaCha8Rng, wanted: &[&str]) -> BTreeMap<String, (f64, f64)> {
     for (name, predicted) in &plan.quantities {
         let Some(u) = predicted.u else { continue };
         let Some(achieved) = found.quantities.get(name) else {
-            println!("  {name} was predicted ({u:.2e}) and not measured: {:?}", found.warnings);
+            println!(
+                "  {name} was predicted ({u:.2e}) and not measured: {:?}",
+                found.warnings
+            );
             continue;
         };
-        let (value, achieved_u) = (achieved.value.as_f64().unwrap(), achieved.u.as_f64().unwrap());
-        ratios.insert(name.clone(), (u / achieved_u, (value - truth[name.as_str()]) / u));
+        let (value, achieved_u) = (
+            achieved.value.as_f64().unwrap(),
+            achieved.u.as_f64().unwrap(),
+        );
+        ratios.insert(
+            name.clone(),
+            (u / achieved_u, (value - truth[name.as_str()]) / u),
+        );
     }
-    let ids: Vec<&str> = found.swings.iter().filter(|s| !s.simulated).map(|s| s.id.as_str()).collect();
+    let ids: Vec<&str> = found
+        .swings
+        .iter()
+        .filter(|s| !s.simulated)
+        .map(|s| s.id.as_str())
+        .collect();
     println!("  {:.1} m {ratios:.2?}, by lines: {ids:?}", hull.length_m);
     ratios
 }
@@ -212,7 +249,11 @@ fn one(rng: &mut ChaCha8Rng, wanted: &[&str]) -> BTreeMap<String, (f64, f64)> {
 fn median(mut of: Vec<f64>) -> f64 {
     of.sort_by(f64::total_cmp);
     let n = of.len();
-    if n % 2 == 1 { of[n / 2] } else { 0.5 * (of[n / 2 - 1] + of[n / 2]) }
+    if n % 2 == 1 {
+        of[n / 2]
+    } else {
+        0.5 * (of[n / 2 - 1] + of[n / 2])
+    }
 }
 
 fn medians(count: usize, wanted: &[&str]) -> BTreeMap<String, (usize, f64, f64)> {
@@ -225,7 +266,14 @@ fn medians(count: usize, wanted: &[&str]) -> BTreeMap<String, (usize, f64, f64)>
     }
     let of = |(name, ratios): (String, Vec<(f64, f64)>)| {
         let rms = (ratios.iter().map(|r| r.1 * r.1).sum::<f64>() / ratios.len() as f64).sqrt();
-        (name, (ratios.len(), median(ratios.iter().map(|r| r.0).collect()), rms))
+        (
+            name,
+            (
+                ratios.len(),
+                median(ratios.iter().map(|r| r.0).collect()),
+                rms,
+            ),
+        )
     };
     all.into_iter().map(of).collect()
 }
@@ -235,8 +283,9 @@ fn asked_for() -> Option<usize> {
     std::env::var("GYRADIUS_PLAN_HULLS").ok()?.parse().ok()
 }
 
-/// The median over many hulls stays within 0.8 to 1.25. Single hulls scatter by a fifth or so, mostly because the planner is
-/// told rough figures: that of a few is held to a range that a right program leaves less than once in a thousand runs.
+/// The median over many hulls stays within 0.8 to 1.25. Single hulls scatter by a fifth or so,
+/// mostly because the planner is told rough figures: that of a few is held to a range that a right
+/// program leaves less than once in a thousand runs.
 fn range(hulls: usize) -> (f64, f64) {
     if hulls >= 30 { (0.8, 1.25) } else { (0.5, 2.0) }
 }
@@ -246,7 +295,10 @@ fn what_is_predicted_is_achieved() {
     let hulls = asked_for().unwrap_or(8);
     let sets = [
         (&["k_yaw=0.1%", "k_pitch=0.3%"][..], 0.75),
-        (&["k_yaw=0.1%", "k_pitch=0.5%", "k_roll=1%", "psi=1deg"], 0.25),
+        (
+            &["k_yaw=0.1%", "k_pitch=0.5%", "k_roll=1%", "psi=1deg"],
+            0.25,
+        ),
     ];
     for (wanted, share) in sets {
         // Of fewer than three no median leaves one out that was measured badly.
@@ -257,13 +309,22 @@ fn what_is_predicted_is_achieved() {
                 "{name}: median of predicted over achieved {ratio:.3} of {n}; errors {rms:.2} predicted u (rms)"
             );
         }
-        let is_asked = |name: &str| wanted.iter().any(|w| name.starts_with(w.split('=').next().unwrap()));
+        let is_asked = |name: &str| {
+            wanted
+                .iter()
+                .any(|w| name.starts_with(w.split('=').next().unwrap()))
+        };
         for (name, (n, ratio, _)) in found.iter().filter(|(name, _)| is_asked(name)) {
             let (least, most) = range(*n);
-            assert!((least..=most).contains(ratio), "{name}: {ratio} of {n} hulls");
+            assert!(
+                (least..=most).contains(ratio),
+                "{name}: {ratio} of {n} hulls"
+            );
         }
-        assert!(
-            wanted.iter().all(|w| found.keys().any(|name| name.starts_with(w.split('=').next().unwrap())))
-        );
+        assert!(wanted.iter().all(|w| {
+            found
+                .keys()
+                .any(|name| name.starts_with(w.split('=').next().unwrap()))
+        }));
     }
 }

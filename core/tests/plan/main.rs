@@ -1,4 +1,5 @@
-//! The planner: its figures against the paper and closed forms, its predictions against sessions that are then swung.
+//! The planner: its figures against the paper and closed forms, its predictions against sessions
+//! that are then swung.
 #![allow(clippy::unwrap_used)]
 
 #[path = "../common/mod.rs"]

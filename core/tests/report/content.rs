@@ -20,8 +20,11 @@ fn samples() -> [(&'static str, ReportSource); 4] {
 fn every_sample_is_well_formed_and_loads_nothing() {
     for (name, source) in samples() {
         let page = html(&source);
-        std::fs::write(Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("report-{name}.html")), &page)
-            .expect("written");
+        std::fs::write(
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("report-{name}.html")),
+            &page,
+        )
+        .expect("written");
         assert_well_formed(&page);
         let without_names = page.replace("http://www.w3.org/2000/svg", "");
         for address in ["http:", "https:", "src=", "href=", "url(", "@import"] {
@@ -95,7 +98,11 @@ fn pictures_come_alone_with_unique_names() {
     for figure in &all {
         assert_well_formed(&figure.svg);
         assert!(figure.svg.starts_with("<svg xmlns=") && figure.svg.contains("viewBox="));
-        assert!(html(&keelboat()).contains(&figure.svg), "{} is not on the page", figure.id);
+        assert!(
+            html(&keelboat()).contains(&figure.svg),
+            "{} is not on the page",
+            figure.id
+        );
     }
 }
 
@@ -137,12 +144,15 @@ fn text_from_outside_stays_text() {
 fn the_numbers_are_in_the_page_as_json() {
     let source = keelboat();
     let page = html(&source);
-    let start =
-        page.find("id=\"gyradius-measurement\">").expect("script") + "id=\"gyradius-measurement\">".len();
+    let start = page.find("id=\"gyradius-measurement\">").expect("script")
+        + "id=\"gyradius-measurement\">".len();
     let json = &page[start..start + page[start..].find("</script>").expect("its end")];
     let read: serde_json::Value = serde_json::from_str(json).expect("JSON");
     let written = serde_json::to_string(&source.measurement).expect("JSON");
-    assert_eq!(read, serde_json::from_str::<serde_json::Value>(&written).expect("JSON"));
+    assert_eq!(
+        read,
+        serde_json::from_str::<serde_json::Value>(&written).expect("JSON")
+    );
 }
 
 #[test]

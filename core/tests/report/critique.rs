@@ -1,4 +1,5 @@
-//! The part on what the simulation gets wrong: what it says, which figures head the report, and that no data break it.
+//! The part on what the simulation gets wrong: what it says, which figures head the report, and
+//! that no data break it.
 
 use gyradius_core::critique::{Criticism, Critique, SwingTrace};
 use gyradius_core::report::{ReportSource, figures, html};
@@ -8,7 +9,10 @@ use crate::samples::{ambiguous, keelboat, unexplained};
 use crate::well_formed::assert_well_formed;
 
 fn criticised(criticism: Criticism) -> ReportSource {
-    ReportSource { criticism: Some(Ok(criticism)), ..keelboat() }
+    ReportSource {
+        criticism: Some(Ok(criticism)),
+        ..keelboat()
+    }
 }
 
 /// The keelboat's report with one thing of its criticism changed.
@@ -23,7 +27,11 @@ fn the_page_is_well_formed_and_loads_nothing() {
     for (name, criticism) in [("ambiguous", ambiguous()), ("unexplained", unexplained())] {
         let page = html(&criticised(criticism));
         let file = format!("report-critique-{name}.html");
-        std::fs::write(std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(file), &page).expect("written");
+        std::fs::write(
+            std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(file),
+            &page,
+        )
+        .expect("written");
         assert_well_formed(&page);
         for address in ["src=", "href=", "url(", "@import"] {
             assert!(!page.contains(address), "{name} loads {address}");
@@ -58,7 +66,10 @@ fn verdict_causes_and_next_swing_are_said() {
     ] {
         assert!(page.contains(text), "{text}");
     }
-    assert!(!page.contains("the eleventh and the least</td>"), "only ten discrepancies have a row");
+    assert!(
+        !page.contains("the eleventh and the least</td>"),
+        "only ten discrepancies have a row"
+    );
 }
 
 #[test]
@@ -75,8 +86,16 @@ fn a_learned_force_is_shown() {
     ] {
         assert!(page.contains(text), "{text}");
     }
-    let force = figures(&source).into_iter().find(|figure| figure.id == "critique-force").expect("drawn");
-    for label in ["torque about the vertical, N m", "angle, rad", "turn rate, rad/s", "time, s"] {
+    let force = figures(&source)
+        .into_iter()
+        .find(|figure| figure.id == "critique-force")
+        .expect("drawn");
+    for label in [
+        "torque about the vertical, N m",
+        "angle, rad",
+        "turn rate, rad/s",
+        "time, s",
+    ] {
         assert!(force.svg.contains(label), "{label}");
     }
     // Seven points on each of three axes.
@@ -101,7 +120,10 @@ fn the_extended_figures_head_the_report() {
     ] {
         assert!(result.contains(text), "{text}");
     }
-    assert!(page.contains("without the causes that the criticism found"), "of the budget");
+    assert!(
+        page.contains("without the causes that the criticism found"),
+        "of the budget"
+    );
 }
 
 #[test]
@@ -111,8 +133,11 @@ fn the_base_figures_head_the_report_where_nothing_is_missing() {
     assert!(page.contains("<strong>Nothing is missing</strong>"));
     assert!(page.contains("<td class=\"value\">1.05660 ± 0.00093 m</td>"));
     assert!(!page.contains("<td class=\"base\">"));
-    for text in ["without the causes that the criticism found", "times smaller", "The body before and after"]
-    {
+    for text in [
+        "without the causes that the criticism found",
+        "times smaller",
+        "The body before and after",
+    ] {
         assert!(!page.contains(text), "{text}");
     }
 }
@@ -120,8 +145,13 @@ fn the_base_figures_head_the_report_where_nothing_is_missing() {
 #[test]
 fn why_there_is_none_is_said() {
     let reason = "keelboat: the periods of these swings were typed in";
-    let page = html(&ReportSource { criticism: Some(Err(reason.into())), ..keelboat() });
-    assert!(page.contains(&format!("There is no criticism of the simulation for this session: {reason}.")));
+    let page = html(&ReportSource {
+        criticism: Some(Err(reason.into())),
+        ..keelboat()
+    });
+    assert!(page.contains(&format!(
+        "There is no criticism of the simulation for this session: {reason}."
+    )));
     assert!(page.contains("<td class=\"value\">1.05660 ± 0.00093 m</td>"));
     assert!(!page.contains("gyradius-critique"));
 }
@@ -137,11 +167,17 @@ fn its_pictures_are_on_the_page() {
     let page = html(&source);
     let all = figures(&source);
     for id in ["critique-causes", "critique-1-yaw-1", "critique-2-pitch-1"] {
-        let figure = all.iter().find(|figure| figure.id == id).unwrap_or_else(|| panic!("{id}"));
+        let figure = all
+            .iter()
+            .find(|figure| figure.id == id)
+            .unwrap_or_else(|| panic!("{id}"));
         assert_well_formed(&figure.svg);
         assert!(page.contains(&figure.svg), "{id}");
     }
-    let yaw = all.iter().find(|figure| figure.id == "critique-1-yaw-1").expect("drawn");
+    let yaw = all
+        .iter()
+        .find(|figure| figure.id == "critique-1-yaw-1")
+        .expect("drawn");
     assert!(yaw.svg.contains("left by the extended one"));
 }
 
@@ -168,7 +204,8 @@ fn the_numbers_are_in_the_page_as_json() {
 
 #[test]
 fn text_from_outside_stays_text() {
-    const ATTACK: &str = "</script><!--<script>alert('x')</script><img src=x onerror=alert(1)>\u{0}";
+    const ATTACK: &str =
+        "</script><!--<script>alert('x')</script><img src=x onerror=alert(1)>\u{0}";
     let mut criticism = ambiguous();
     let critique = &mut criticism.critique;
     critique.verdict.text = ATTACK.into();
@@ -177,7 +214,9 @@ fn text_from_outside_stays_text() {
     critique.causes[0].id = ATTACK.into();
     critique.causes[0].text = ATTACK.into();
     let parameter = critique.causes[0].parameters["yaw_torque_coefficient"].clone();
-    critique.causes[0].parameters.insert(ATTACK.into(), parameter);
+    critique.causes[0]
+        .parameters
+        .insert(ATTACK.into(), parameter);
     critique.discrepancies[0].swing = ATTACK.into();
     critique.discrepancies[0].unit = ATTACK.into();
     critique.learned = unexplained().critique.learned;
@@ -189,7 +228,10 @@ fn text_from_outside_stays_text() {
     for tag in ["<img", "<!--", "onerror=alert(1)>", "<script>", "\u{0}"] {
         assert!(!page.contains(tag), "{tag}");
     }
-    let page = html(&ReportSource { criticism: Some(Err(ATTACK.into())), ..keelboat() });
+    let page = html(&ReportSource {
+        criticism: Some(Err(ATTACK.into())),
+        ..keelboat()
+    });
     assert!(!page.contains("<img"));
 }
 
@@ -200,9 +242,15 @@ fn no_number_breaks_it() {
         let critique = &mut criticism.critique;
         for cause in &mut critique.causes {
             (cause.probability, cause.log_evidence_gain) = (bad, bad);
-            cause.parameters.values_mut().for_each(|parameter| (parameter.value, parameter.u) = (bad, bad));
+            cause
+                .parameters
+                .values_mut()
+                .for_each(|parameter| (parameter.value, parameter.u) = (bad, bad));
         }
-        critique.discrepancies.iter_mut().for_each(|found| (found.size, found.sigma) = (bad, bad));
+        critique
+            .discrepancies
+            .iter_mut()
+            .for_each(|found| (found.size, found.sigma) = (bad, bad));
         for quantity in critique.extended.quantities.values_mut() {
             (quantity.value, quantity.u) = (bad.into(), bad.into());
         }
@@ -213,14 +261,36 @@ fn no_number_breaks_it() {
         force.points[0] = [bad, 1.0, bad, 1.0, bad];
         assert_finite(&criticised(criticism), "bad numbers");
         for trace in [
-            SwingTrace { noise: bad, ..ambiguous().traces[0].clone() },
-            SwingTrace { measured: vec![bad; 50], ..ambiguous().traces[0].clone() },
-            SwingTrace { t_s: vec![bad; 3], ..ambiguous().traces[0].clone() },
-            SwingTrace { base: vec![bad], extended: vec![], ..ambiguous().traces[0].clone() },
+            SwingTrace {
+                noise: bad,
+                ..ambiguous().traces[0].clone()
+            },
+            SwingTrace {
+                measured: vec![bad; 50],
+                ..ambiguous().traces[0].clone()
+            },
+            SwingTrace {
+                t_s: vec![bad; 3],
+                ..ambiguous().traces[0].clone()
+            },
+            SwingTrace {
+                base: vec![bad],
+                extended: vec![],
+                ..ambiguous().traces[0].clone()
+            },
         ] {
-            assert_finite(&criticised(Criticism { traces: vec![trace], ..ambiguous() }), "a bad trace");
+            assert_finite(
+                &criticised(Criticism {
+                    traces: vec![trace],
+                    ..ambiguous()
+                }),
+                "a bad trace",
+            );
         }
     }
-    let empty = Criticism { traces: vec![SwingTrace::default()], ..Default::default() };
+    let empty = Criticism {
+        traces: vec![SwingTrace::default()],
+        ..Default::default()
+    };
     assert_finite(&criticised(empty), "nothing at all");
 }

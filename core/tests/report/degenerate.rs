@@ -1,13 +1,25 @@
-//! Data that no picture should choke on: none, one point, constant, not a number, infinite, absurdly large.
+//! Data that no picture should choke on: none, one point, constant, not a number, infinite,
+//! absurdly large.
 
 use gyradius_core::inertia::{AmplitudePoint, Claim, ModeResult};
-use gyradius_core::report::{Curve, Peak, ReportSource, SpectrumFigureData, figures, html, thinned};
+use gyradius_core::report::{
+    Curve, Peak, ReportSource, SpectrumFigureData, figures, html, thinned,
+};
 use serde_json::json;
 
 use crate::samples::keelboat;
 use crate::well_formed::assert_well_formed;
 
-pub const BAD: [f64; 8] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, 1e300, -1e300, 1e-300];
+pub const BAD: [f64; 8] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    0.0,
+    -1.0,
+    1e300,
+    -1e300,
+    1e-300,
+];
 
 /// No attribute of a drawing may hold anything but finite numbers.
 pub fn assert_finite(source: &ReportSource, what: &str) {
@@ -22,19 +34,33 @@ pub fn assert_finite(source: &ReportSource, what: &str) {
             figure.svg
         );
         for value in numbers(&figure.svg) {
-            assert!(value.is_finite() && value.abs() <= 1e5, "{what}: {value} in {}", figure.id);
+            assert!(
+                value.is_finite() && value.abs() <= 1e5,
+                "{what}: {value} in {}",
+                figure.id
+            );
         }
     }
 }
 
 /// Numbers in the attributes that place things.
 fn numbers(svg: &str) -> Vec<f64> {
-    let keys =
-        ["x", "y", "x1", "x2", "y1", "y2", "cx", "cy", "rx", "ry", "width", "height", "points", "viewBox"];
+    let keys = [
+        "x", "y", "x1", "x2", "y1", "y2", "cx", "cy", "rx", "ry", "width", "height", "points",
+        "viewBox",
+    ];
     keys.iter()
-        .flat_map(|key| svg.split(&format!(" {key}=\"")).skip(1).map(str::to_string).collect::<Vec<_>>())
+        .flat_map(|key| {
+            svg.split(&format!(" {key}=\""))
+                .skip(1)
+                .map(str::to_string)
+                .collect::<Vec<_>>()
+        })
         .flat_map(|rest| {
-            rest[..rest.find('"').unwrap_or(0)].split([' ', ',']).map(str::to_string).collect::<Vec<_>>()
+            rest[..rest.find('"').unwrap_or(0)]
+                .split([' ', ','])
+                .map(str::to_string)
+                .collect::<Vec<_>>()
         })
         .map(|text| text.parse().unwrap_or(f64::NAN))
         .collect()
@@ -44,11 +70,19 @@ fn with_curve(x: Vec<f64>, y: Vec<f64>) -> ReportSource {
     let mut source = keelboat();
     let curve = Curve { x, y };
     for trace in &mut source.recordings[0].traces {
-        (trace.measured, trace.model, trace.residual) = (curve.clone(), curve.clone(), curve.clone());
+        (trace.measured, trace.model, trace.residual) =
+            (curve.clone(), curve.clone(), curve.clone());
         trace.close_up = Some([curve.clone(), Curve::default()]);
         trace.noise = curve.y.first().copied();
     }
-    let peaks = curve.x.iter().map(|f| Peak { freq_hz: *f, name: "yaw".into() }).collect();
+    let peaks = curve
+        .x
+        .iter()
+        .map(|f| Peak {
+            freq_hz: *f,
+            name: "yaw".into(),
+        })
+        .collect();
     source.recordings[0].spectrum = Some(SpectrumFigureData {
         amplitude: curve.clone(),
         residual: Some(curve),
@@ -67,8 +101,14 @@ fn curves() {
     assert_finite(&with_curve(BAD.to_vec(), BAD.to_vec()), "all bad");
     for bad in BAD {
         assert_finite(&with_curve(vec![bad], vec![bad]), "one bad point");
-        assert_finite(&with_curve(vec![0.0, 1.0, 2.0], vec![0.5, bad, 0.6]), "a bad ordinate");
-        assert_finite(&with_curve(vec![0.0, bad, 2.0], vec![0.5, 0.55, 0.6]), "a bad abscissa");
+        assert_finite(
+            &with_curve(vec![0.0, 1.0, 2.0], vec![0.5, bad, 0.6]),
+            "a bad ordinate",
+        );
+        assert_finite(
+            &with_curve(vec![0.0, bad, 2.0], vec![0.5, 0.55, 0.6]),
+            "a bad abscissa",
+        );
         let curve = thinned(&[bad, 1.0, bad], &[1.0, bad, bad]);
         assert_finite(&with_curve(curve.x, curve.y), "thinned");
     }
@@ -123,11 +163,21 @@ fn quantities_budgets_and_claims() {
             lines[0].u_contribution = bad;
         }
         let claim = &source.measurement.consistency[0];
-        let broken =
-            Claim { stated: bad, stated_u: bad, implied: bad, implied_u: bad, sigma: bad, ..claim.clone() };
+        let broken = Claim {
+            stated: bad,
+            stated_u: bad,
+            implied: bad,
+            implied_u: bad,
+            sigma: bad,
+            ..claim.clone()
+        };
         source.measurement.consistency.push(broken);
         for verdict in &mut source.measurement.verdicts {
-            (verdict.limit, verdict.guard_band, verdict.conformance_probability) = (bad, bad, bad);
+            (
+                verdict.limit,
+                verdict.guard_band,
+                verdict.conformance_probability,
+            ) = (bad, bad, bad);
         }
         assert_finite(&source, "bad results");
     }
@@ -136,7 +186,13 @@ fn quantities_budgets_and_claims() {
 #[test]
 fn values_of_another_shape() {
     let mut source = keelboat();
-    for shape in [json!(null), json!("text"), json!([]), json!([[1.0], "x"]), json!({"a": 1})] {
+    for shape in [
+        json!(null),
+        json!("text"),
+        json!([]),
+        json!([[1.0], "x"]),
+        json!({"a": 1}),
+    ] {
         for quantity in source.measurement.quantities.values_mut() {
             (quantity.value, quantity.u) = (shape.clone(), shape.clone());
         }

@@ -20,14 +20,31 @@ fn yawing() -> Recording {
     };
     let channel = |k: u64, size: f64, level: f64, amplitude: f64| -> Vec<f64> {
         let swing = |t: f64| amplitude * (-t / 200.0).exp() * (TAU * t / 2.7).cos();
-        t_s.iter().enumerate().map(|(i, t)| level + swing(*t) + size * noise(i, k)).collect()
+        t_s.iter()
+            .enumerate()
+            .map(|(i, t)| level + swing(*t) + size * noise(i, k))
+            .collect()
     };
-    let gyroscope = [channel(0, 0.004, 0.0, 0.0), channel(1, 0.004, 0.0, 0.0), channel(2, 0.004, 0.0, 0.3)];
-    let accelerometer = [channel(3, 0.04, 0.0, 0.1), channel(4, 0.04, 0.0, 0.0), channel(5, 0.04, 9.81, 0.0)];
+    let gyroscope = [
+        channel(0, 0.004, 0.0, 0.0),
+        channel(1, 0.004, 0.0, 0.0),
+        channel(2, 0.004, 0.0, 0.3),
+    ];
+    let accelerometer = [
+        channel(3, 0.04, 0.0, 0.1),
+        channel(4, 0.04, 0.0, 0.0),
+        channel(5, 0.04, 9.81, 0.0),
+    ];
     Recording {
         name: "yawing.csv".into(),
-        gyroscope: Some(Triad { t_s: t_s.clone(), axes: gyroscope }),
-        accelerometer: Some(Triad { t_s, axes: accelerometer }),
+        gyroscope: Some(Triad {
+            t_s: t_s.clone(),
+            axes: gyroscope,
+        }),
+        accelerometer: Some(Triad {
+            t_s,
+            axes: accelerometer,
+        }),
         ..Default::default()
     }
 }
@@ -36,9 +53,13 @@ fn yawing() -> Recording {
 fn a_bare_recording_becomes_a_page() {
     let analysis = measure_recording(&yawing(), &MeasureOptions::default()).expect("an analysis");
     let source = ReportSource::from_analysis(&analysis, None);
-    let [recording] = source.recordings.as_slice() else { panic!("one recording") };
+    let [recording] = source.recordings.as_slice() else {
+        panic!("one recording")
+    };
     assert_eq!(recording.id, source.measurement.swings[0].id);
-    let [turn, acceleration] = recording.traces.as_slice() else { panic!("two sensors") };
+    let [turn, acceleration] = recording.traces.as_slice() else {
+        panic!("two sensors")
+    };
     assert_eq!(turn.label, "turn rate about the phone's z");
     assert_eq!(acceleration.label, "acceleration along the phone's x");
     for trace in &recording.traces {
@@ -47,10 +68,17 @@ fn a_bare_recording_becomes_a_page() {
         assert!(trace.close_up.is_some());
     }
     let spectrum = recording.spectrum.as_ref().expect("a spectrum");
-    assert!((spectrum.peaks[0].freq_hz - 1.0 / 2.7).abs() < 1e-3, "{:?}", spectrum.peaks);
+    assert!(
+        (spectrum.peaks[0].freq_hz - 1.0 / 2.7).abs() < 1e-3,
+        "{:?}",
+        spectrum.peaks
+    );
     let page = html(&source);
     assert_well_formed(&page);
     assert!(page.contains("2.70"), "the period");
-    std::fs::write(std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("report-gathered.html"), page)
-        .expect("written");
+    std::fs::write(
+        std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("report-gathered.html"),
+        page,
+    )
+    .expect("written");
 }

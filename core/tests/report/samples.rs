@@ -1,4 +1,5 @@
-//! Sources made by hand, with numbers near those of the paper's keelboat (Tables 1 and 2) and model hull (Table 3).
+//! Sources made by hand, with numbers near those of the paper's keelboat (Tables 1 and 2) and model
+//! hull (Table 3).
 
 #![allow(clippy::expect_used)]
 
@@ -7,13 +8,14 @@ use std::f64::consts::TAU;
 
 use gyradius_core::critique::{Criticism, SwingTrace};
 use gyradius_core::inertia::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
+    Verdict,
 };
 use gyradius_core::language::Text;
 use gyradius_core::recording::{ModeName, Quantity, Repair, RepairKind, Sensor};
 use gyradius_core::report::{
-    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure, Trace,
-    thinned,
+    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure,
+    Trace, thinned,
 };
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -33,7 +35,14 @@ fn quantity(value: f64, u: f64) -> QuantityResult {
 fn route(method: &str, value: f64, u: f64, equation: &str, from: &[&str]) -> Route {
     let from = from.iter().map(|id| id.to_string()).collect();
     let interval_95 = [value - 1.96 * u, value + 1.96 * u];
-    Route { method: method.into(), value, u, interval_95, equation: equation.into(), from }
+    Route {
+        method: method.into(),
+        value,
+        u,
+        interval_95,
+        equation: equation.into(),
+        from,
+    }
 }
 
 fn mode(mode: ModeName, period_s: f64, tau_s: f64, amplitude_rad: f64) -> ModeResult {
@@ -94,18 +103,33 @@ fn windows(period_s: f64, tau_s: f64, amplitude: f64) -> Vec<AmplitudePoint> {
 
 /// A deterministic stand-in for noise.
 fn noise(i: usize) -> f64 {
-    (0..4).map(|k| ((i * (7919 + 104 * k) + 31 * k) % 2003) as f64 / 2003.0 - 0.5).sum()
+    (0..4)
+        .map(|k| ((i * (7919 + 104 * k) + 31 * k) % 2003) as f64 / 2003.0 - 0.5)
+        .sum()
 }
 
-fn trace(label: &str, unit: &str, level: f64, lines: &[(f64, f64)], tau_s: f64, sigma: f64) -> Trace {
-    let t: Vec<f64> =
-        (0..11_800).map(|i| 2.0 + 0.01 * i as f64).filter(|t| !(71.0..74.5).contains(t)).collect();
+fn trace(
+    label: &str,
+    unit: &str,
+    level: f64,
+    lines: &[(f64, f64)],
+    tau_s: f64,
+    sigma: f64,
+) -> Trace {
+    let t: Vec<f64> = (0..11_800)
+        .map(|i| 2.0 + 0.01 * i as f64)
+        .filter(|t| !(71.0..74.5).contains(t))
+        .collect();
     let swing = |t: f64| {
-        lines.iter().map(|(period, a)| a * (-t / tau_s).exp() * (TAU * t / period).cos()).sum::<f64>()
+        lines
+            .iter()
+            .map(|(period, a)| a * (-t / tau_s).exp() * (TAU * t / period).cos())
+            .sum::<f64>()
     };
     let model: Vec<f64> = t.iter().map(|t| level + swing(*t)).collect();
-    let left: Vec<f64> =
-        (0..t.len()).map(|i| sigma * noise(i) + if i == 5000 { 9.0 * sigma } else { 0.0 }).collect();
+    let left: Vec<f64> = (0..t.len())
+        .map(|i| sigma * noise(i) + if i == 5000 { 9.0 * sigma } else { 0.0 })
+        .collect();
     let measured: Vec<f64> = model.iter().zip(&left).map(|(m, r)| m + r).collect();
     let near = t.iter().filter(|t| **t < 26.0).count();
     let close = |y: &[f64]| thinned(&t[..near], &y[..near]);
@@ -123,14 +147,30 @@ fn trace(label: &str, unit: &str, level: f64, lines: &[(f64, f64)], tau_s: f64, 
 fn spectrum(lines: &[(f64, f64, &str)]) -> SpectrumFigureData {
     let f: Vec<f64> = (1..1600).map(|i| 0.0025 * f64::from(i)).collect();
     let floor = |i: usize| 2e-5 * (1.2 + noise(i).abs());
-    let height =
-        |f: f64| lines.iter().map(|(p, a, _)| a / (1.0 + ((f - 1.0 / p) / 0.004).powi(2))).sum::<f64>();
+    let height = |f: f64| {
+        lines
+            .iter()
+            .map(|(p, a, _)| a / (1.0 + ((f - 1.0 / p) / 0.004).powi(2)))
+            .sum::<f64>()
+    };
     SpectrumFigureData {
         label: "turn rate about the phone's z".into(),
         unit: "rad/s".into(),
-        amplitude: Curve::of(f.iter().enumerate().map(|(i, f)| (*f, height(*f) + floor(i)))),
-        residual: Some(Curve::of(f.iter().enumerate().map(|(i, f)| (*f, floor(i + 3))))),
-        peaks: lines.iter().map(|(p, _, name)| Peak { freq_hz: 1.0 / p, name: name.to_string() }).collect(),
+        amplitude: Curve::of(
+            f.iter()
+                .enumerate()
+                .map(|(i, f)| (*f, height(*f) + floor(i))),
+        ),
+        residual: Some(Curve::of(
+            f.iter().enumerate().map(|(i, f)| (*f, floor(i + 3))),
+        )),
+        peaks: lines
+            .iter()
+            .map(|(p, _, name)| Peak {
+                freq_hz: 1.0 / p,
+                name: name.to_string(),
+            })
+            .collect(),
     }
 }
 
@@ -139,8 +179,22 @@ fn yaw_recording(id: &str) -> RecordingFigureData {
     RecordingFigureData {
         id: id.into(),
         traces: vec![
-            trace("turn rate about the phone's z", "rad/s", 0.0021, &lines, 380.0, 0.002),
-            trace("acceleration along the phone's x", "m/s²", 9.79, &[(3.802, 0.08)], 420.0, 0.02),
+            trace(
+                "turn rate about the phone's z",
+                "rad/s",
+                0.0021,
+                &lines,
+                380.0,
+                0.002,
+            ),
+            trace(
+                "acceleration along the phone's x",
+                "m/s²",
+                9.79,
+                &[(3.802, 0.08)],
+                420.0,
+                0.02,
+            ),
         ],
         spectrum: Some(spectrum(&[(4.391, 0.2, "yaw"), (3.802, 0.05, "sway")])),
     }
@@ -160,7 +214,11 @@ fn claims() -> Vec<Claim> {
             flagged: sigma > 3.0,
             text: format!(
                 "{} is stated as {:.3} ± {:.3}; the {from} implies {:.3} ± {:.3}.",
-                if name.starts_with("k_") { name.to_string() } else { name.replace('_', " ") },
+                if name.starts_with("k_") {
+                    name.to_string()
+                } else {
+                    name.replace('_', " ")
+                },
                 stated.0,
                 stated.1,
                 implied.0,
@@ -173,8 +231,18 @@ fn claims() -> Vec<Claim> {
     };
     vec![
         // Errata: sway periods of 3.802 s and 3.820 s against the tape's 3.477 m.
-        claim("line_length", (3.477, 0.006), (3.591, 0.004), "sway period of yaw-1"),
-        claim("k_yaw_m", (1.0569, 0.0021), (1.0398, 0.0014), "period_ratio against yaw_period"),
+        claim(
+            "line_length",
+            (3.477, 0.006),
+            (3.591, 0.004),
+            "sway period of yaw-1",
+        ),
+        claim(
+            "k_yaw_m",
+            (1.0569, 0.0021),
+            (1.0398, 0.0014),
+            "period_ratio against yaw_period",
+        ),
         claim(
             "gravity",
             (9.80665, 0.0005),
@@ -195,7 +263,10 @@ pub fn keelboat() -> ReportSource {
     let mut swings = vec![SwingResult {
         id: "yaw-1".into(),
         span_s: Some([2.0, 120.0]),
-        modes: vec![mode(ModeName::Yaw, 4.391, 380.0, 0.14), mode(ModeName::Sway, 3.802, 420.0, 0.012)],
+        modes: vec![
+            mode(ModeName::Yaw, 4.391, 380.0, 0.14),
+            mode(ModeName::Sway, 3.802, 420.0, 0.012),
+        ],
         repairs: vec![Repair {
             kind: RepairKind::Stall,
             sensor: Sensor::Gyroscope,
@@ -278,14 +349,25 @@ pub fn keelboat() -> ReportSource {
 }
 
 fn quantities() -> BTreeMap<String, QuantityResult> {
-    let whole = |value, u| QuantityResult { value, u, interval_95: None, method: "joint_estimate".into() };
+    let whole = |value, u| QuantityResult {
+        value,
+        u,
+        interval_95: None,
+        method: "joint_estimate".into(),
+    };
     BTreeMap::from([
         ("k_yaw_m".into(), quantity(1.0566, 0.00093)),
         ("k_pitch_m".into(), quantity(1.156, 0.0031)),
         ("k_roll_m".into(), quantity(0.625, 0.0042)),
         ("cm_depth_m".into(), quantity(0.923, 0.012)),
         ("psi_deg".into(), quantity(5.55, 1.4)),
-        ("principal_gyradii_m".into(), whole(json!([0.618, 1.156, 1.061]), json!([0.0043, 0.0031, 0.0012]))),
+        (
+            "principal_gyradii_m".into(),
+            whole(
+                json!([0.618, 1.156, 1.061]),
+                json!([0.0043, 0.0031, 0.0012]),
+            ),
+        ),
         (
             "inertia_kg_m2".into(),
             whole(
@@ -298,7 +380,13 @@ fn quantities() -> BTreeMap<String, QuantityResult> {
 
 fn budget() -> BTreeMap<String, Vec<BudgetLine>> {
     let lines = |lines: &[(&str, f64)]| {
-        lines.iter().map(|(input, u)| BudgetLine { input: input.to_string(), u_contribution: *u }).collect()
+        lines
+            .iter()
+            .map(|(input, u)| BudgetLine {
+                input: input.to_string(),
+                u_contribution: *u,
+            })
+            .collect()
     };
     BTreeMap::from([
         (
@@ -314,7 +402,10 @@ fn budget() -> BTreeMap<String, Vec<BudgetLine>> {
         (
             "k_pitch_m".into(),
             lines(&[
-                ("pitch out of phase period of pitch-1 with a rather long name", 0.0024),
+                (
+                    "pitch out of phase period of pitch-1 with a rather long name",
+                    0.0024,
+                ),
                 ("line_length", 0.0018),
                 ("spacing", 0.0006),
                 ("sway period of yaw-1", 0.0003),
@@ -345,7 +436,8 @@ fn verdicts() -> Vec<Verdict> {
     ]
 }
 
-/// A drag that the data cannot tell from another damping, after `critiques/ambiguous.json`; its traces are made here.
+/// A drag that the data cannot tell from another damping, after `critiques/ambiguous.json`; its
+/// traces are made here.
 pub fn ambiguous() -> Criticism {
     criticism(include_str!("critiques/ambiguous.json"))
 }
@@ -357,7 +449,10 @@ pub fn unexplained() -> Criticism {
 
 fn criticism(json: &str) -> Criticism {
     let critique = serde_json::from_str(json).expect("a critique");
-    let traces = vec![swing_trace("yaw-1", 4.391, 0.2, 0.002), swing_trace("pitch-1", 1.902, 0.05, 0.002)];
+    let traces = vec![
+        swing_trace("yaw-1", 4.391, 0.2, 0.002),
+        swing_trace("pitch-1", 1.902, 0.05, 0.002),
+    ];
     Criticism { critique, traces }
 }
 
@@ -365,11 +460,20 @@ fn criticism(json: &str) -> Criticism {
 fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> SwingTrace {
     let t_s: Vec<f64> = (0..6000).map(|i| 0.02 * f64::from(i)).collect();
     let wave = |t: f64| amplitude * (TAU * t / period_s).cos();
-    let extended: Vec<f64> = t_s.iter().map(|t| wave(*t) * (-t / 380.0).exp() / (1.0 + t / 200.0)).collect();
+    let extended: Vec<f64> = t_s
+        .iter()
+        .map(|t| wave(*t) * (-t / 380.0).exp() / (1.0 + t / 200.0))
+        .collect();
     let base = t_s.iter().map(|t| wave(*t) * (-t / 140.0).exp()).collect();
     // Seed 1: the same page every time.
-    let draws = Normal::new(0.0, noise_size).expect("a size").sample_iter(ChaCha8Rng::seed_from_u64(1));
-    let measured = extended.iter().zip(draws).map(|(y, noise)| y + noise).collect();
+    let draws = Normal::new(0.0, noise_size)
+        .expect("a size")
+        .sample_iter(ChaCha8Rng::seed_from_u64(1));
+    let measured = extended
+        .iter()
+        .zip(draws)
+        .map(|(y, noise)| y + noise)
+        .collect();
     SwingTrace {
         swing: swing.into(),
         channel: "turn rate about the phone's z".into(),
@@ -387,7 +491,10 @@ fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> S
 pub fn yaw_only() -> ReportSource {
     let mut source = keelboat();
     source.measurement.title = "Dinghy 17".into();
-    source.measurement.quantities.retain(|key, _| key == "k_yaw_m");
+    source
+        .measurement
+        .quantities
+        .retain(|key, _| key == "k_yaw_m");
     source.measurement.budget.remove("k_pitch_m");
     source.measurement.swings.truncate(1);
     source.measurement.consistency = claims().split_off(2);
@@ -406,15 +513,25 @@ pub fn bare_recording() -> ReportSource {
         (2.506, 0.05, "sway"),
         (1.272, 0.02, "pitch out of phase"),
     ];
-    let modes = near.iter().map(|(period, _, _)| mode(ModeName::Other, *period, 200.0, 0.05)).collect();
-    let recording =
-        RecordingFigureData { spectrum: Some(spectrum(&near)), ..yaw_recording("model-hull.csv") };
+    let modes = near
+        .iter()
+        .map(|(period, _, _)| mode(ModeName::Other, *period, 200.0, 0.05))
+        .collect();
+    let recording = RecordingFigureData {
+        spectrum: Some(spectrum(&near)),
+        ..yaw_recording("model-hull.csv")
+    };
     ReportSource {
         measurement: Measurement {
             title: "model-hull.csv".into(),
-            swings: vec![SwingResult { id: "model-hull.csv".into(), modes, ..Default::default() }],
+            swings: vec![SwingResult {
+                id: "model-hull.csv".into(),
+                modes,
+                ..Default::default()
+            }],
             warnings: vec![
-                "a bare recording gives modes alone; a session with dimensions gives inertia".into(),
+                "a bare recording gives modes alone; a session with dimensions gives inertia"
+                    .into(),
             ],
             ..Default::default()
         },

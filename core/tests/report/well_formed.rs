@@ -31,7 +31,10 @@ fn assert_text(text: &str, open: &[String]) {
     }
     for (i, _) in text.match_indices('&') {
         let known = ["&amp;", "&lt;", "&gt;", "&quot;", "&#39;"];
-        assert!(known.iter().any(|entity| text[i..].starts_with(entity)), "stray & in {text:?}");
+        assert!(
+            known.iter().any(|entity| text[i..].starts_with(entity)),
+            "stray & in {text:?}"
+        );
     }
 }
 
@@ -46,6 +49,9 @@ fn assert_attributes(tag: &str) {
 fn faults_are_found() {
     assert_well_formed("<!DOCTYPE html><a b=\"c\"><br/>x &amp; y</a>");
     for fault in ["<a>", "<a></b>", "<a b=\"></a>", "<a>&nbsp;</a>", "<a"] {
-        assert!(std::panic::catch_unwind(|| assert_well_formed(fault)).is_err(), "{fault}");
+        assert!(
+            std::panic::catch_unwind(|| assert_well_formed(fault)).is_err(),
+            "{fault}"
+        );
     }
 }

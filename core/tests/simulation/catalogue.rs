@@ -9,7 +9,8 @@ use crate::scenes::*;
 
 #[test]
 fn every_effect_of_the_body_that_was_asked_for_is_there() {
-    // spec/commands.md, "Names of causes", without the sensor's; pitch_coupling is in the equations of every body.
+    // spec/commands.md, "Names of causes", without the sensor's; pitch_coupling is in the equations
+    // of every body.
     let named = [
         "quadratic_drag",
         "power_law_damping",
@@ -42,10 +43,22 @@ fn every_effect_of_the_body_that_was_asked_for_is_there() {
         assert!(kinds.iter().any(|kind| kind.id == id), "{id}");
     }
     for (i, kind) in kinds.iter().enumerate() {
-        assert!(kinds[..i].iter().all(|other| other.id != kind.id), "{} twice", kind.id);
-        assert!(!kind.sentence.is_empty() && !kind.numbers.is_empty(), "{}", kind.id);
+        assert!(
+            kinds[..i].iter().all(|other| other.id != kind.id),
+            "{} twice",
+            kind.id
+        );
+        assert!(
+            !kind.sentence.is_empty() && !kind.numbers.is_empty(),
+            "{}",
+            kind.id
+        );
         for name in kind.positive {
-            assert!(kind.numbers.iter().any(|number| number.name == *name), "{} {name}", kind.id);
+            assert!(
+                kind.numbers.iter().any(|number| number.name == *name),
+                "{} {name}",
+                kind.id
+            );
         }
     }
 }
@@ -69,8 +82,15 @@ fn effects_of_no_strength_change_nothing() {
             continue;
         }
         let numbers: Vec<_> = kind.positive.iter().map(|name| (*name, 1.0)).collect();
-        let moment = with(keelboat(yawed(0.1)), kind.id, &numbers).motion(10.0).unwrap().at(10.0);
-        assert!((moment.position - bare.position).norm() < 1e-12, "{}", kind.id);
+        let moment = with(keelboat(yawed(0.1)), kind.id, &numbers)
+            .motion(10.0)
+            .unwrap()
+            .at(10.0);
+        assert!(
+            (moment.position - bare.position).norm() < 1e-12,
+            "{}",
+            kind.id
+        );
         assert!((moment.rate - bare.rate).norm() < 1e-12, "{}", kind.id);
     }
 }
@@ -93,12 +113,19 @@ fn an_effect_is_named_in_its_own_file_alone() {
     // Whoever adds one touches that file and the registry of its room.
     let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
-    ["dynamics", "practice"].iter().for_each(|room| sources(&core.join(room), &mut files));
+    ["dynamics", "practice"]
+        .iter()
+        .for_each(|room| sources(&core.join(room), &mut files));
     for kind in catalogue().into_iter().chain(sensors::catalogue()) {
         let quoted = format!("\"{}\"", kind.id);
-        let telling =
-            |text: &str| text.lines().any(|line| line.contains("const ID") && line.contains(&quoted));
-        let naming: Vec<_> = files.iter().filter(|(_, text)| text.contains(&quoted)).collect();
+        let telling = |text: &str| {
+            text.lines()
+                .any(|line| line.contains("const ID") && line.contains(&quoted))
+        };
+        let naming: Vec<_> = files
+            .iter()
+            .filter(|(_, text)| text.contains(&quoted))
+            .collect();
         assert!(
             naming.iter().all(|(_, text)| telling(text)),
             "{}: {:?}",

@@ -1,4 +1,5 @@
-//! What takes energy from the swing, against the equation of a pure yaw integrated apart and against closed laws.
+//! What takes energy from the swing, against the equation of a pure yaw integrated apart and
+//! against closed laws.
 
 use std::f64::consts::{PI, TAU};
 
@@ -20,32 +21,64 @@ fn omega() -> f64 {
 /// Sizes of the swing at its extremes: times and headings where the rate is zero.
 fn extremes(scene: &Scene, duration_s: f64) -> Vec<(f64, f64)> {
     let path = scene.motion(duration_s).unwrap();
-    zeros(&path, |m| m.rate.z).into_iter().map(|t| (t, heading(&path.at(t)).abs())).collect()
+    zeros(&path, |m| m.rate.z)
+        .into_iter()
+        .map(|t| (t, heading(&path.at(t)).abs()))
+        .collect()
 }
 
 #[test]
 fn linear_damping_of_a_yaw() {
-    let scene = with(keelboat(yawed(0.2)), "linear_damping", &[("yaw_n_m_s", 20.0)]);
+    let scene = with(
+        keelboat(yawed(0.2)),
+        "linear_damping",
+        &[("yaw_n_m_s", 20.0)],
+    );
     assert!(worst_yaw(&scene, 60.0, |_, _, rate, _| [-20.0 * rate, 0.0, 0.0]) < 1e-9);
 }
 
 /// Fits compute motions less finely.
 #[test]
 fn damping_of_a_yaw_as_fits_see_it() {
-    let scene = with(keelboat(yawed(0.2)), "linear_damping", &[("yaw_n_m_s", 20.0)]);
-    assert!(worst_yaw_as(Fineness::OF_FITS, &scene, 120.0, |_, _, rate, _| [-20.0 * rate, 0.0, 0.0]) < 1e-6);
+    let scene = with(
+        keelboat(yawed(0.2)),
+        "linear_damping",
+        &[("yaw_n_m_s", 20.0)],
+    );
+    assert!(
+        worst_yaw_as(Fineness::OF_FITS, &scene, 120.0, |_, _, rate, _| [
+            -20.0 * rate,
+            0.0,
+            0.0
+        ]) < 1e-6
+    );
 }
 
 #[test]
 fn quadratic_drag_of_a_yaw() {
-    let scene = with(keelboat(yawed(0.2)), "quadratic_drag", &[("yaw_torque_coefficient", 120.0)]);
-    assert!(worst_yaw(&scene, 120.0, |_, _, rate, _| [-120.0 * rate * rate.abs(), 0.0, 0.0]) < KINKS);
-    // 1/θ grows by 4 c ω/(3π I) in each second (energy of a harmonic swing; right to the square of the decrement).
+    let scene = with(
+        keelboat(yawed(0.2)),
+        "quadratic_drag",
+        &[("yaw_torque_coefficient", 120.0)],
+    );
+    assert!(
+        worst_yaw(&scene, 120.0, |_, _, rate, _| [
+            -120.0 * rate * rate.abs(),
+            0.0,
+            0.0
+        ]) < KINKS
+    );
+    // 1/θ grows by 4 c ω/(3π I) in each second (energy of a harmonic swing; right to the square of
+    // the decrement).
     let seen = extremes(&scene, 120.0);
     let (first, last) = (seen[0], seen[seen.len() - 1]);
     let slope = (1.0 / last.1 - 1.0 / first.1) / (last.0 - first.0);
     println!("1/θ grows by {slope} /s");
-    assert_close(slope, 4.0 * 120.0 * omega() / (3.0 * PI * YAW_INERTIA), 0.01);
+    assert_close(
+        slope,
+        4.0 * 120.0 * omega() / (3.0 * PI * YAW_INERTIA),
+        0.01,
+    );
 }
 
 #[test]
@@ -68,7 +101,13 @@ fn power_law_damping_of_a_yaw() {
 fn dry_friction_takes_the_same_angle_off_every_swing() {
     let numbers = [("yaw_n_m", 2.0), ("transition_rad_s", 1e-3)];
     let scene = with(keelboat(yawed(0.1)), "bearing_friction", &numbers);
-    assert!(worst_yaw(&scene, 60.0, |_, _, rate, _| [-2.0 * (rate / 1e-3).tanh(), 0.0, 0.0]) < KINKS);
+    assert!(
+        worst_yaw(&scene, 60.0, |_, _, rate, _| [
+            -2.0 * (rate / 1e-3).tanh(),
+            0.0,
+            0.0
+        ]) < KINKS
+    );
     // Half a swing loses 2 M_c/K; the transition takes a part in ω_t²/rate² of it.
     let seen = extremes(&scene, 60.0);
     for pair in seen.windows(2) {
@@ -81,14 +120,19 @@ fn a_bearing_that_gives_is_a_spring_at_small_angles() {
     let numbers = [("yaw_n_m", 5.0), ("give_rad", 2e-3)];
     let dahl = |yaw_rad| with(keelboat(yawed(yaw_rad)), "presliding_bearing", &numbers);
     for yaw_rad in [0.1, 1e-3] {
-        let law = |_: f64, _: f64, rate: f64, z: f64| [-5.0 * z, 0.0, (rate - rate.abs() * z) / 2e-3];
+        let law =
+            |_: f64, _: f64, rate: f64, z: f64| [-5.0 * z, 0.0, (rate - rate.abs() * z) / 2e-3];
         assert!(worst_yaw(&dahl(yaw_rad), 60.0, law) < KINKS);
     }
     // Far within θ_s the stiffness is K + M_c/θ_s.
     let mut tiny = dahl(0.0);
     tiny.start.yaw_rad_s = 1e-7;
     let small = period_s(&tiny.motion(60.0).unwrap(), heading);
-    assert_close(small, TAU * (YAW_INERTIA / (STIFFNESS + 5.0 / 2e-3)).sqrt(), 1e-4);
+    assert_close(
+        small,
+        TAU * (YAW_INERTIA / (STIFFNESS + 5.0 / 2e-3)).sqrt(),
+        1e-4,
+    );
     // Wide swings are slower: the spring gives way.
     assert!(period_s(&dahl(0.1).motion(12.0).unwrap(), heading) > 1.3 * small);
 }
@@ -96,7 +140,10 @@ fn a_bearing_that_gives_is_a_spring_at_small_angles() {
 #[test]
 fn drag_of_a_sway() {
     // A pendulum whose hull stays level: the force acts along the hull's y and z.
-    let numbers = [("sway_force_coefficient", 40.0), ("heave_force_coefficient", 70.0)];
+    let numbers = [
+        ("sway_force_coefficient", 40.0),
+        ("heave_force_coefficient", 70.0),
+    ];
     let scene = with(keelboat(swayed(0.3)), "quadratic_drag", &numbers);
     let path = scene.motion(60.0).unwrap();
     let slope = |_: f64, y: &[f64; 2]| {

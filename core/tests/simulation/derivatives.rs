@@ -51,8 +51,9 @@ fn ordinary(id: &str, number: &str) -> f64 {
 const CHOICES: [&str; 2] = ["seed", "coordinate"];
 
 fn drawn(rng: &mut ChaCha8Rng, id: Option<&str>) -> Scene {
-    let mut part =
-        |size: f64| size * rng.random_range(0.5..1.0) * if rng.random::<bool>() { 1.0 } else { -1.0 };
+    let mut part = |size: f64| {
+        size * rng.random_range(0.5..1.0) * if rng.random::<bool>() { 1.0 } else { -1.0 }
+    };
     let start = Start {
         along_m: part(0.3),
         across_m: part(0.2),
@@ -73,7 +74,14 @@ fn drawn(rng: &mut ChaCha8Rng, id: Option<&str>) -> Scene {
         let scale = part(1.0).abs();
         let value = |name: &'static str| {
             let size = ordinary(id, name);
-            (name, if CHOICES.contains(&name) { size } else { scale * size })
+            (
+                name,
+                if CHOICES.contains(&name) {
+                    size
+                } else {
+                    scale * size
+                },
+            )
         };
         let numbers: Vec<_> = kind.numbers.iter().map(|n| value(n.name)).collect();
         scene.effects = vec![EffectValues::new(id, &numbers).unwrap()];
@@ -92,28 +100,38 @@ const DURATION_S: f64 = 5.0;
 /// Lengths of steps that a motion is read by, shares of what is asked.
 const LENGTHS: [f64; 3] = [0.83, 1.0, 1.19];
 
-/// The middle one of what steps of three lengths give: an acceleration read within a step across a kink is off, by up to 5e-10 m/s² of what was
-/// drawn, which is a millionth of what a torque about the roll axis does to it; it is so by one of them.
+/// The middle one of what steps of three lengths give: an acceleration read within a step across a
+/// kink is off, by up to 5e-10 m/s² of what was drawn, which is a millionth of what a torque about
+/// the roll axis does to it; it is so by one of them.
 fn middle([a, b, c]: [Vec<f64>; 3]) -> Vec<f64> {
-    a.iter().zip(&b).zip(&c).map(|((a, b), c)| a.min(*b).max(a.max(*b).min(*c))).collect()
+    a.iter()
+        .zip(&b)
+        .zip(&c)
+        .map(|((a, b), c)| a.min(*b).max(a.max(*b).min(*c)))
+        .collect()
 }
 
 /// Steps of another length.
 fn with_steps(fineness: Fineness, length: f64) -> Fineness {
-    Fineness { steps_per_period: fineness.steps_per_period / length, ..fineness }
+    Fineness {
+        steps_per_period: fineness.steps_per_period / length,
+        ..fineness
+    }
 }
 
 /// Readings over all times as one list.
 fn readings(scene: &Scene, values: &[f64], fineness: Fineness) -> Vec<f64> {
     let scene = scene.with_values(values).unwrap();
     middle(LENGTHS.map(|length| {
-        let path = scene.motion_as(with_steps(fineness, length), DURATION_S).unwrap();
+        let path = scene
+            .motion_as(with_steps(fineness, length), DURATION_S)
+            .unwrap();
         TIMES.iter().flat_map(|t| read(&path.at(*t))).collect()
     }))
 }
 
-/// Central differences at h, h/2 and h/4, extrapolated twice, and how far the two first extrapolations are apart: what
-/// is left of the curvature, or rounding.
+/// Central differences at h, h/2 and h/4, extrapolated twice, and how far the two first
+/// extrapolations are apart: what is left of the curvature, or rounding.
 fn differences(scene: &Scene, i: usize, h: f64, fineness: Fineness) -> (Vec<f64>, f64) {
     let values = scene.values();
     let moved = |by: f64| {
@@ -121,10 +139,18 @@ fn differences(scene: &Scene, i: usize, h: f64, fineness: Fineness) -> (Vec<f64>
         moved[i] += by;
         readings(scene, &moved, fineness)
     };
-    let central =
-        |h: f64| -> Vec<f64> { moved(h).iter().zip(moved(-h)).map(|(a, b)| (a - b) / (2.0 * h)).collect() };
+    let central = |h: f64| -> Vec<f64> {
+        moved(h)
+            .iter()
+            .zip(moved(-h))
+            .map(|(a, b)| (a - b) / (2.0 * h))
+            .collect()
+    };
     let better = |fine: &[f64], coarse: &[f64], order: f64| -> Vec<f64> {
-        fine.iter().zip(coarse).map(|(f, c)| f + (f - c) / (order - 1.0)).collect()
+        fine.iter()
+            .zip(coarse)
+            .map(|(f, c)| f + (f - c) / (order - 1.0))
+            .collect()
     };
     let [a, b, c] = [h, 0.5 * h, 0.25 * h].map(central);
     let (wide, narrow) = (better(&b, &a, 4.0), better(&c, &b, 4.0));
@@ -132,15 +158,17 @@ fn differences(scene: &Scene, i: usize, h: f64, fineness: Fineness) -> (Vec<f64>
 }
 
 fn farthest(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0f64, |worst, (x, y)| worst.max((x - y).abs()))
+    a.iter()
+        .zip(b)
+        .fold(0.0f64, |worst, (x, y)| worst.max((x - y).abs()))
 }
 
 fn largest(a: &[f64]) -> f64 {
     a.iter().fold(0.0f64, |largest, x| largest.max(x.abs()))
 }
 
-/// The differences that agree best with themselves, and to what part of the largest: a wide step is spoilt by curvature,
-/// a narrow one by rounding.
+/// The differences that agree best with themselves, and to what part of the largest: a wide step is
+/// spoilt by curvature, a narrow one by rounding.
 fn best_differences(scene: &Scene, i: usize, fineness: Fineness) -> (Vec<f64>, f64) {
     let value = scene.values()[i].abs().max(0.01);
     let mut best = (Vec::new(), f64::INFINITY);
@@ -158,11 +186,17 @@ fn best_differences(scene: &Scene, i: usize, fineness: Fineness) -> (Vec<f64>, f
 }
 
 /// Numbers that a bifilar scene does not have or that are not differentiated by.
-const ASIDE: [&str; 4] = ["axis_height_m", "spread_m", "wind.seed", "learned_force.coordinate"];
+const ASIDE: [&str; 4] = [
+    "axis_height_m",
+    "spread_m",
+    "wind.seed",
+    "learned_force.coordinate",
+];
 /// Derivatives are right to this part of their largest value.
 const RIGHT_TO: f64 = 1e-6;
-/// Across kinks, or so that the whole of a number is right to this, m/s² or rad/s: a step is not halved for an error of 1e-14 m/s
-/// (`ROUNDING` of dynamics/path.rs), which over a step of some ms is that much of an acceleration.
+/// Across kinks, or so that the whole of a number is right to this, m/s² or rad/s: a step is not
+/// halved for an error of 1e-14 m/s (`ROUNDING` of dynamics/path.rs), which over a step of some ms
+/// is that much of an acceleration.
 const ROUNDED_TO: f64 = 1e-11;
 /// Differences that are known worse than to this cannot judge.
 const KNOWN_TO: f64 = 2e-7;
@@ -176,7 +210,13 @@ struct Found {
 }
 
 impl Found {
-    fn judge(&mut self, name: &str, slopes: &[f64], (expected, unsure): (Vec<f64>, f64), right_to: f64) {
+    fn judge(
+        &mut self,
+        name: &str,
+        slopes: &[f64],
+        (expected, unsure): (Vec<f64>, f64),
+        right_to: f64,
+    ) {
         let error = farthest(slopes, &expected) / largest(&expected);
         println!("    {name:40} {error:.1e}, differences known to {unsure:.1e}");
         self.judged += 1;
@@ -192,19 +232,28 @@ fn compare(scene: &Scene, of_derivatives: Fineness, of_differences: Fineness, fo
     let names = scene.names();
     let first = if scene.effects.is_empty() { 0 } else { 24 };
     let kinked = scene.effects.iter().any(|effect| effect.kind.kinked);
-    let wanted: Vec<usize> =
-        (first..names.len()).filter(|&i| !ASIDE.contains(&names[i].0.as_str())).collect();
-    let paths_by =
-        |length| scene.motion_and_derivatives(&wanted, with_steps(of_derivatives, length), DURATION_S);
+    let wanted: Vec<usize> = (first..names.len())
+        .filter(|&i| !ASIDE.contains(&names[i].0.as_str()))
+        .collect();
+    let paths_by = |length| {
+        scene.motion_and_derivatives(&wanted, with_steps(of_derivatives, length), DURATION_S)
+    };
     let paths = LENGTHS.map(|length| paths_by(length).unwrap());
     for (n, &i) in wanted.iter().enumerate() {
         let (group, lane) = (n / LANES, n % LANES);
         let slopes_of = |paths: &Vec<Path<Dual<LANES>>>| -> Vec<f64> {
-            TIMES.iter().flat_map(|t| read(&paths[group].at(*t)).map(|x| x.slope[lane])).collect()
+            TIMES
+                .iter()
+                .flat_map(|t| read(&paths[group].at(*t)).map(|x| x.slope[lane]))
+                .collect()
         };
         let slopes = middle(paths.each_ref().map(slopes_of));
         let best = best_differences(scene, i, of_differences);
-        let rounded_to = if kinked { ROUNDED_TO / influence(scene, i, &best.0) } else { 0.0 };
+        let rounded_to = if kinked {
+            ROUNDED_TO / influence(scene, i, &best.0)
+        } else {
+            0.0
+        };
         found.judge(&names[i].0, &slopes, best, rounded_to.max(RIGHT_TO));
     }
 }
@@ -214,10 +263,20 @@ fn compare_effects(kinked: bool, of_derivatives: Fineness, of_differences: Finen
     let mut rng = rng();
     let mut found = Found::default();
     if !kinked {
-        compare(&drawn(&mut rng, None), of_derivatives, of_differences, &mut found);
+        compare(
+            &drawn(&mut rng, None),
+            of_derivatives,
+            of_differences,
+            &mut found,
+        );
     }
     for kind in catalogue().iter().filter(|kind| kind.kinked == kinked) {
-        compare(&drawn(&mut rng, Some(kind.id)), of_derivatives, of_differences, &mut found);
+        compare(
+            &drawn(&mut rng, Some(kind.id)),
+            of_derivatives,
+            of_differences,
+            &mut found,
+        );
     }
     assert!(found.wrong.is_empty(), "{:?}", found.wrong);
     found
@@ -225,35 +284,63 @@ fn compare_effects(kinked: bool, of_derivatives: Fineness, of_differences: Finen
 
 #[test]
 fn derivatives_are_those_of_extrapolated_differences() {
-    let of_differences = Fineness { steps_per_period: 80.0, ..Fineness::FULL };
+    let of_differences = Fineness {
+        steps_per_period: 80.0,
+        ..Fineness::FULL
+    };
     let found = compare_effects(false, Fineness::OF_DERIVATIVES, of_differences);
-    assert!(found.judged > 60 && found.unjudged.len() < 3, "{:?}", found.unjudged);
+    assert!(
+        found.judged > 60 && found.unjudged.len() < 3,
+        "{:?}",
+        found.unjudged
+    );
 }
 
-/// A velocity that only just changes its sign leaves differences that know little: such numbers are not judged.
+/// A velocity that only just changes its sign leaves differences that know little: such numbers are
+/// not judged.
 #[test]
 fn derivatives_across_kinks_are_those_of_extrapolated_differences() {
-    let of_differences =
-        Fineness { steps_per_period: 300.0, largest_error: 1e-14, most_halvings: 30, ..Fineness::FULL };
+    let of_differences = Fineness {
+        steps_per_period: 300.0,
+        largest_error: 1e-14,
+        most_halvings: 30,
+        ..Fineness::FULL
+    };
     let found = compare_effects(true, Fineness::OF_KINKED_DERIVATIVES, of_differences);
-    assert!(found.judged > 25 && found.unjudged.len() < 9, "{:?}", found.unjudged);
+    assert!(
+        found.judged > 25 && found.unjudged.len() < 9,
+        "{:?}",
+        found.unjudged
+    );
 }
 
-/// Those that lead fits are taken over longer steps. Judged over two minutes by those of short steps, which the differences above judge.
+/// Those that lead fits are taken over longer steps. Judged over two minutes by those of short
+/// steps, which the differences above judge.
 #[test]
 fn derivatives_that_lead_fits_are_nearly_those_of_short_steps() {
     const LED_BY: f64 = 3e-2;
     // A tenth of the noise of a quiet phone.
     const UNSEEN: f64 = 5e-5;
     let mut rng = rng();
-    let smooth = catalogue().into_iter().filter(|kind| !kind.kinked).map(|kind| Some(kind.id));
+    let smooth = catalogue()
+        .into_iter()
+        .filter(|kind| !kind.kinked)
+        .map(|kind| Some(kind.id));
     for id in [None].into_iter().chain(smooth) {
         let scene = drawn(&mut rng, id);
         let names = scene.names();
-        let wanted: Vec<usize> =
-            (0..names.len()).filter(|&i| !ASIDE.contains(&names[i].0.as_str())).collect();
-        let paths = |fineness| scene.motion_and_derivatives(&wanted, fineness, 120.0).unwrap();
-        let (short, long) = (paths(Fineness::OF_DERIVATIVES), paths(Fineness::OF_SLOPES_OF_FITS));
+        let wanted: Vec<usize> = (0..names.len())
+            .filter(|&i| !ASIDE.contains(&names[i].0.as_str()))
+            .collect();
+        let paths = |fineness| {
+            scene
+                .motion_and_derivatives(&wanted, fineness, 120.0)
+                .unwrap()
+        };
+        let (short, long) = (
+            paths(Fineness::OF_DERIVATIVES),
+            paths(Fineness::OF_SLOPES_OF_FITS),
+        );
         for (n, &i) in wanted.iter().enumerate() {
             let slopes = |path: &Path<Dual<LANES>>| -> Vec<f64> {
                 (0..1200)
@@ -270,18 +357,27 @@ fn derivatives_that_lead_fits_are_nearly_those_of_short_steps() {
     }
 }
 
-/// What the whole of a number (1 where it is zero) does to readings of these slopes by it, m/s² or rad/s.
+/// What the whole of a number (1 where it is zero) does to readings of these slopes by it, m/s² or
+/// rad/s.
 fn influence(scene: &Scene, i: usize, slopes: &[f64]) -> f64 {
     let size = scene.values()[i].abs();
     largest(slopes) * if size > 0.0 { size } else { 1.0 }
 }
 
-/// How many numbers have an influence, those that cannot be judged by differences, and what is wrong. Judged over the
-/// first seconds; what a number without influence is said to do, at the end of two minutes too.
+/// How many numbers have an influence, those that cannot be judged by differences, and what is
+/// wrong. Judged over the first seconds; what a number without influence is said to do, at the end
+/// of two minutes too.
 fn compare_influences(scene: &Scene) -> Found {
-    let of_differences = Fineness { steps_per_period: 80.0, ..Fineness::FULL };
-    let wanted: Vec<usize> = (0..24).filter(|&i| !ASIDE.contains(&scene.names()[i].0.as_str())).collect();
-    let paths = scene.motion_and_derivatives(&wanted, Fineness::OF_DERIVATIVES, 120.0).unwrap();
+    let of_differences = Fineness {
+        steps_per_period: 80.0,
+        ..Fineness::FULL
+    };
+    let wanted: Vec<usize> = (0..24)
+        .filter(|&i| !ASIDE.contains(&scene.names()[i].0.as_str()))
+        .collect();
+    let paths = scene
+        .motion_and_derivatives(&wanted, Fineness::OF_DERIVATIVES, 120.0)
+        .unwrap();
     let mut found = Found::default();
     for (n, &i) in wanted.iter().enumerate() {
         let (name, _) = &scene.names()[i];
@@ -291,7 +387,9 @@ fn compare_influences(scene: &Scene) -> Found {
         if influence(scene, i, &expected) > 1e-6 {
             found.judge(name, &slopes, (expected, unsure), RIGHT_TO);
         } else if influence(scene, i, &[slopes, slopes_at(&119.7).into()].concat()) > 1e-10 {
-            found.wrong.push(format!("{name} is said to have an influence"));
+            found
+                .wrong
+                .push(format!("{name} is said to have an influence"));
         }
     }
     assert!(found.wrong.is_empty(), "{:?}", found.wrong);
@@ -300,20 +398,33 @@ fn compare_influences(scene: &Scene) -> Found {
 
 #[test]
 fn numbers_without_influence_have_derivatives_of_zero() {
-    // A hull that hangs still answers to what starts it and to a centre of mass that leaves its line, nothing else.
+    // A hull that hangs still answers to what starts it and to a centre of mass that leaves its
+    // line, nothing else.
     let at_rest = compare_influences(&keelboat(Start::default()));
-    assert!(at_rest.judged == 9 && at_rest.unjudged.is_empty(), "{:?}", at_rest.unjudged);
-    // One that yaws, not to what resists a pitch and a roll, nor to how deep its centre of mass lies.
+    assert!(
+        at_rest.judged == 9 && at_rest.unjudged.is_empty(),
+        "{:?}",
+        at_rest.unjudged
+    );
+    // One that yaws, not to what resists a pitch and a roll, nor to how deep its centre of mass
+    // lies.
     let in_yaw = compare_influences(&keelboat(yawed(0.14)));
-    assert!(in_yaw.judged == 18 && in_yaw.unjudged.len() < 2, "{:?}", in_yaw.unjudged);
+    assert!(
+        in_yaw.judged == 18 && in_yaw.unjudged.len() < 2,
+        "{:?}",
+        in_yaw.unjudged
+    );
 }
 
 #[test]
 fn numbers_without_influence_are_no_burden_across_kinks() {
     let numbers = [("yaw_n_m", 3.0), ("transition_rad_s", 0.02)];
     let scene = with(keelboat(yawed(0.14)), "bearing_friction", &numbers);
-    let wanted = ["inertia_xx_kg_m2", "inertia_yy_kg_m2", "cm_z_m"].map(|name| scene.index(name).unwrap());
-    let paths = scene.motion_and_derivatives(&wanted, Fineness::OF_KINKED_DERIVATIVES, 60.0).unwrap();
+    let wanted =
+        ["inertia_xx_kg_m2", "inertia_yy_kg_m2", "cm_z_m"].map(|name| scene.index(name).unwrap());
+    let paths = scene
+        .motion_and_derivatives(&wanted, Fineness::OF_KINKED_DERIVATIVES, 60.0)
+        .unwrap();
     for slopes in read(&paths[0].at(59.0)).map(|x| x.slope) {
         assert!(slopes.iter().all(|slope| slope.abs() < 1e-10), "{slopes:?}");
     }

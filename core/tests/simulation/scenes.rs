@@ -19,7 +19,13 @@ pub fn body(mass_kg: f64, gyradii_m: [f64; 3], depth_m: f64) -> Body {
     Body::new(mass_kg, &inertia, &Vec3::new(0.0, 0.0, -depth_m))
 }
 
-pub fn bifilar(axis: SuspensionAxis, body: Body, line_length_m: f64, spacing_m: f64, start: Start) -> Scene {
+pub fn bifilar(
+    axis: SuspensionAxis,
+    body: Body,
+    line_length_m: f64,
+    spacing_m: f64,
+    start: Start,
+) -> Scene {
     Scene {
         hanging: Hanging::Bifilar(axis),
         body,
@@ -38,12 +44,24 @@ pub fn bifilar(axis: SuspensionAxis, body: Body, line_length_m: f64, spacing_m: 
 /// The paper's keelboat, athwartships.
 pub fn keelboat(start: Start) -> Scene {
     let hull = body(MASS_KG, [0.625, 1.156, YAW_GYRADIUS_M], 0.4);
-    bifilar(SuspensionAxis::Athwartships, hull, LINE_M, 2.0 * HALF_SPACING_M, start)
+    bifilar(
+        SuspensionAxis::Athwartships,
+        hull,
+        LINE_M,
+        2.0 * HALF_SPACING_M,
+        start,
+    )
 }
 
 /// Paper, Fig. 15: k_p = 352, k_y = 303, l2 = 253, d = 280 mm.
 pub fn model_hull(axis: SuspensionAxis, line_length_m: f64, start: Start) -> Scene {
-    bifilar(axis, body(13.18, [0.204, 0.352, 0.303], 0.253), line_length_m, 0.56, start)
+    bifilar(
+        axis,
+        body(13.18, [0.204, 0.352, 0.303], 0.253),
+        line_length_m,
+        0.56,
+        start,
+    )
 }
 
 pub fn with(mut scene: Scene, id: &str, numbers: &[(&str, f64)]) -> Scene {
@@ -52,12 +70,18 @@ pub fn with(mut scene: Scene, id: &str, numbers: &[(&str, f64)]) -> Scene {
 }
 
 pub fn yawed(yaw_rad: f64) -> Start {
-    Start { yaw_rad, ..Start::default() }
+    Start {
+        yaw_rad,
+        ..Start::default()
+    }
 }
 
 /// A keelboat displaced along the axis, so that its lines hang at `angle_rad`.
 pub fn swayed(angle_rad: f64) -> Start {
-    Start { along_m: LINE_M * angle_rad.sin(), ..Start::default() }
+    Start {
+        along_m: LINE_M * angle_rad.sin(),
+        ..Start::default()
+    }
 }
 
 pub fn heading(moment: &Moment<f64>) -> f64 {
@@ -99,7 +123,11 @@ pub fn zeros(path: &Path<f64>, f: impl Fn(&Moment<f64>) -> f64) -> Vec<f64> {
     };
     let between = |n: usize| (n as f64 * h, (n + 1) as f64 * h);
     let crosses = |&(a, b): &(f64, f64)| at(a) * at(b) < 0.0;
-    (0..count).map(between).filter(crosses).map(|(a, b)| zero(a, b)).collect()
+    (0..count)
+        .map(between)
+        .filter(crosses)
+        .map(|(a, b)| zero(a, b))
+        .collect()
 }
 
 /// From the first to the last zero.
@@ -109,11 +137,15 @@ pub fn period_s(path: &Path<f64>, f: impl Fn(&Moment<f64>) -> f64) -> f64 {
 }
 
 pub fn assert_close(found: f64, expected: f64, relative: f64) {
-    assert!((found / expected - 1.0).abs() <= relative, "{found} against {expected}");
+    assert!(
+        (found / expected - 1.0).abs() <= relative,
+        "{found} against {expected}"
+    );
 }
 
-/// Classical Runge–Kutta of order 4 in steps so small that kinks do not matter: the equations of one coordinate that
-/// the simulation is held against share no code with it. `seen` gets time and state at every multiple of `every_s`.
+/// Classical Runge–Kutta of order 4 in steps so small that kinks do not matter: the equations of
+/// one coordinate that the simulation is held against share no code with it. `seen` gets time and
+/// state at every multiple of `every_s`.
 pub fn runge_kutta<const N: usize>(
     mut y: [f64; N],
     duration_s: f64,
@@ -143,8 +175,9 @@ pub fn runge_kutta<const N: usize>(
     }
 }
 
-/// Angular acceleration of a pure yaw of the keelboat on parallel lines under a torque, heave included:
-/// (I + a + m z'²) ψ̈ + m z' z'' ψ̇² + m g z' = M, z = −√(l² − 4 d² sin²(ψ/2)), a an inertia that is added.
+/// Angular acceleration of a pure yaw of the keelboat on parallel lines under a torque, heave
+/// included: (I + a + m z'²) ψ̈ + m z' z'' ψ̇² + m g z' = M, z = −√(l² − 4 d² sin²(ψ/2)), a an
+/// inertia that is added.
 pub fn yaw_acceleration(psi: f64, rate: f64, torque: f64, added: f64) -> f64 {
     let d2 = HALF_SPACING_M * HALF_SPACING_M;
     let h = (LINE_M * LINE_M - 4.0 * d2 * (0.5 * psi).sin().powi(2)).sqrt();
@@ -154,9 +187,14 @@ pub fn yaw_acceleration(psi: f64, rate: f64, torque: f64, added: f64) -> f64 {
     (torque - forces) / (YAW_INERTIA + added + MASS_KG * first * first)
 }
 
-/// Largest difference of the simulated heading from that of a pure yaw with memory `z` under the torque and added
-/// inertia given by `law(t, heading, rate, z)`, whose last number is the rate of the memory.
-pub fn worst_yaw(scene: &Scene, duration_s: f64, law: impl Fn(f64, f64, f64, f64) -> [f64; 3]) -> f64 {
+/// Largest difference of the simulated heading from that of a pure yaw with memory `z` under the
+/// torque and added inertia given by `law(t, heading, rate, z)`, whose last number is the rate of
+/// the memory.
+pub fn worst_yaw(
+    scene: &Scene,
+    duration_s: f64,
+    law: impl Fn(f64, f64, f64, f64) -> [f64; 3],
+) -> f64 {
     worst_yaw_as(Fineness::FULL, scene, duration_s, law)
 }
 
@@ -177,6 +215,9 @@ pub fn worst_yaw_as(
     runge_kutta(start, duration_s, 0.1, slope, |t, y| {
         worst = worst.max((heading(&path.at(t)) - y[0]).abs());
     });
-    println!("{:?}: worst heading {worst:.1e} rad", scene.effects.last().map(|e| e.kind.id));
+    println!(
+        "{:?}: worst heading {worst:.1e} rad",
+        scene.effects.last().map(|e| e.kind.id)
+    );
     worst
 }

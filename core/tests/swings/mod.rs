@@ -1,7 +1,9 @@
-//! Swings in closed form, as a phone would feel them: damped turns whose period depends on the amplitude, sway, a touch.
+//! Swings in closed form, as a phone would feel them: damped turns whose period depends on the
+//! amplitude, sway, a touch.
 //!
-//! Shares nothing with the core. A turn of angle θ(t) = A e^{−αt} cos φ(t) about an axis, with φ' = ω(1 − c A² e^{−2αt});
-//! c = 1/16 is a pendulum's (first order of the elliptic integral), c = 0 a harmonic one's.
+//! Shares nothing with the core. A turn of angle θ(t) = A e^{−αt} cos φ(t) about an axis, with φ' =
+//! ω(1 − c A² e^{−2αt}); c = 1/16 is a pendulum's (first order of the elliptic integral), c = 0 a
+//! harmonic one's.
 
 use std::f64::consts::TAU;
 
@@ -24,7 +26,13 @@ pub struct Oscillation {
 impl Oscillation {
     /// Angle and its rate, by the closed form and its derivative.
     pub fn at(&self, t_s: f64) -> (f64, f64) {
-        let Self { omega_rad_s, alpha_per_s, angle_rad, phase, softening } = *self;
+        let Self {
+            omega_rad_s,
+            alpha_per_s,
+            angle_rad,
+            phase,
+            softening,
+        } = *self;
         let fall = (-alpha_per_s * t_s).exp();
         let soft = omega_rad_s * softening * angle_rad * angle_rad;
         let turned = if alpha_per_s > 0.0 {
@@ -61,7 +69,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A swing as hulls make it: 2 to 6 s, 3 to 12 degrees, dying in one to ten minutes, on an ordinary phone.
+    /// A swing as hulls make it: 2 to 6 s, 3 to 12 degrees, dying in one to ten minutes, on an
+    /// ordinary phone.
     pub fn draw(rng: &mut impl Rng) -> Self {
         let period_s = rng.random_range(2.0..6.0);
         let turn = Oscillation {
@@ -88,7 +97,11 @@ impl Scene {
     /// The same with sway of a share of the turn's angle, its period 10 to 30 % away.
     pub fn with_sway(self, rng: &mut impl Rng, share: f64) -> Self {
         let apart = rng.random_range(0.1..0.3_f64);
-        let factor = if rng.random() { 1.0 + apart } else { 1.0 - apart };
+        let factor = if rng.random() {
+            1.0 + apart
+        } else {
+            1.0 - apart
+        };
         let sway = Oscillation {
             omega_rad_s: self.turn.omega_rad_s * factor,
             alpha_per_s: 1.0 / rng.random_range(80.0..600.0),
@@ -96,12 +109,16 @@ impl Scene {
             phase: TAU * rng.random::<f64>(),
             softening: 1.0 / 16.0,
         };
-        Self { sway: Some(sway), ..self }
+        Self {
+            sway: Some(sway),
+            ..self
+        }
     }
 
     pub fn gyroscope(&self, t_s: f64, rng: &mut impl Rng) -> [f64; 3] {
         let rate = self.turn.at(t_s).1;
-        self.axis.map(|axis| axis * rate + self.gyroscope_noise_rad_s * normal(rng) + 2e-3)
+        self.axis
+            .map(|axis| axis * rate + self.gyroscope_noise_rad_s * normal(rng) + 2e-3)
     }
 
     pub fn accelerometer(&self, t_s: f64, rng: &mut impl Rng) -> [f64; 3] {
@@ -117,7 +134,9 @@ impl Scene {
     /// Stamps (ns) of a sensor over a span, with jitter of a hundredth of the interval.
     pub fn stamps(hz: f64, from_s: f64, to_s: f64, rng: &mut impl Rng) -> Vec<i64> {
         let (first, end) = ((from_s * hz).ceil() as i64, (to_s * hz).ceil() as i64);
-        (first..end).map(|i| ((i as f64 + 0.01 * normal(rng)) / hz * 1e9) as i64).collect()
+        (first..end)
+            .map(|i| ((i as f64 + 0.01 * normal(rng)) / hz * 1e9) as i64)
+            .collect()
     }
 }
 

@@ -1,7 +1,8 @@
 //! Plain data of the room `inertia`: the result of a measurement.
 
 use gyradius_core::inertia::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult, Verdict,
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
+    Verdict,
 };
 use gyradius_core::recording::{ModeName, Repair};
 

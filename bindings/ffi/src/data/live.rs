@@ -76,7 +76,8 @@ pub struct SwingState {
     pub at_s: f64,
     /// Period of the main motion, s, at its mean amplitude since `from_s`.
     pub period_s: f64,
-    /// Its standard uncertainty, s: noise, and how far the period of a longer record may still move away.
+    /// Its standard uncertainty, s: noise, and how far the period of a longer record may still move
+    /// away.
     pub period_u_s: f64,
     /// The part of it that noise makes, s. The wanted uncertainty is about this part.
     pub period_noise_u_s: f64,

@@ -1,8 +1,10 @@
-//! The plain data of the core as UniFFI sees them, one file for each room; the procedure's are three.
+//! The plain data of the core as UniFFI sees them, one file for each room; the procedure's are
+//! three.
 //!
-//! `#[uniffi::remote]` stands before a copy of a type's fields: no type is made, the core's own crosses. Where a name would
-//! clash with one of Foundation, SwiftUI or Kotlin, an alias gives it another. Tuples, arrays and sorted maps, which UniFFI
-//! does not have, cross as the records and lists of this file.
+//! `#[uniffi::remote]` stands before a copy of a type's fields: no type is made, the core's own
+//! crosses. Where a name would clash with one of Foundation, SwiftUI or Kotlin, an alias gives it
+//! another. Tuples, arrays and sorted maps, which UniFFI does not have, cross as the records and
+//! lists of this file.
 
 pub mod critique;
 pub mod inertia;
@@ -135,7 +137,12 @@ macro_rules! by_name {
 by_name!(NumbersByName, f64, NamedNumber, value);
 by_name!(TextsByName, String, NamedText, text);
 by_name!(QuantitiesByName, QuantityResult, NamedQuantity, quantity);
-by_name!(PredictionsByName, PredictedQuantity, NamedPrediction, quantity);
+by_name!(
+    PredictionsByName,
+    PredictedQuantity,
+    NamedPrediction,
+    quantity
+);
 by_name!(BudgetsByName, Vec<BudgetLine>, NamedBudget, lines);
 by_name!(RoutesByName, Vec<Route>, NamedRoutes, routes);
 

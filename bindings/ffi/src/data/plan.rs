@@ -2,8 +2,8 @@
 
 use gyradius_core::critique::NextSwing;
 use gyradius_core::plan::{
-    Beat, HangingAdvice, Hull, Means, Optima, Plan, PlannedIncline, PlannedSwing, PredictedQuantity,
-    PredictedSwing, Request, RoughHull, Step, Warning, WarningKind,
+    Beat, HangingAdvice, Hull, Means, Optima, Plan, PlannedIncline, PlannedSwing,
+    PredictedQuantity, PredictedSwing, Request, RoughHull, Step, Warning, WarningKind,
 };
 use gyradius_core::recording::{AddedMass, End, Excitation, Quantity, Suspension};
 

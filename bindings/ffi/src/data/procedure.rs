@@ -1,8 +1,9 @@
 //! Plain data of the room `procedure`: what happens, and everything that a screen shows.
 
 use gyradius_core::procedure::{
-    Action, Batch, Channel, CritiqueView, Event, Judgement, Measured, Phase, PhoneInfo, PhoneSensor,
-    Placement, Progress, RecordingView, RestView, ResultView, State, StepView, Task, Tilt, Work,
+    Action, Batch, Channel, CritiqueView, Event, Judgement, Measured, Phase, PhoneInfo,
+    PhoneSensor, Placement, Progress, RecordingView, RestView, ResultView, State, StepView, Task,
+    Tilt, Work,
 };
 use gyradius_core::recording::{Attachment, Quantity, Sensor, Site, Suspension};
 
@@ -39,8 +40,8 @@ pub enum ProcedureEvent {
     Begin {
         /// Wall clock, UTC, as text (`2026-05-04T09:30:00Z`); kept, never computed with.
         at_utc: String,
-        /// The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
-        /// absent.
+        /// The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the
+        /// day of `at_utc` where absent.
         measured_on: Option<String>,
         /// The phone.
         phone: PhoneInfo,
@@ -137,7 +138,8 @@ pub struct PhoneSensor {
 pub enum Placement {
     /// Flat, screen up, top edge to the bow: tilts are absolute.
     FlatTopToBow,
-    /// Anyhow: a tilt has a size and no direction, against the reading at which the operator said "level".
+    /// Anyhow: a tilt has a size and no direction, against the reading at which the operator said
+    /// "level".
     AnyWay,
 }
 

@@ -2,7 +2,8 @@
 
 use gyradius_core::live::{GapList, SwingState};
 use gyradius_core::procedure::{
-    Against, InclineReading, Judgement, Moving, Recommend, RecordingView, Rest, RestView, SensorRest, Tilt,
+    Against, InclineReading, Judgement, Moving, Recommend, RecordingView, Rest, RestView,
+    SensorRest, Tilt,
 };
 
 use super::live::LiveEstimate;
@@ -14,7 +15,8 @@ use super::{Count, Vector3};
 pub struct Tilt {
     /// What the angles are against.
     pub against: TiltAgainst,
-    /// Angle between gravity now and gravity there, degrees; absent where there is nothing to be against.
+    /// Angle between gravity now and gravity there, degrees; absent where there is nothing to be
+    /// against.
     pub angle_deg: Option<f64>,
     /// Bow up, degrees; known only where the phone lies flat with its top edge to the bow.
     pub bow_up_deg: Option<f64>,

@@ -12,7 +12,8 @@ pub enum Channel {
     Gyroscope,
     /// Specific force, m/s² (at rest, screen up: z = +g).
     Accelerometer,
-    /// The phone's own estimate of an uncalibrated gyroscope's bias, rad/s; not taken off the samples.
+    /// The phone's own estimate of an uncalibrated gyroscope's bias, rad/s; not taken off the
+    /// samples.
     GyroscopeBias,
 }
 
@@ -118,7 +119,22 @@ pub struct RecorderDamage {
 impl From<&Damage> for RecorderDamage {
     fn from(damage: &Damage) -> Self {
         let text = damage.text();
-        let Damage { kind, at_byte, bytes, blocks, after_ns, before_ns } = damage.clone();
-        Self { kind, at_byte, bytes, blocks, after_ns, before_ns, text }
+        let Damage {
+            kind,
+            at_byte,
+            bytes,
+            blocks,
+            after_ns,
+            before_ns,
+        } = damage.clone();
+        Self {
+            kind,
+            at_byte,
+            bytes,
+            blocks,
+            after_ns,
+            before_ns,
+            text,
+        }
     }
 }

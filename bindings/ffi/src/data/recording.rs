@@ -3,11 +3,12 @@
 use super::{Count, Vector3};
 
 use gyradius_core::recording::{
-    AddedMass, Attachment, Body, End, Excitation, ModeName, Orientation, Overwrite, Quantity, Repair,
-    RepairKind, Sensor, Site, Suspension, SuspensionKind,
+    AddedMass, Attachment, Body, End, Excitation, ModeName, Orientation, Overwrite, Quantity,
+    Repair, RepairKind, Sensor, Site, Suspension, SuspensionKind,
 };
 
-/// A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as exact).
+/// A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as
+/// exact).
 #[uniffi::remote(Record)]
 pub struct Quantity {
     /// The value.

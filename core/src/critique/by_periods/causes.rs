@@ -1,4 +1,5 @@
-//! What may make a session's periods contradict its dimensions, and what each cause does to small oscillations.
+//! What may make a session's periods contradict its dimensions, and what each cause does to small
+//! oscillations.
 
 use crate::dynamics::{Rig, RigidBody, SmallEffects};
 use crate::frames::Vec3;
@@ -69,7 +70,8 @@ pub struct CauseNumber {
     pub unit: &'static str,
     /// Whether it is in proportion to the mass.
     pub by_mass: bool,
-    /// Standard deviation of what is believed of it beforehand, about zero: wide, but no wider than things are.
+    /// Standard deviation of what is believed of it beforehand, about zero: wide, but no wider than
+    /// things are.
     pub width: fn(&Scales) -> f64,
     /// Whether only positive values make sense: then the belief is the positive half.
     pub positive: bool,
@@ -101,7 +103,8 @@ pub struct Cause {
     pub put: fn(&[f64], &mut Hung),
 }
 
-/// A tape that is read, held or tied wrong errs by a few per cent; so do the other things that are left out.
+/// A tape that is read, held or tied wrong errs by a few per cent; so do the other things that are
+/// left out.
 const WRONG: f64 = 0.02;
 
 fn as_is(_: &Scales) -> f64 {
@@ -129,14 +132,22 @@ const METRES: CauseNumber = CauseNumber {
     shown: Shown::Times(as_is),
 };
 
-const SHARE: CauseNumber = CauseNumber { width: share, positive: true, ..METRES };
+const SHARE: CauseNumber = CauseNumber {
+    width: share,
+    positive: true,
+    ..METRES
+};
 
 /// Compliances are counted as the share by which sway seems to hang on longer lines: M g/(k l).
-const COMPLIANCE: CauseNumber =
-    CauseNumber { unit: "N/m", by_mass: true, shown: Shown::Over(Scales::sway_stiffness_n_m), ..SHARE };
+const COMPLIANCE: CauseNumber = CauseNumber {
+    unit: "N/m",
+    by_mass: true,
+    shown: Shown::Over(Scales::sway_stiffness_n_m),
+    ..SHARE
+};
 
-/// Share of the inertia that each radian of amplitude adds; that of the flying machine on two lines that swung in still air
-/// was some 0.2.
+/// Share of the inertia that each radian of amplitude adds; that of the flying machine on two lines
+/// that swung in still air was some 0.2.
 fn share_by_radian(_: &Scales) -> f64 {
     0.5
 }
@@ -151,7 +162,12 @@ pub const CAUSES: [Cause; 12] = [
         id: "stated_length",
         sentence: "the lines are not as long as the tape said, all by the same",
         numbers: &[METRES],
-        put: |p, hung| hung.rig.lines.iter_mut().for_each(|line| line.length_m += p[0]),
+        put: |p, hung| {
+            hung.rig
+                .lines
+                .iter_mut()
+                .for_each(|line| line.length_m += p[0])
+        },
     },
     Cause {
         id: "line_stretch",
@@ -166,13 +182,19 @@ pub const CAUSES: [Cause; 12] = [
         }],
         put: |p, hung| {
             let strain = p[0] * hung.body.mass_kg / hung.scales.mass_kg;
-            hung.rig.lines.iter_mut().for_each(|line| line.length_m *= 1.0 + strain);
+            hung.rig
+                .lines
+                .iter_mut()
+                .for_each(|line| line.length_m *= 1.0 + strain);
         },
     },
     Cause {
         id: "stated_spacing",
         sentence: "the lines are not as far apart as the tape said, above and below alike",
-        numbers: &[CauseNumber { width: of_spacing, ..METRES }],
+        numbers: &[CauseNumber {
+            width: of_spacing,
+            ..METRES
+        }],
         put: |p, hung| {
             for (i, line) in hung.rig.lines.iter_mut().enumerate() {
                 line.top_m += hung.axis * (0.5 * side(i) * p[0]);
@@ -183,7 +205,10 @@ pub const CAUSES: [Cause; 12] = [
     Cause {
         id: "nonparallel_lines",
         sentence: "the lines are not parallel: their upper ends are not as far apart as was stated",
-        numbers: &[CauseNumber { width: of_spacing, ..METRES }],
+        numbers: &[CauseNumber {
+            width: of_spacing,
+            ..METRES
+        }],
         put: |p, hung| {
             for (i, line) in hung.rig.lines.iter_mut().enumerate() {
                 line.top_m += hung.axis * (0.5 * side(i) * p[0]);
@@ -203,7 +228,8 @@ pub const CAUSES: [Cause; 12] = [
         // κ = Σ G J/l
         put: |p, hung| {
             let length_m = hung.rig.lines[0].length_m;
-            let stiffness_n_m = p[0] * hung.scales.yaw_stiffness_n_m() * hung.scales.length_m / length_m;
+            let stiffness_n_m =
+                p[0] * hung.scales.yaw_stiffness_n_m() * hung.scales.length_m / length_m;
             hung.effects.stiffness[(5, 5)] += stiffness_n_m;
         },
     },
@@ -211,8 +237,14 @@ pub const CAUSES: [Cause; 12] = [
         id: "support_compliance",
         sentence: "what the lines hang from moves with the swing",
         numbers: &[
-            CauseNumber { name: "stiffness_along_n_m", ..COMPLIANCE },
-            CauseNumber { name: "stiffness_across_n_m", ..COMPLIANCE },
+            CauseNumber {
+                name: "stiffness_along_n_m",
+                ..COMPLIANCE
+            },
+            CauseNumber {
+                name: "stiffness_across_n_m",
+                ..COMPLIANCE
+            },
         ],
         put: |p, hung| {
             let across = hung.axis.cross(&Vec3::z());
@@ -277,7 +309,11 @@ pub const CAUSES: [Cause; 12] = [
     Cause {
         id: "unequal_lines",
         sentence: "one line is longer than the other, and the hull hangs aslant",
-        numbers: &[CauseNumber { name: "difference_m", shown: Shown::Size, ..METRES }],
+        numbers: &[CauseNumber {
+            name: "difference_m",
+            shown: Shown::Size,
+            ..METRES
+        }],
         put: |p, hung| {
             for (i, line) in hung.rig.lines.iter_mut().enumerate() {
                 line.length_m += 0.5 * side(i) * p[0];
@@ -287,15 +323,26 @@ pub const CAUSES: [Cause; 12] = [
     Cause {
         id: "clock_scale",
         sentence: "the clock runs fast or slow",
-        // A watch or a logger is off by some ten parts in a million; one that counts by the mains, by more.
-        numbers: &[CauseNumber { name: "error", unit: "1", width: |_| 2e-4, ..METRES }],
+        // A watch or a logger is off by some ten parts in a million; one that counts by the mains,
+        // by more.
+        numbers: &[CauseNumber {
+            name: "error",
+            unit: "1",
+            width: |_| 2e-4,
+            ..METRES
+        }],
         put: |p, hung| hung.clock_error += p[0],
     },
     Cause {
         id: "stated_gravity",
         sentence: "gravity is not what was stated",
         // Over the Earth: 9.780 to 9.832 m/s², rectangular.
-        numbers: &[CauseNumber { name: "excess_m_s2", unit: "m/s^2", width: |_| 0.015, ..METRES }],
+        numbers: &[CauseNumber {
+            name: "excess_m_s2",
+            unit: "m/s^2",
+            width: |_| 0.015,
+            ..METRES
+        }],
         put: |p, hung| hung.rig.gravity_m_s2 += p[0],
     },
 ];

@@ -9,8 +9,8 @@ use crate::inertia::estimate::Observed;
 
 /// A cause is taken where it gains as much: odds of 1000 to 1.
 const ENOUGH: f64 = 7.0;
-/// Causes whose evidence differs by less are not told apart: the widths that are believed of them beforehand, which enter
-/// the evidence, are known to a factor of a few only.
+/// Causes whose evidence differs by less are not told apart: the widths that are believed of them
+/// beforehand, which enter the evidence, are known to a factor of a few only.
 const ALIKE: f64 = 5.0;
 /// So many causes are looked for.
 const MOST_CAUSES: usize = 3;
@@ -45,7 +45,11 @@ impl<'a> Choice<'a> {
             )
         })?;
         let seen: Vec<&'static Cause> = CAUSES.iter().filter(|c| setting.is_seen(c)).collect();
-        let mut choice = Self { base, rounds: vec![], rivals: vec![] };
+        let mut choice = Self {
+            base,
+            rounds: vec![],
+            rivals: vec![],
+        };
         while choice.rounds.len() < MOST_CAUSES {
             let round = Round::beside(setting, choice.extended(), &seen);
             let is_enough = round.gains();
@@ -58,10 +62,15 @@ impl<'a> Choice<'a> {
         Ok(choice)
     }
 
-    /// The model without a swing, with the cause that then gains enough, if one does; `None` where the swing shows nothing.
+    /// The model without a swing, with the cause that then gains enough, if one does; `None` where
+    /// the swing shows nothing.
     pub fn without(&self, setting: &Setting<'a>, swing: usize) -> Option<Fitted<'a>> {
         let is_its = |what: Observed| matches!(what, Observed::Period(i, _) if i == swing);
-        setting.system.observations.iter().find(|o| is_its(o.what))?;
+        setting
+            .system
+            .observations
+            .iter()
+            .find(|o| is_its(o.what))?;
         let bare = setting.fit_without(&[], &is_its)?;
         let causes = self.rounds.first().map_or(&[][..], |round| &round.tried);
         let best = causes
@@ -81,14 +90,20 @@ impl<'a> Choice<'a> {
 
     /// The model with all causes that were taken.
     pub fn extended(&self) -> &Fitted<'a> {
-        self.taken().last().and_then(|round| round.tried.first()).unwrap_or(&self.base)
+        self.taken()
+            .last()
+            .and_then(|round| round.tried.first())
+            .unwrap_or(&self.base)
     }
 
     fn rivals(&self, setting: &Setting<'a>, seen: &[&'static Cause]) -> Vec<Fitted<'a>> {
         let best = self.extended();
         let mut rivals = Vec::new();
         for place in 0..best.causes.len() {
-            for cause in seen.iter().filter(|c| best.causes.iter().all(|t| t.id != c.id)) {
+            for cause in seen
+                .iter()
+                .filter(|c| best.causes.iter().all(|t| t.id != c.id))
+            {
                 let mut causes = best.causes.clone();
                 causes[place] = cause;
                 let rival = setting.fit(&causes);
@@ -114,7 +129,11 @@ impl<'a> Choice<'a> {
     /// What follows.
     pub fn standing(&self) -> Standing {
         let extended = self.extended();
-        match (extended.p_value() < CONTRADICTION, extended.causes.is_empty(), self.rivals.is_empty()) {
+        match (
+            extended.p_value() < CONTRADICTION,
+            extended.causes.is_empty(),
+            self.rivals.is_empty(),
+        ) {
             (true, _, _) => Standing::Unexplained,
             (false, true, _) => Standing::Adequate,
             (false, false, true) => Standing::Explained,
@@ -131,9 +150,16 @@ impl<'a> Round<'a> {
             causes.push(cause);
             setting.fit(&causes)
         };
-        let mut tried: Vec<Fitted> = seen.iter().filter(|c| !is_known(c)).filter_map(|c| with(c)).collect();
+        let mut tried: Vec<Fitted> = seen
+            .iter()
+            .filter(|c| !is_known(c))
+            .filter_map(|c| with(c))
+            .collect();
         tried.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
-        Self { before: known.log_evidence, tried }
+        Self {
+            before: known.log_evidence,
+            tried,
+        }
     }
 
     fn gain(&self, fitted: &Fitted) -> f64 {
@@ -141,13 +167,24 @@ impl<'a> Round<'a> {
     }
 
     fn gains(&self) -> bool {
-        self.tried.first().is_some_and(|best| self.gain(best) >= ENOUGH)
+        self.tried
+            .first()
+            .is_some_and(|best| self.gain(best) >= ENOUGH)
     }
 
     /// Each cause, the most probable first.
     pub fn results(&self, setting: &Setting) -> Vec<CauseResult> {
-        let most = self.tried.first().map_or(0.0, |best| self.gain(best)).max(0.0);
-        let all: f64 = self.tried.iter().map(|f| (self.gain(f) - most).exp()).sum::<f64>() + (-most).exp();
+        let most = self
+            .tried
+            .first()
+            .map_or(0.0, |best| self.gain(best))
+            .max(0.0);
+        let all: f64 = self
+            .tried
+            .iter()
+            .map(|f| (self.gain(f) - most).exp())
+            .sum::<f64>()
+            + (-most).exp();
         let result = |fitted: &Fitted| {
             let cause = fitted.causes.last()?;
             let gain = self.gain(fitted);

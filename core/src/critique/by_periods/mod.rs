@@ -1,7 +1,8 @@
 //! The criticism of sessions that hold periods alone: typed in, or listed by a gate or a stopwatch.
 //!
-//! No single swing shows a cause here; swings against each other and against the tape do. The joint estimate with its
-//! stated dimensions as priors is the base; each cause joins it as one or two more parameters, and the evidence decides.
+//! No single swing shows a cause here; swings against each other and against the tape do. The joint
+//! estimate with its stated dimensions as priors is the base; each cause joins it as one or two
+//! more parameters, and the evidence decides.
 
 mod causes;
 mod choice;
@@ -46,14 +47,18 @@ pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<
         warnings: english(&warnings_said),
         warnings_said,
     };
-    Ok(Criticism { critique, traces: vec![] })
+    Ok(Criticism {
+        critique,
+        traces: vec![],
+    })
 }
 
-/// The swing that would tell two causes (by name) apart, each fitted to the periods beside nothing else; `None` where none
-/// thought of does.
+/// The swing that would tell two causes (by name) apart, each fitted to the periods beside nothing
+/// else; `None` where none thought of does.
 ///
 /// # Errors
-/// [`Error::Argument`] for a name that is no cause that periods show; [`Error::NoResult`] where one cannot be fitted.
+/// [`Error::Argument`] for a name that is no cause that periods show; [`Error::NoResult`] where one
+/// cannot be fitted.
 pub fn tell_apart_by_periods(
     loaded: &LoadedSession,
     analysis: &Analysis,
@@ -65,18 +70,36 @@ pub fn tell_apart_by_periods(
 }
 
 fn fitted<'a>(setting: &Setting<'a>, name: &str) -> Result<Fitted<'a>> {
-    let cause = CAUSES.iter().find(|cause| cause.id == name).ok_or_else(|| {
-        let names: Vec<&str> = CAUSES.iter().map(|cause| cause.id).collect();
-        Error::argument("cause", format!("one of {} (what periods show)", names.join(", ")), name)
-    })?;
-    setting.fit(&[cause]).ok_or_else(|| Error::no_result(name, "it cannot be fitted to this session"))
+    let cause = CAUSES
+        .iter()
+        .find(|cause| cause.id == name)
+        .ok_or_else(|| {
+            let names: Vec<&str> = CAUSES.iter().map(|cause| cause.id).collect();
+            Error::argument(
+                "cause",
+                format!("one of {} (what periods show)", names.join(", ")),
+                name,
+            )
+        })?;
+    setting
+        .fit(&[cause])
+        .ok_or_else(|| Error::no_result(name, "it cannot be fitted to this session"))
 }
 
 fn warnings(analysis: &Analysis) -> Vec<Text> {
     // What the joint estimate says of contradictions, the criticism says itself.
-    let other = |w: &&Text| w.english.contains("gravity") || w.english.contains("no joint estimate");
-    let others = analysis.measurement.warnings_said.iter().filter(other).cloned();
-    [said("periods_alone", [])].into_iter().chain(others).collect()
+    let other =
+        |w: &&Text| w.english.contains("gravity") || w.english.contains("no joint estimate");
+    let others = analysis
+        .measurement
+        .warnings_said
+        .iter()
+        .filter(other)
+        .cloned();
+    [said("periods_alone", [])]
+        .into_iter()
+        .chain(others)
+        .collect()
 }
 
 fn quantities(fitted: &Fitted) -> BTreeMap<String, QuantityResult> {
@@ -109,9 +132,13 @@ fn rms(z: &[f64]) -> Option<f64> {
 /// By observations that both models predict.
 fn gain(base: &Fitted, extended: &Fitted) -> Gain {
     let (base_held, extended_held) = (observed(base), observed(extended));
-    let both: Vec<(HeldOut, HeldOut)> =
-        base_held.into_iter().zip(extended_held).filter_map(|(a, b)| a.zip(b)).collect();
-    let z = |pick: fn(&(HeldOut, HeldOut)) -> f64| rms(&both.iter().map(pick).collect::<Vec<f64>>());
+    let both: Vec<(HeldOut, HeldOut)> = base_held
+        .into_iter()
+        .zip(extended_held)
+        .filter_map(|(a, b)| a.zip(b))
+        .collect();
+    let z =
+        |pick: fn(&(HeldOut, HeldOut)) -> f64| rms(&both.iter().map(pick).collect::<Vec<f64>>());
     let score = |h: &HeldOut| -0.5 * h.z * h.z - h.u.ln();
     let scores: f64 = both.iter().map(|(a, b)| score(b) - score(a)).sum();
     let shifts = shifts(&quantities(base), &quantities(extended));
@@ -123,22 +150,34 @@ fn gain(base: &Fitted, extended: &Fitted) -> Gain {
     }
 }
 
-/// Taken ones in the order in which they were found, then what is left unexplained, then the others by evidence.
+/// Taken ones in the order in which they were found, then what is left unexplained, then the others
+/// by evidence.
 fn cause_results(setting: &Setting, choice: &Choice) -> Vec<CauseResult> {
     let mut taken = Vec::new();
     for (i, round) in choice.taken().enumerate() {
-        taken.extend(round.results(setting).into_iter().filter(|c| c.id == choice.extended().causes[i].id));
+        taken.extend(
+            round
+                .results(setting)
+                .into_iter()
+                .filter(|c| c.id == choice.extended().causes[i].id),
+        );
     }
     taken.iter_mut().for_each(|cause| cause.taken = true);
     let mut others: Vec<CauseResult> = choice.rounds.first().map_or(vec![], |r| r.results(setting));
     others.retain(|cause| taken.iter().all(|t| t.id != cause.id));
-    let unknown = (choice.standing() == Standing::Unexplained).then(|| words::unknown(setting, choice));
+    let unknown =
+        (choice.standing() == Standing::Unexplained).then(|| words::unknown(setting, choice));
     taken.into_iter().chain(unknown).chain(others).collect()
 }
 
 fn verdict(setting: &Setting, choice: &Choice) -> CauseVerdict {
     let standing = choice.standing();
-    let mut causes: Vec<String> = choice.extended().causes.iter().map(|c| c.id.into()).collect();
+    let mut causes: Vec<String> = choice
+        .extended()
+        .causes
+        .iter()
+        .map(|c| c.id.into())
+        .collect();
     if standing == Standing::Unexplained {
         causes.push("unknown".into());
     }

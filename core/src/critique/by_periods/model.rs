@@ -1,7 +1,8 @@
 //! The joint estimate from periods with causes in it.
 //!
-//! A cause's numbers are parameters of the system beside the others, with what is believed of them as their priors, counted
-//! in their own widths. The evidence is Laplace's: exact where the system is linear.
+//! A cause's numbers are parameters of the system beside the others, with what is believed of them
+//! as their priors, counted in their own widths. The evidence is Laplace's: exact where the system
+//! is linear.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -28,9 +29,11 @@ const UNCERTAINTIES_LOG_U: f64 = 0.7;
 /// Logarithms of factors that are tried: up to 3000.
 const LOG_STEP: f64 = 0.02;
 const LOG_STEPS: u32 = 400;
-/// A cause whose numbers at one width move no observation by more standard uncertainties is not seen in this session.
+/// A cause whose numbers at one width move no observation by more standard uncertainties is not
+/// seen in this session.
 const LEAST_SEEN: f64 = 0.1;
-/// How far the depth of a centre of mass may lie off 0.4 gyradii, as a logarithm (the paper's hulls: 0.4 and 0.8).
+/// How far the depth of a centre of mass may lie off 0.4 gyradii, as a logarithm (the paper's
+/// hulls: 0.4 and 0.8).
 const DEPTH_LOG_U: f64 = 0.7;
 /// An observation that the others predict no better than this, relative, tests nothing.
 const MOST_PREDICTED_U: f64 = 0.05;
@@ -72,14 +75,27 @@ pub struct HeldOut {
 
 impl<'a> Setting<'a> {
     /// From the solved periods of a session.
-    pub fn new((mut system, solution): (System<'a>, Solution), analysis: &Analysis) -> Result<Self> {
+    pub fn new(
+        (mut system, solution): (System<'a>, Solution),
+        analysis: &Analysis,
+    ) -> Result<Self> {
         system.layout = with_sober_depths(&system.layout);
         let solution = system.solve(&solution.x)?;
         let scales = Arc::new(scales(&system, &solution));
         let swings = &analysis.measurement.swings;
-        let amplitudes = swings.iter().map(|swing| (swing.id.clone(), amplitudes(&swing.modes))).collect();
-        let bare_log_evidence = log_evidence(&system.layout, &solution, &[]).unwrap_or(f64::NEG_INFINITY);
-        Ok(Self { system, solution, scales, amplitudes: Arc::new(amplitudes), bare_log_evidence })
+        let amplitudes = swings
+            .iter()
+            .map(|swing| (swing.id.clone(), amplitudes(&swing.modes)))
+            .collect();
+        let bare_log_evidence =
+            log_evidence(&system.layout, &solution, &[]).unwrap_or(f64::NEG_INFINITY);
+        Ok(Self {
+            system,
+            solution,
+            scales,
+            amplitudes: Arc::new(amplitudes),
+            bare_log_evidence,
+        })
     }
 
     /// The model with these causes; `None` where it has no solution.
@@ -97,18 +113,32 @@ impl<'a> Setting<'a> {
         system.observations.retain(|o| !is_left_out(o.what));
         let first = self.solve(&system, causes, STARTS[0]);
         let (solution, log_evidence) = match first {
-            // The solution got caught where two modes nearly coincide: nearer to zero the same model does better.
+            // The solution got caught where two modes nearly coincide: nearer to zero the same
+            // model does better.
             Some((_, evidence)) if evidence < self.bare_log_evidence - CAUGHT => {
                 let other = self.solve(&system, causes, STARTS[1]);
-                first.into_iter().chain(other).max_by(|a, b| a.1.total_cmp(&b.1))?
+                first
+                    .into_iter()
+                    .chain(other)
+                    .max_by(|a, b| a.1.total_cmp(&b.1))?
             }
             first => first?,
         };
         let solution = self.on_the_right_side(&mut system, solution, causes)?;
-        Some(Fitted { causes: causes.to_vec(), system, solution, log_evidence })
+        Some(Fitted {
+            causes: causes.to_vec(),
+            system,
+            solution,
+            log_evidence,
+        })
     }
 
-    fn solve(&self, system: &System, causes: &[&'static Cause], size: f64) -> Option<(Solution, f64)> {
+    fn solve(
+        &self,
+        system: &System,
+        causes: &[&'static Cause],
+        size: f64,
+    ) -> Option<(Solution, f64)> {
         let mut start = self.solution.x.clone();
         start.resize(system.layout.parameters.len(), size);
         let solution = system.solve(&start).ok()?;
@@ -148,33 +178,42 @@ impl<'a> Setting<'a> {
             x.resize(system.layout.parameters.len(), size);
             system.rows(&x, &[])
         };
-        rows(0.0).zip(rows(1.0)).is_some_and(|(without, with)| (with - without).amax() > LEAST_SEEN)
+        rows(0.0)
+            .zip(rows(1.0))
+            .is_some_and(|(without, with)| (with - without).amax() > LEAST_SEEN)
     }
 
     fn with(&self, causes: &[&'static Cause]) -> System<'a> {
         let mut layout = self.system.layout.clone();
         let first = layout.parameters.len();
         for cause in causes {
-            layout.parameters.extend(cause.numbers.iter().map(|number| Parameter {
-                name: format!("{}.{}", cause.id, number.name),
-                role: Role::Stated,
-                prior: Quantity::new(0.0, 1.0),
-                step: STEP,
-            }));
+            layout
+                .parameters
+                .extend(cause.numbers.iter().map(|number| Parameter {
+                    name: format!("{}.{}", cause.id, number.name),
+                    role: Role::Stated,
+                    prior: Quantity::new(0.0, 1.0),
+                    step: STEP,
+                }));
         }
         let mut system = self.system.with(layout);
         system.theory = self.by(causes, first, self.amplitudes.clone());
         system
     }
 
-    /// Periods by these causes, whose numbers begin at `first`, of a swing that was not made, by its name and amplitudes.
+    /// Periods by these causes, whose numbers begin at `first`, of a swing that was not made, by
+    /// its name and amplitudes.
     pub fn theory(
         &self,
         causes: &[&'static Cause],
         first: usize,
         (id, amplitudes): (&str, Amplitudes),
     ) -> Arc<estimate::Theory> {
-        self.by(causes, first, Arc::new(BTreeMap::from([(id.to_owned(), amplitudes)])))
+        self.by(
+            causes,
+            first,
+            Arc::new(BTreeMap::from([(id.to_owned(), amplitudes)])),
+        )
     }
 
     fn by(
@@ -183,10 +222,17 @@ impl<'a> Setting<'a> {
         first: usize,
         amplitudes: Arc<BTreeMap<String, Amplitudes>>,
     ) -> Arc<estimate::Theory> {
-        let theory = Theory { causes: causes.to_vec(), first, scales: self.scales.clone(), amplitudes };
-        Arc::new(move |layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex| {
-            theory.periods(layout, x, swing, index)
-        })
+        let theory = Theory {
+            causes: causes.to_vec(),
+            first,
+            scales: self.scales.clone(),
+            amplitudes,
+        };
+        Arc::new(
+            move |layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex| {
+                theory.periods(layout, x, swing, index)
+            },
+        )
     }
 }
 
@@ -232,7 +278,9 @@ impl Theory {
         }
         let modes = small_modes(&hung.rig, &hung.body)?.with(&hung.body, &hung.effects)?;
         let names = mode_names(&hung.body, &modes, swing.suspension.orientation);
-        Ok((0..4).map(|i| (names[i], clock * modes.period_s(i))).collect())
+        Ok((0..4)
+            .map(|i| (names[i], clock * modes.period_s(i)))
+            .collect())
     }
 
     fn put(&self, x: &[f64], hung: &mut Hung) -> Result<()> {
@@ -240,8 +288,12 @@ impl Theory {
         for cause in &self.causes {
             let few = || Error::argument("x", "numbers for every cause", rest.len());
             let (own, after) = rest.split_at_checked(cause.numbers.len()).ok_or_else(few)?;
-            let numbers: Vec<f64> =
-                cause.numbers.iter().zip(own).map(|(n, v)| v * (n.width)(&self.scales)).collect();
+            let numbers: Vec<f64> = cause
+                .numbers
+                .iter()
+                .zip(own)
+                .map(|(n, v)| v * (n.width)(&self.scales))
+                .collect();
             (cause.put)(&numbers, hung);
             rest = after;
         }
@@ -254,7 +306,9 @@ impl Fitted<'_> {
     pub fn numbers(&self) -> Vec<Quantity> {
         let count = self.causes.iter().map(|c| c.numbers.len()).sum::<usize>();
         let end = self.system.layout.parameters.len();
-        (end - count..end).map(|i| Quantity::new(self.solution.x[i], self.solution.u(i))).collect()
+        (end - count..end)
+            .map(|i| Quantity::new(self.solution.x[i], self.solution.u(i)))
+            .collect()
     }
 
     /// Chance of a χ² as large as this.
@@ -279,14 +333,19 @@ impl Fitted<'_> {
         (dof >= 0.5).then(|| (chi2 / dof).sqrt())
     }
 
-    /// Each row (observations, then the free parameters' priors) against the prediction of all others, to first order;
-    /// `None` where these do not predict it.
+    /// Each row (observations, then the free parameters' priors) against the prediction of all
+    /// others, to first order; `None` where these do not predict it.
     pub fn held_out(&self) -> Vec<Option<HeldOut>> {
         let solution = &self.solution;
-        let Some(rows) = self.system.rows(&solution.x, &solution.free) else { return vec![] };
+        let Some(rows) = self.system.rows(&solution.x, &solution.free) else {
+            return vec![];
+        };
         let figure = |i: usize| match self.system.observations.get(i) {
             Some(observation) => observation.value,
-            None => self.system.layout.parameters[solution.free[i - self.system.observations.len()]].prior,
+            None => {
+                self.system.layout.parameters[solution.free[i - self.system.observations.len()]]
+                    .prior
+            }
         };
         (0..rows.len())
             .map(|i| {
@@ -304,18 +363,27 @@ impl Fitted<'_> {
     }
 }
 
-/// −χ²/2 − ½ ln det JᵀJ: what the Gaussian integral over all parameters leaves, their priors counted among the rows; and
-/// for each number that cannot be negative, ln 2 for the half of its prior and the share of the integral on that side.
+/// −χ²/2 − ½ ln det JᵀJ: what the Gaussian integral over all parameters leaves, their priors
+/// counted among the rows; and for each number that cannot be negative, ln 2 for the half of its
+/// prior and the share of the integral on that side.
 ///
-/// Where a model leaves contradictions, all uncertainties may have been stated too small: at the price of [`scatter`].
-/// Otherwise whatever takes a little off a large contradiction would be called certain.
+/// Where a model leaves contradictions, all uncertainties may have been stated too small: at the
+/// price of [`scatter`]. Otherwise whatever takes a little off a large contradiction would be
+/// called certain.
 fn log_evidence(layout: &Layout, solution: &Solution, causes: &[&'static Cause]) -> Option<f64> {
     let sizes: Vec<f64> = solution.jacobian.column_iter().map(|c| c.norm()).collect();
     let mut scaled = solution.jacobian.clone();
-    scaled.column_iter_mut().zip(&sizes).for_each(|(mut column, size)| column /= *size);
+    scaled
+        .column_iter_mut()
+        .zip(&sizes)
+        .for_each(|(mut column, size)| column /= *size);
     let lower = (scaled.transpose() * scaled).cholesky()?.unpack();
-    let half_log_det: f64 =
-        lower.diagonal().iter().zip(&sizes).map(|(pivot, size)| (pivot * size).ln()).sum();
+    let half_log_det: f64 = lower
+        .diagonal()
+        .iter()
+        .zip(&sizes)
+        .map(|(pivot, size)| (pivot * size).ln())
+        .sum();
     let normal = Normal::standard();
     let numbers = causes.iter().flat_map(|cause| cause.numbers);
     let first = solution.x.len() - numbers.clone().count();
@@ -327,22 +395,31 @@ fn log_evidence(layout: &Layout, solution: &Solution, causes: &[&'static Cause])
         .sum();
     let believed = believed(layout, solution, first);
     let logs = (0..=LOG_STEPS).map(|i| LOG_STEP * f64::from(i));
-    let fits = logs.map(|log| scatter(solution, believed, &us, log)).fold(f64::NEG_INFINITY, f64::max);
+    let fits = logs
+        .map(|log| scatter(solution, believed, &us, log))
+        .fold(f64::NEG_INFINITY, f64::max);
     Some(sides + fits - half_log_det)
 }
 
-/// The part of χ² by which body and causes depart from what is believed of them beforehand; nobody stated that.
+/// The part of χ² by which body and causes depart from what is believed of them beforehand; nobody
+/// stated that.
 fn believed(layout: &Layout, solution: &Solution, first_cause: usize) -> f64 {
     let is_believed = |i: usize| i >= first_cause || layout.parameters[i].role == Role::Unknown;
     let pull = |i: usize| {
         let prior = layout.parameters[i].prior;
         (solution.x[i] - prior.value) / prior.u
     };
-    solution.free.iter().filter(|i| is_believed(**i)).map(|i| pull(*i).powi(2)).sum()
+    solution
+        .free
+        .iter()
+        .filter(|i| is_believed(**i))
+        .map(|i| pull(*i).powi(2))
+        .sum()
 }
 
-/// −χ²/2 with all stated uncertainties larger by a factor s (its logarithm is given): χ² but for what is `believed` falls
-/// by s², the density of every degree of freedom by s, and the causes' numbers are known less well by up to s.
+/// −χ²/2 with all stated uncertainties larger by a factor s (its logarithm is given): χ² but for
+/// what is `believed` falls by s², the density of every degree of freedom by s, and the causes'
+/// numbers are known less well by up to s.
 fn scatter(solution: &Solution, believed: f64, us: &[f64], log: f64) -> f64 {
     let shrunk = (-2.0 * log).exp();
     let wider = |u: &f64| {
@@ -354,8 +431,8 @@ fn scatter(solution: &Solution, believed: f64, us: &[f64], log: f64) -> f64 {
     numbers - 0.5 * chi2 - solution.dof * log - 0.5 * (log / UNCERTAINTIES_LOG_U).powi(2)
 }
 
-/// An estimate may leave the depth of a centre of mass open; a comparison of causes must not: lines a hair off parallel under
-/// a hull many metres deep would account for any sway.
+/// An estimate may leave the depth of a centre of mass open; a comparison of causes must not: lines
+/// a hair off parallel under a hull many metres deep would account for any sway.
 fn with_sober_depths(layout: &Layout) -> Layout {
     let mut layout = layout.clone();
     for place in layout.swings.iter().map(|s| s.log_depth) {
@@ -369,7 +446,11 @@ fn scales(system: &System, solution: &Solution) -> Scales {
     let layout = &system.layout;
     let mean = |places: Vec<usize>| {
         let count = places.len().max(1) as f64;
-        places.iter().map(|i| layout.parameters[*i].prior.value).sum::<f64>() / count
+        places
+            .iter()
+            .map(|i| layout.parameters[*i].prior.value)
+            .sum::<f64>()
+            / count
     };
     let mean_or_one = |places: Vec<usize>| if places.is_empty() { 1.0 } else { mean(places) };
     Scales {
@@ -384,10 +465,15 @@ fn scales(system: &System, solution: &Solution) -> Scales {
 
 fn amplitudes(modes: &[ModeResult]) -> Amplitudes {
     let of = |name: ModeName| {
-        let mode = modes.iter().find(|m| m.mode == name && m.amplitude_unit == "rad");
+        let mode = modes
+            .iter()
+            .find(|m| m.mode == name && m.amplitude_unit == "rad");
         mode.map_or(0.0, mean_amplitude)
     };
-    Amplitudes { yaw_rad: of(ModeName::Yaw), sway_rad: of(ModeName::Sway) }
+    Amplitudes {
+        yaw_rad: of(ModeName::Yaw),
+        sway_rad: of(ModeName::Sway),
+    }
 }
 
 /// That at which the period was observed: the mean over the record where there is one.

@@ -1,7 +1,7 @@
 //! The swing that would tell causes apart.
 //!
-//! Every model predicts the periods of a swing that was not made, each with the uncertainty that its parameters and a fresh
-//! tape leave. Wanted is the swing in which the models differ most.
+//! Every model predicts the periods of a swing that was not made, each with the uncertainty that
+//! its parameters and a fresh tape leave. Wanted is the swing in which the models differ most.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -43,46 +43,79 @@ const YAW: &[ModeName] = &[ModeName::Yaw];
 const SWAY: &[ModeName] = &[ModeName::Sway];
 const BOTH: &[ModeName] = &[ModeName::Yaw, ModeName::Sway];
 const PITCH: &[ModeName] = &[ModeName::PitchInPhase, ModeName::PitchOutOfPhase];
-const ALL: &[ModeName] = &[ModeName::Yaw, ModeName::Sway, ModeName::PitchInPhase, ModeName::PitchOutOfPhase];
+const ALL: &[ModeName] = &[
+    ModeName::Yaw,
+    ModeName::Sway,
+    ModeName::PitchInPhase,
+    ModeName::PitchOutOfPhase,
+];
 /// The simplest first: it is kept where others do no better.
 const EXCITED: [&[ModeName]; 5] = [YAW, SWAY, BOTH, PITCH, ALL];
 /// By how much a swing with more modes must be better.
 const BETTER: f64 = 1.1;
 
-/// The swing that tells the model from its rivals best; `None` without rivals, and where no swing tells any of them.
+/// The swing that tells the model from its rivals best; `None` without rivals, and where no swing
+/// tells any of them.
 pub fn next_swing(setting: &Setting, best: &Fitted, rivals: &[Fitted]) -> Option<NextSwing> {
-    let amplitude_deg = if in_doubt(best, rivals, "amplitude_added_mass") { WIDE_DEG } else { AMPLITUDE_DEG };
+    let amplitude_deg = if in_doubt(best, rivals, "amplitude_added_mass") {
+        WIDE_DEG
+    } else {
+        AMPLITUDE_DEG
+    };
     let mut found: Option<(Worth, Plan)> = None;
     for modes in EXCITED {
         for plan in plans(setting, modes, amplitude_deg) {
-            let Some(worth) = Worth::of(setting, best, rivals, &plan) else { continue };
+            let Some(worth) = Worth::of(setting, best, rivals, &plan) else {
+                continue;
+            };
             if found.as_ref().is_none_or(|(known, _)| worth.beats(known)) {
                 found = Some((worth, plan));
             }
         }
     }
     let (worth, plan) = found.filter(|(worth, _)| worth.told > 0)?;
-    Some(plan.described(&setting.system.session.swings[level_swing(setting)?], &worth, rivals, best))
+    Some(plan.described(
+        &setting.system.session.swings[level_swing(setting)?],
+        &worth,
+        rivals,
+        best,
+    ))
 }
 
 fn in_doubt(best: &Fitted, rivals: &[Fitted], id: &str) -> bool {
-    std::iter::once(best).chain(rivals).any(|f| f.causes.iter().any(|c| c.id == id))
+    std::iter::once(best)
+        .chain(rivals)
+        .any(|f| f.causes.iter().any(|c| c.id == id))
 }
 
 fn plans(setting: &Setting, modes: &'static [ModeName], amplitude_deg: f64) -> Vec<Plan> {
-    let (length, spacing) = (tape(setting, |s| s.line_length), tape(setting, |s| s.spacing));
+    let (length, spacing) = (
+        tape(setting, |s| s.line_length),
+        tape(setting, |s| s.spacing),
+    );
     let rounded = |x: f64| (x / STEP_M).round() * STEP_M;
     let at = |base: Quantity, factor: f64| Quantity::new(rounded(base.value * factor), base.u);
-    let grid = LENGTHS.iter().flat_map(|l| SPACINGS.iter().map(move |s| (*l, *s)));
-    grid.map(|(l, s)| Plan { line_length_m: at(length, l), spacing_m: at(spacing, s), amplitude_deg, modes })
-        .collect()
+    let grid = LENGTHS
+        .iter()
+        .flat_map(|l| SPACINGS.iter().map(move |s| (*l, *s)));
+    grid.map(|(l, s)| Plan {
+        line_length_m: at(length, l),
+        spacing_m: at(spacing, s),
+        amplitude_deg,
+        modes,
+    })
+    .collect()
 }
 
 /// Mean of a stated dimension and what the tape is good to.
 fn tape(setting: &Setting, place: fn(&SwingIndex) -> Option<usize>) -> Quantity {
     let layout = &setting.system.layout;
-    let stated: Vec<Quantity> =
-        layout.swings.iter().filter_map(place).map(|i| layout.parameters[i].prior).collect();
+    let stated: Vec<Quantity> = layout
+        .swings
+        .iter()
+        .filter_map(place)
+        .map(|i| layout.parameters[i].prior)
+        .collect();
     let count = stated.len().max(1) as f64;
     let u = stated.iter().map(|q| q.u).fold(0.0, f64::max);
     let value = stated.iter().map(|q| q.value).sum::<f64>() / count;
@@ -108,7 +141,11 @@ impl Worth {
         }
         let apart: Vec<f64> = sigma.iter().copied().filter(|s| *s > TOLD_APART).collect();
         let least = apart.iter().copied().fold(f64::INFINITY, f64::min);
-        Some(Self { told: apart.len(), least, sigma })
+        Some(Self {
+            told: apart.len(),
+            least,
+            sigma,
+        })
     }
 
     fn beats(&self, other: &Self) -> bool {
@@ -121,7 +158,10 @@ impl Worth {
 fn level_swing(setting: &Setting) -> Option<usize> {
     let layout = &setting.system.layout;
     let is_level = |s: &SwingIndex| layout.parameters[s.pitch_deg].prior.value.abs() < LEVEL_DEG;
-    layout.swings.iter().position(|s| s.axis_height.is_none() && is_level(s))
+    layout
+        .swings
+        .iter()
+        .position(|s| s.axis_height.is_none() && is_level(s))
 }
 
 /// Periods of a planned swing by a model.
@@ -140,12 +180,19 @@ impl Prediction {
         let mut x = fitted.solution.x.clone();
         // The causes' numbers stand last: the new dimensions go in before them.
         let first = x.len() - fitted.numbers().len();
-        x.splice(first..first, [plan.line_length_m.value, plan.spacing_m.value]);
+        x.splice(
+            first..first,
+            [plan.line_length_m.value, plan.spacing_m.value],
+        );
         let theory = setting.theory(&fitted.causes, first + 2, (&swing.id, plan.amplitudes()));
         let periods = |x: &[f64]| {
             let all = theory(&layout, x, &swing, &index).ok()?;
             let of = |mode: &ModeName| all.iter().find(|(name, _)| name == mode).map(|(_, t)| *t);
-            plan.modes.iter().map(of).collect::<Option<Vec<f64>>>().map(DVector::from_vec)
+            plan.modes
+                .iter()
+                .map(of)
+                .collect::<Option<Vec<f64>>>()
+                .map(DVector::from_vec)
         };
         let slope = |i: usize| {
             let step = layout.parameters[i].step;
@@ -168,7 +215,11 @@ impl Prediction {
             let change = slope(place)? * u;
             tape += &change * change.transpose();
         }
-        Some(Self { covariance: &by_row * by_row.transpose(), period_s, tape })
+        Some(Self {
+            covariance: &by_row * by_row.transpose(),
+            period_s,
+            tape,
+        })
     }
 
     /// How far two predictions differ, standard deviations.
@@ -176,7 +227,11 @@ impl Prediction {
         let difference = &self.period_s - &other.period_s;
         let timing = DMatrix::from_diagonal(&self.period_s.map(|t| (PERIOD_U * t).powi(2)));
         let covariance = &self.covariance + &other.covariance + &self.tape + timing;
-        Some(difference.dot(&covariance.cholesky()?.solve(&difference)).sqrt())
+        Some(
+            difference
+                .dot(&covariance.cholesky()?.solve(&difference))
+                .sqrt(),
+        )
     }
 }
 
@@ -203,11 +258,20 @@ impl Plan {
 
     fn amplitudes(&self) -> Amplitudes {
         let angle = self.amplitude_deg.to_radians();
-        Amplitudes { yaw_rad: angle, sway_rad: angle }
+        Amplitudes {
+            yaw_rad: angle,
+            sway_rad: angle,
+        }
     }
 
-    /// The session's parameters and the two new dimensions, and where to find them for a hanging like that of `level`.
-    fn laid_out(&self, setting: &Setting, with_causes: &Layout, level: usize) -> (Layout, SwingIndex) {
+    /// The session's parameters and the two new dimensions, and where to find them for a hanging
+    /// like that of `level`.
+    fn laid_out(
+        &self,
+        setting: &Setting,
+        with_causes: &Layout,
+        level: usize,
+    ) -> (Layout, SwingIndex) {
         let mut layout = with_causes.clone();
         let first = setting.system.layout.parameters.len();
         let index = SwingIndex {
@@ -223,12 +287,21 @@ impl Plan {
             prior,
             step: 1e-6 * prior.value,
         };
-        let new = [dimension("line_length", self.line_length_m), dimension("spacing", self.spacing_m)];
+        let new = [
+            dimension("line_length", self.line_length_m),
+            dimension("spacing", self.spacing_m),
+        ];
         layout.parameters.splice(first..first, new);
         (layout, index)
     }
 
-    fn described(&self, like: &Swing, worth: &Worth, rivals: &[Fitted], best: &Fitted) -> NextSwing {
+    fn described(
+        &self,
+        like: &Swing,
+        worth: &Worth,
+        rivals: &[Fitted],
+        best: &Fitted,
+    ) -> NextSwing {
         let orientation = like.suspension.orientation;
         let mut excited: Vec<Excitation> = Vec::new();
         for mode in self.modes {
@@ -242,7 +315,11 @@ impl Plan {
             words::names(fitted.causes.iter().map(|c| c.id).filter(is_new), "and")
         };
         let split = |is_told: bool| -> Vec<Argument> {
-            let matching = worth.sigma.iter().zip(rivals).filter(|(s, _)| (**s > TOLD_APART) == is_told);
+            let matching = worth
+                .sigma
+                .iter()
+                .zip(rivals)
+                .filter(|(s, _)| (**s > TOLD_APART) == is_told);
             let mut names: Vec<Argument> = matching.map(|(_, rival)| own(rival)).collect();
             names.dedup();
             names
@@ -255,10 +332,22 @@ impl Plan {
             [
                 ("line_length_m", words::number(self.line_length_m.value, 2)),
                 ("spacing_m", words::number(self.spacing_m.value, 2)),
-                ("excited", row(excited.iter().map(|one| Argument::Word(one.name().into())).collect())),
-                ("causes", words::names(best.causes.iter().map(|c| c.id), "and")),
+                (
+                    "excited",
+                    row(excited
+                        .iter()
+                        .map(|one| Argument::Word(one.name().into()))
+                        .collect()),
+                ),
+                (
+                    "causes",
+                    words::names(best.causes.iter().map(|c| c.id), "and"),
+                ),
                 ("others", row(split(true))),
-                ("modes", row(self.modes.iter().map(|mode| words::motion(*mode)).collect())),
+                (
+                    "modes",
+                    row(self.modes.iter().map(|mode| words::motion(*mode)).collect()),
+                ),
                 ("sigma", words::number(worth.least, 1)),
                 ("left", words::part(left)),
             ],

@@ -49,11 +49,27 @@ impl Standing {
 
 /// A figure with two digits of its uncertainty; a pure number has no unit.
 pub fn figure(q: Quantity, unit: &str) -> String {
-    let digit = if q.u > 0.0 { q.u.log10().floor() as i32 - 1 } else { -4 };
+    let digit = if q.u > 0.0 {
+        q.u.log10().floor() as i32 - 1
+    } else {
+        -4
+    };
     let decimals = (-digit).clamp(0, 9) as usize;
-    let round = |x: f64| if digit > 0 { (x / 10f64.powi(digit)).round() * 10f64.powi(digit) } else { x };
-    let (value, u, unit) = (round(q.value), round(q.u), if unit == "1" { "" } else { unit });
-    format!("{value:.decimals$} ± {u:.decimals$} {unit}").trim_end().into()
+    let round = |x: f64| {
+        if digit > 0 {
+            (x / 10f64.powi(digit)).round() * 10f64.powi(digit)
+        } else {
+            x
+        }
+    };
+    let (value, u, unit) = (
+        round(q.value),
+        round(q.u),
+        if unit == "1" { "" } else { unit },
+    );
+    format!("{value:.decimals$} ± {u:.decimals$} {unit}")
+        .trim_end()
+        .into()
 }
 
 /// What the base model gets wrong, the most significant first.
@@ -89,7 +105,10 @@ fn between_swings(base: &Fitted, observation: &Observation, held: HeldOut) -> Di
     let what = match observation.what {
         Observed::Period(_, mode) => words::part(Some(words::said(
             "period_of",
-            [("motion", words::motion(mode)), ("swing", words::id(&swing))],
+            [
+                ("motion", words::motion(mode)),
+                ("swing", words::id(&swing)),
+            ],
         ))),
         _ => Argument::Plain(observation.label.clone()),
     };
@@ -99,18 +118,36 @@ fn between_swings(base: &Fitted, observation: &Observation, held: HeldOut) -> Di
             ("what", what),
             ("percent", words::number(100.0 * relative.abs(), 2)),
             ("sigma", words::number(held.z.abs(), 1)),
-            ("as_if", words::part(as_if(base, observation.what, relative))),
+            (
+                "as_if",
+                words::part(as_if(base, observation.what, relative)),
+            ),
         ],
     );
-    Discrepancy::of(&swing, "between_swings", (relative, "1"), held.z.abs(), said)
+    Discrepancy::of(
+        &swing,
+        "between_swings",
+        (relative, "1"),
+        held.z.abs(),
+        said,
+    )
 }
 
 /// Periods of yaw and sway go with the root of the length.
 fn as_if(base: &Fitted, what: Observed, relative: f64) -> Option<Text> {
-    let Observed::Period(i, ModeName::Yaw | ModeName::Sway) = what else { return None };
+    let Observed::Period(i, ModeName::Yaw | ModeName::Sway) = what else {
+        return None;
+    };
     let off_m = 2.0 * relative * base.solution.x[base.system.layout.swings[i].line_length?];
-    let key = if off_m > 0.0 { "as_if_longer" } else { "as_if_shorter" };
-    Some(words::said(key, [("mm", words::number(1000.0 * off_m.abs(), 0))]))
+    let key = if off_m > 0.0 {
+        "as_if_longer"
+    } else {
+        "as_if_shorter"
+    };
+    Some(words::said(
+        key,
+        [("mm", words::number(1000.0 * off_m.abs(), 0))],
+    ))
 }
 
 fn swing_id(base: &Fitted, what: Observed) -> String {
@@ -122,7 +159,9 @@ fn swing_id(base: &Fitted, what: Observed) -> String {
 
 /// A stated figure against what the swings imply.
 fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> {
-    let Parameter { name, role, prior, .. } = &base.system.layout.parameters[place];
+    let Parameter {
+        name, role, prior, ..
+    } = &base.system.layout.parameters[place];
     if name == "gravity" && !EARTH_M_S2.contains(&held.predicted) {
         return None;
     }
@@ -135,11 +174,20 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
                 ("name", words::word(&format!("parameter.{name}"))),
                 ("swings", words::part(of_swings(base, place))),
                 ("stated", words::written(figure(*prior, unit))),
-                ("implied", words::written(figure(Quantity::new(held.predicted, implied_u), unit))),
+                (
+                    "implied",
+                    words::written(figure(Quantity::new(held.predicted, implied_u), unit)),
+                ),
                 ("sigma", words::number(held.z.abs(), 1)),
             ],
         );
-        Discrepancy::of("", "dimension", (prior.value - held.predicted, unit), held.z.abs(), said)
+        Discrepancy::of(
+            "",
+            "dimension",
+            (prior.value - held.predicted, unit),
+            held.z.abs(),
+            said,
+        )
     })
 }
 
@@ -148,23 +196,39 @@ fn of_swings(base: &Fitted, place: usize) -> Option<Text> {
     let session = base.system.session;
     let has = |i: usize| {
         let index = &base.system.layout.swings[i];
-        [index.line_length, index.spacing, index.top_spacing, index.axis_height, Some(index.pitch_deg)]
-            .contains(&Some(place))
+        [
+            index.line_length,
+            index.spacing,
+            index.top_spacing,
+            index.axis_height,
+            Some(index.pitch_deg),
+        ]
+        .contains(&Some(place))
     };
-    let ids: Vec<Argument> =
-        (0..session.swings.len()).filter(|i| has(*i)).map(|i| words::id(&session.swings[i].id)).collect();
+    let ids: Vec<Argument> = (0..session.swings.len())
+        .filter(|i| has(*i))
+        .map(|i| words::id(&session.swings[i].id))
+        .collect();
     let is_some = !ids.is_empty() && ids.len() < session.swings.len();
     is_some.then(|| words::said("of_swings", [("swings", words::row(ids, "row", "and"))]))
 }
 
 /// The numbers of the model's last cause, in units of the rig.
 pub fn parameters(setting: &Setting, fitted: &Fitted) -> BTreeMap<String, ParameterResult> {
-    shown_numbers(setting, fitted).into_iter().map(|(number, shown)| (number.name.into(), shown)).collect()
+    shown_numbers(setting, fitted)
+        .into_iter()
+        .map(|(number, shown)| (number.name.into(), shown))
+        .collect()
 }
 
 /// Those of its numbers that the session has something to say of.
-fn shown_numbers(setting: &Setting, fitted: &Fitted) -> Vec<(&'static CauseNumber, ParameterResult)> {
-    let Some(cause) = fitted.causes.last() else { return vec![] };
+fn shown_numbers(
+    setting: &Setting,
+    fitted: &Fitted,
+) -> Vec<(&'static CauseNumber, ParameterResult)> {
+    let Some(cause) = fitted.causes.last() else {
+        return vec![];
+    };
     let numbers = fitted.numbers();
     let own = &numbers[numbers.len() - cause.numbers.len()..];
     cause
@@ -180,15 +244,26 @@ fn shown(setting: &Setting, number: &CauseNumber, q: Quantity) -> ParameterResul
     let scales = &setting.scales;
     let width = (number.width)(scales);
     let (value, u) = match number.shown {
-        Shown::Times(factor) => (q.value * width * factor(scales), q.u * width * factor(scales)),
+        Shown::Times(factor) => (
+            q.value * width * factor(scales),
+            q.u * width * factor(scales),
+        ),
         Shown::Over(factor) => {
             let value = factor(scales) / (q.value * width);
             (value, (value * q.u / q.value).abs())
         }
         Shown::Size => (q.value.abs() * width, q.u * width),
     };
-    let each = if number.by_mass && !scales.mass_is_known { " for each kg" } else { "" };
-    ParameterResult { value, u, unit: format!("{}{each}", number.unit) }
+    let each = if number.by_mass && !scales.mass_is_known {
+        " for each kg"
+    } else {
+        ""
+    };
+    ParameterResult {
+        value,
+        u,
+        unit: format!("{}{each}", number.unit),
+    }
 }
 
 /// The model's last cause with its figures.
@@ -198,24 +273,38 @@ pub fn cause(setting: &Setting, fitted: &Fitted) -> Text {
 
 /// The same as a sentence, or with the ending of its keys as a part of one.
 fn described(setting: &Setting, fitted: &Fitted, inside: &str) -> Text {
-    let Some(cause) = fitted.causes.last() else { return Text::default() };
+    let Some(cause) = fitted.causes.last() else {
+        return Text::default();
+    };
     let numbers = fitted.numbers();
     let own = &numbers[numbers.len() - cause.numbers.len()..];
     let named = ("cause", words::word(&format!("periods.{}", cause.id)));
     if own.iter().all(|q| q.value.abs() <= TOLD * q.u) {
         return words::said(&format!("nothing_shown{inside}"), [named]);
     }
-    words::said(&format!("with_figures{inside}"), [named, ("figures", figures(setting, fitted))])
+    words::said(
+        &format!("with_figures{inside}"),
+        [named, ("figures", figures(setting, fitted))],
+    )
 }
 
 fn figures(setting: &Setting, fitted: &Fitted) -> Argument {
     let one = |(number, p): &(&CauseNumber, ParameterResult)| {
-        let name = number.name.trim_end_matches(&format!("_{}", suffix(number)));
+        let name = number
+            .name
+            .trim_end_matches(&format!("_{}", suffix(number)));
         let figure = words::written(figure(Quantity::new(p.value, p.u), &p.unit));
         let name = words::word(&format!("number.{name}"));
-        words::part(Some(words::said("figure", [("name", name), ("figure", figure)])))
+        words::part(Some(words::said(
+            "figure",
+            [("name", name), ("figure", figure)],
+        )))
     };
-    words::row(shown_numbers(setting, fitted).iter().map(one).collect(), "row", "and")
+    words::row(
+        shown_numbers(setting, fitted).iter().map(one).collect(),
+        "row",
+        "and",
+    )
 }
 
 /// The unit as names end in it: `N/m` is `n_m`.
@@ -224,10 +313,13 @@ fn suffix(number: &CauseNumber) -> String {
     plain.replace(['/', ' '], "_")
 }
 
-/// What remains when all causes have been tried: the evidence of one more factor on all uncertainties, and the swing without
-/// which the rest would agree.
+/// What remains when all causes have been tried: the evidence of one more factor on all
+/// uncertainties, and the swing without which the rest would agree.
 pub fn unknown(setting: &Setting, choice: &Choice) -> CauseResult {
-    let (chi2, dof) = (choice.extended().solution.chi2, choice.extended().solution.dof);
+    let (chi2, dof) = (
+        choice.extended().solution.chi2,
+        choice.extended().solution.dof,
+    );
     let said = words::said(
         "contradictions",
         [
@@ -248,18 +340,28 @@ pub fn unknown(setting: &Setting, choice: &Choice) -> CauseResult {
     }
 }
 
-/// The swing without which the least contradiction is left, with the cause that then suggests itself.
+/// The swing without which the least contradiction is left, with the cause that then suggests
+/// itself.
 fn without_one(setting: &Setting, choice: &Choice) -> Option<Text> {
     let session = setting.system.session;
-    let attempts: Vec<(usize, Fitted)> =
-        (0..session.swings.len()).filter_map(|i| Some((i, choice.without(setting, i)?))).collect();
+    let attempts: Vec<(usize, Fitted)> = (0..session.swings.len())
+        .filter_map(|i| Some((i, choice.without(setting, i)?)))
+        .collect();
     let count = attempts.len();
-    let (i, fitted) =
-        attempts.into_iter().min_by(|(_, a), (_, b)| a.beyond_chance().total_cmp(&b.beyond_chance()))?;
-    // Chosen among many: a single swing is blamed only where nearly all of the contradiction goes with it.
+    let (i, fitted) = attempts
+        .into_iter()
+        .min_by(|(_, a), (_, b)| a.beyond_chance().total_cmp(&b.beyond_chance()))?;
+    // Chosen among many: a single swing is blamed only where nearly all of the contradiction goes
+    // with it.
     let is_much = fitted.beyond_chance() < MOST_LEFT * choice.extended().beyond_chance();
     let with = fitted.causes.last().map(|_| {
-        words::said("with_one", [("cause", words::part(Some(described(setting, &fitted, "_inside"))))])
+        words::said(
+            "with_one",
+            [(
+                "cause",
+                words::part(Some(described(setting, &fitted, "_inside"))),
+            )],
+        )
     });
     is_much.then(|| {
         words::said(
@@ -279,8 +381,18 @@ fn without_one(setting: &Setting, choice: &Choice) -> Option<Text> {
 pub fn verdict(choice: &Choice) -> Text {
     let extended = choice.extended();
     let (named, rivals) = (&extended.causes, choice.rival_names());
-    let causes = || ("causes", words::names(named.iter().map(|cause| cause.id), "and"));
-    let others = || ("others", words::names(rivals.iter().map(String::as_str), "or"));
+    let causes = || {
+        (
+            "causes",
+            words::names(named.iter().map(|cause| cause.id), "and"),
+        )
+    };
+    let others = || {
+        (
+            "others",
+            words::names(rivals.iter().map(String::as_str), "or"),
+        )
+    };
     let hangs = || ("hangs", words::part(consequences(choice)));
     match choice.standing() {
         Standing::Adequate => words::said("periods_adequate", []),
@@ -289,7 +401,10 @@ pub fn verdict(choice: &Choice) -> Text {
         Standing::Unexplained if named.is_empty() => words::said("periods_contradiction", []),
         Standing::Unexplained => {
             let instead = (!rivals.is_empty()).then(|| words::said("periods_instead", [others()]));
-            words::said("periods_remain", [causes(), ("instead", words::part(instead)), hangs()])
+            words::said(
+                "periods_remain",
+                [causes(), ("instead", words::part(instead)), hangs()],
+            )
         }
     }
 }
@@ -301,13 +416,24 @@ fn consequences(choice: &Choice) -> Option<Text> {
         let k = quantities.get("k_yaw_m")?;
         Some(Quantity::new(k.value.as_f64()?, k.u.as_f64()?))
     };
-    let all: Vec<Quantity> =
-        std::iter::once(choice.extended()).chain(&choice.rivals).filter_map(of).collect();
-    let least = all.iter().copied().min_by(|a, b| a.value.total_cmp(&b.value))?;
-    let most = all.iter().copied().max_by(|a, b| a.value.total_cmp(&b.value))?;
+    let all: Vec<Quantity> = std::iter::once(choice.extended())
+        .chain(&choice.rivals)
+        .filter_map(of)
+        .collect();
+    let least = all
+        .iter()
+        .copied()
+        .min_by(|a, b| a.value.total_cmp(&b.value))?;
+    let most = all
+        .iter()
+        .copied()
+        .max_by(|a, b| a.value.total_cmp(&b.value))?;
     if most.value - least.value < most.u.max(least.u) {
         return None;
     }
     let written = |k: Quantity| words::written(figure(k, "m"));
-    Some(words::said("periods_hang", [("least", written(least)), ("most", written(most))]))
+    Some(words::said(
+        "periods_hang",
+        [("least", written(least)), ("most", written(most))],
+    ))
 }

@@ -1,7 +1,8 @@
-//! Every cause that the criticism knows, each a few parameters and what they do to the experiment of a swing.
+//! Every cause that the criticism knows, each a few parameters and what they do to the experiment
+//! of a swing.
 //!
-//! A cause may come in several forms (`variants`): laws with a number that a first look cannot find by itself (an
-//! exponent, a frequency, a moment) are tried from several values of it.
+//! A cause may come in several forms (`variants`): laws with a number that a first look cannot find
+//! by itself (an exponent, a frequency, a moment) are tried from several values of it.
 
 mod aboard;
 mod friction;
@@ -68,13 +69,21 @@ impl Scales {
             slowest_rad_s: modes.omega_rad_s[0],
             fastest_rad_s: modes.omega_rad_s[3],
             pitches: orientation == Orientation::Athwartships,
-            half_length_m: base.session.body.length_overall_m.map_or(2.0 * k2[2].sqrt(), |l| 0.5 * l),
+            half_length_m: base
+                .session
+                .body
+                .length_overall_m
+                .map_or(2.0 * k2[2].sqrt(), |l| 0.5 * l),
         })
     }
 
     /// Square of the gyradius of the turn about the suspension's direction, m².
     fn turn2_m2(&self) -> f64 {
-        if self.pitches { self.gyradii2_m2[1] } else { self.gyradii2_m2[0] }
+        if self.pitches {
+            self.gyradii2_m2[1]
+        } else {
+            self.gyradii2_m2[0]
+        }
     }
 
     /// `pitch` or `roll`.
@@ -85,12 +94,23 @@ impl Scales {
 
 /// Every variant of every cause that a simulation shows.
 pub fn catalogue(scales: &Scales) -> Vec<Cause> {
-    [friction::causes(scales), rigging::causes(scales), aboard::causes(scales), phone::causes()].concat()
+    [
+        friction::causes(scales),
+        rigging::causes(scales),
+        aboard::causes(scales),
+        phone::causes(),
+    ]
+    .concat()
 }
 
 /// A strength in proportion to which the effect grows.
 fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> CauseParameter {
-    CauseParameter { factor, step: 0.01 * u, is_strength: true, ..number(name, unit, 0.0, u) }
+    CauseParameter {
+        factor,
+        step: 0.01 * u,
+        is_strength: true,
+        ..number(name, unit, 0.0, u)
+    }
 }
 
 /// A number that the effect depends on in other ways.
@@ -112,13 +132,19 @@ fn number(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CausePar
 
 /// The same by its logarithm.
 fn logarithm(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CauseParameter {
-    CauseParameter { is_log: true, ..number(name, unit, mean.ln(), u) }
+    CauseParameter {
+        is_log: true,
+        ..number(name, unit, mean.ln(), u)
+    }
 }
 
 /// No further from the mean of its prior than so many of its standard deviations.
 fn within(count: f64, parameter: CauseParameter) -> CauseParameter {
     let (mean, u) = parameter.prior;
-    CauseParameter { limits: (mean - count * u, mean + count * u), ..parameter }
+    CauseParameter {
+        limits: (mean - count * u, mean + count * u),
+        ..parameter
+    }
 }
 
 fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
@@ -143,6 +169,9 @@ fn put(f: impl Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync + 
 
 /// Adds an effect of the hull.
 fn add(experiment: &mut Experiment, id: &str, numbers: &[(&str, f64)]) -> Result<()> {
-    experiment.scene.effects.push(EffectValues::new(id, numbers)?);
+    experiment
+        .scene
+        .effects
+        .push(EffectValues::new(id, numbers)?);
     Ok(())
 }

@@ -1,4 +1,5 @@
-//! Shapes of what no cause of the catalogue accounts for: they find no name, but show what is missing.
+//! Shapes of what no cause of the catalogue accounts for: they find no name, but show what is
+//! missing.
 
 use super::super::point::{Cause, CauseParameter, Form};
 use super::{Scales, add, cause, logarithm, number, put, strength};
@@ -13,14 +14,24 @@ const KNOCK_LOG_U: f64 = 0.7;
 /// A knock at a moment of a swing. Impulses are changes of speed and rate.
 pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     let (i, mass, pitches) = (scales.gyradii2_m2, scales.mass_kg, scales.pitches);
-    let (turn, about) = if pitches { ("turn_y_n_m_s", i[1]) } else { ("turn_x_n_m_s", i[0]) };
+    let (turn, about) = if pitches {
+        ("turn_y_n_m_s", i[1])
+    } else {
+        ("turn_x_n_m_s", i[0])
+    };
     let parameters = vec![
         strength("impulse_x_n_s", "N s", mass, 0.02),
         strength("impulse_y_n_s", "N s", mass, 0.02),
         strength(turn, "N m s", about * mass, 0.02),
         strength("turn_z_n_m_s", "N m s", i[2] * mass, 0.02),
-        CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) },
-        CauseParameter { step: 0.05, ..logarithm("over_s", "s", KNOCK_S, KNOCK_LOG_U) },
+        CauseParameter {
+            step: 0.02,
+            ..number("at_s", "s", at_s, 2.0)
+        },
+        CauseParameter {
+            step: 0.05,
+            ..logarithm("over_s", "s", KNOCK_S, KNOCK_LOG_U)
+        },
     ];
     let law = put(move |q, s, e| {
         if s != swing {
@@ -37,7 +48,12 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         ];
         add(e, "knock", &numbers)
     });
-    Cause { stiff: true, apart: true, form: Form::Knock(swing), ..cause(UNKNOWN, parameters, law) }
+    Cause {
+        stiff: true,
+        apart: true,
+        form: Form::Knock(swing),
+        ..cause(UNKNOWN, parameters, law)
+    }
 }
 
 /// Length of a line's slip, s, and standard deviation of its logarithm.
@@ -46,21 +62,32 @@ const GIVES_LOG_U: f64 = 0.7;
 /// Shortest and longest that are told from none and from creep, s.
 const GIVES_WITHIN_S: [f64; 2] = [0.05, 3.0];
 
-/// Lines that give way at a moment of a swing, and stay so in all that follow. The moment is the middle.
+/// Lines that give way at a moment of a swing, and stay so in all that follow. The moment is the
+/// middle.
 pub fn line_slip_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     let line_m = scales.line_m;
     let parameters = vec![
         strength("positive_m", "m", line_m, 2e-3),
         strength("negative_m", "m", line_m, 2e-3),
-        CauseParameter { step: 0.02, ..number("at_s", "s", at_s, 2.0) },
-        CauseParameter { step: 0.05, ..logarithm("over_s", "s", GIVES_S, GIVES_LOG_U) },
+        CauseParameter {
+            step: 0.02,
+            ..number("at_s", "s", at_s, 2.0)
+        },
+        CauseParameter {
+            step: 0.05,
+            ..logarithm("over_s", "s", GIVES_S, GIVES_LOG_U)
+        },
     ];
     let law = put(move |q, s, e| {
         if s < swing {
             return Ok(());
         }
         let over_s = q[3].exp().clamp(GIVES_WITHIN_S[0], GIVES_WITHIN_S[1]);
-        let at_s = if s == swing { q[2] - 0.5 * over_s } else { -10.0 };
+        let at_s = if s == swing {
+            q[2] - 0.5 * over_s
+        } else {
+            -10.0
+        };
         let numbers = [
             ("at_s", at_s),
             ("over_s", over_s),
@@ -69,7 +96,11 @@ pub fn line_slip_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         ];
         add(e, "line_slip", &numbers)
     });
-    Cause { apart: true, form: Form::LineSlip(swing), ..cause(UNKNOWN, parameters, law) }
+    Cause {
+        apart: true,
+        form: Form::LineSlip(swing),
+        ..cause(UNKNOWN, parameters, law)
+    }
 }
 
 /// Terms of a learned force, as the effect names them.
@@ -77,26 +108,43 @@ pub const TERMS: [&str; 9] = ["xx", "xv", "vv", "xxx", "xxv", "xvv", "vvv", "xt"
 
 /// Scales of position and rate of a learned force over a coordinate.
 pub fn reach(scales: &Scales, coordinate: usize) -> (f64, f64) {
-    let position = if coordinate < 2 { 0.1 * scales.line_m } else { 0.1 };
-    let rate_rad_s = if coordinate == 3 { scales.yaw_rad_s } else { scales.slowest_rad_s };
+    let position = if coordinate < 2 {
+        0.1 * scales.line_m
+    } else {
+        0.1
+    };
+    let rate_rad_s = if coordinate == 3 {
+        scales.yaw_rad_s
+    } else {
+        scales.slowest_rad_s
+    };
     (position, position * rate_rad_s)
 }
 
-/// A smooth force over one coordinate (0: along x, 1: along y, 2: about the suspension, 3: about the vertical), by the
-/// terms asked for.
+/// A smooth force over one coordinate (0: along x, 1: along y, 2: about the suspension, 3: about
+/// the vertical), by the terms asked for.
 pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[&'static str]) -> Cause {
     let inertia = [1.0, 1.0, scales.turn2_m2(), scales.gyradii2_m2[2]][coordinate];
     let (position, rate) = reach(scales, coordinate);
     // The force that the rest of the motion has at the scale.
     let force = inertia * rate * rate / position;
     let unit = if coordinate < 2 { "N" } else { "N m" };
-    let parameters = terms.iter().map(|term| strength(term, unit, force * scales.mass_kg, 0.01)).collect();
+    let parameters = terms
+        .iter()
+        .map(|term| strength(term, unit, force * scales.mass_kg, 0.01))
+        .collect();
     let terms = terms.to_vec();
     let law = put(move |q, _, e| {
-        let mut numbers =
-            vec![("coordinate", coordinate as f64), ("scale_of_position", position), ("scale_of_rate", rate)];
+        let mut numbers = vec![
+            ("coordinate", coordinate as f64),
+            ("scale_of_position", position),
+            ("scale_of_rate", rate),
+        ];
         numbers.extend(terms.iter().zip(q).map(|(term, q)| (*term, q * force)));
         add(e, "learned_force", &numbers)
     });
-    Cause { form: Form::Force(coordinate), ..cause(UNKNOWN, parameters, law) }
+    Cause {
+        form: Form::Force(coordinate),
+        ..cause(UNKNOWN, parameters, law)
+    }
 }

@@ -3,9 +3,10 @@
 use super::super::point::{Cause, CauseParameter};
 use super::{Scales, add, cause, logarithm, put, strength};
 
-/// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes and steel lie near, most of them
-/// within a factor of 2. A line's is fitted: it delays the list that the hull takes with its sway. So does a drag that does not act
-/// at the centre of mass, which shows in no other way: what is found is that of both.
+/// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes
+/// and steel lie near, most of them within a factor of 2. A line's is fitted: it delays the list
+/// that the hull takes with its sway. So does a drag that does not act at the centre of mass, which
+/// shows in no other way: what is found is that of both.
 const DAMPING: f64 = 0.07;
 const DAMPING_U_LN: f64 = 0.7;
 /// A light support follows the pull at once; its own frequency is set to this, Hz, some twenty
@@ -40,15 +41,28 @@ fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
         logarithm("loaded_before_s", "s", loaded_before_s, 0.8),
     ];
     let law = put(|q, _, e| {
-        add(e, "line_creep", &[("strain_per_decade", q[0]), ("loaded_before_s", q[1].clamp(-2.0, 9.0).exp())])
+        add(
+            e,
+            "line_creep",
+            &[
+                ("strain_per_decade", q[0]),
+                ("loaded_before_s", q[1].clamp(-2.0, 9.0).exp()),
+            ],
+        )
     });
-    Cause { one_sided: true, ..cause("line_creep", parameters, law) }
+    Cause {
+        one_sided: true,
+        ..cause("line_creep", parameters, law)
+    }
 }
 
 /// The stated length is that of the lines as they carry the hull.
 fn line_stretch(scales: &Scales) -> Cause {
     let parameters = vec![
-        coarse(strength("stretch_under_load_m", "m", scales.line_m, 5e-3), 2e-3),
+        coarse(
+            strength("stretch_under_load_m", "m", scales.line_m, 5e-3),
+            2e-3,
+        ),
         logarithm("damping_ratio", "1", DAMPING, DAMPING_U_LN),
     ];
     let law = put(|q, _, e| {
@@ -66,18 +80,31 @@ fn line_stretch(scales: &Scales) -> Cause {
         ];
         add(e, "line_stretch", &numbers)
     });
-    Cause { stiff: true, apart: true, one_sided: true, ..cause("line_stretch", parameters, law) }
+    Cause {
+        stiff: true,
+        apart: true,
+        one_sided: true,
+        ..cause("line_stretch", parameters, law)
+    }
 }
 
 /// G J of both lines, as a share of what the lines' own stiffness in yaw times their length is.
 fn line_torsion(scales: &Scales) -> Cause {
     let rigidity = scales.gravity_m_s2 * (0.5 * scales.spacing_m).powi(2);
-    let parameters = vec![strength("rigidity_n_m2", "N m^2", rigidity * scales.mass_kg, 0.01)];
+    let parameters = vec![strength(
+        "rigidity_n_m2",
+        "N m^2",
+        rigidity * scales.mass_kg,
+        0.01,
+    )];
     let law = put(move |q, _, e| {
         let stiffness = q[0] * rigidity / e.scene.dimensions.line_length_m;
         add(e, "line_torsion", &[("stiffness_n_m_rad", stiffness)])
     });
-    Cause { one_sided: true, ..cause("line_torsion", parameters, law) }
+    Cause {
+        one_sided: true,
+        ..cause("line_torsion", parameters, law)
+    }
 }
 
 /// By a share of the spacing, or by one length for all swings.
@@ -85,7 +112,11 @@ fn nonparallel_lines(scales: &Scales, by_share: bool) -> Cause {
     let spacing_m = scales.spacing_m;
     let parameters = vec![strength("excess_m", "m", spacing_m, 0.02)];
     let law = put(move |q, _, e| {
-        let spacing_m = if by_share { e.scene.dimensions.top_spacing_m } else { spacing_m };
+        let spacing_m = if by_share {
+            e.scene.dimensions.top_spacing_m
+        } else {
+            spacing_m
+        };
         add(e, "nonparallel_lines", &[("excess_m", q[0] * spacing_m)])
     });
     cause("nonparallel_lines", parameters, law)
@@ -95,7 +126,11 @@ fn unequal_lines(scales: &Scales, by_share: bool) -> Cause {
     let line_m = scales.line_m;
     let parameters = vec![strength("difference_m", "m", line_m, 5e-3)];
     let law = put(move |q, _, e| {
-        let line_m = if by_share { e.scene.dimensions.line_length_m } else { line_m };
+        let line_m = if by_share {
+            e.scene.dimensions.line_length_m
+        } else {
+            line_m
+        };
         add(e, "unequal_lines", &[("difference_m", q[0] * line_m)])
     });
     cause("unequal_lines", parameters, law)
@@ -113,8 +148,15 @@ fn off_centre_cm(scales: &Scales) -> Cause {
 /// Give under the hull's weight pulled sideways, as a share of the lines' length.
 fn support_compliance(scales: &Scales) -> Cause {
     let (line_m, gravity) = (scales.line_m, scales.gravity_m_s2);
-    let parameters =
-        vec![coarse(strength("give_m_per_n", "m/N", line_m / (gravity * scales.mass_kg), 3e-3), 5e-4)];
+    let parameters = vec![coarse(
+        strength(
+            "give_m_per_n",
+            "m/N",
+            line_m / (gravity * scales.mass_kg),
+            3e-3,
+        ),
+        5e-4,
+    )];
     let law = put(move |q, _, e| {
         if q[0] == 0.0 {
             return Ok(());
@@ -131,7 +173,12 @@ fn support_compliance(scales: &Scales) -> Cause {
         ];
         add(e, "support_compliance", &numbers)
     });
-    Cause { stiff: true, apart: true, one_sided: true, ..cause("support_compliance", parameters, law) }
+    Cause {
+        stiff: true,
+        apart: true,
+        one_sided: true,
+        ..cause("support_compliance", parameters, law)
+    }
 }
 
 fn stated_length(scales: &Scales) -> Cause {

@@ -1,20 +1,22 @@
 //! Causes in one angle, each a few parameters and a torque over the body's inertia.
 //!
-//! Inertia and lever are not known here: strengths are those over the moment of inertia. Each is fitted as the share of critical
-//! damping (or of stiffness, or of inertia) that it has at the widest angle or the fastest rate of the swing.
+//! Inertia and lever are not known here: strengths are those over the moment of inertia. Each is
+//! fitted as the share of critical damping (or of stiffness, or of inertia) that it has at the
+//! widest angle or the fastest rate of the swing.
 
 use super::super::causes::{TERMS, UNKNOWN};
 use super::super::point::{CauseParameter, NO_LIMITS};
 
 /// Share of critical damping, of stiffness or of inertia that causes ordinarily have: a hundredth.
 const ORDINARY: f64 = 0.01;
-/// Scales of phones' gyroscopes are right to this, one standard uncertainty, and never wrong by more than the second (sensitivity
-/// tolerances of their data sheets).
+/// Scales of phones' gyroscopes are right to this, one standard uncertainty, and never wrong by
+/// more than the second (sensitivity tolerances of their data sheets).
 const SCALE_U: f64 = 0.01;
 const MOST_SCALE: f64 = 0.03;
 /// A bias of phones' gyroscopes wanders by so much in a recording, rad/s.
 const DRIFT_U_RAD_S: f64 = 1e-3;
-/// Angles over which bearings give, rad, from which a fit begins, and the uncertainty of their logarithms.
+/// Angles over which bearings give, rad, from which a fit begins, and the uncertainty of their
+/// logarithms.
 const GIVE_RAD: [f64; 3] = [0.005, 0.015, 0.045];
 const GIVE_U: f64 = 0.7;
 /// Exponent between linear and quadratic damping, and its limits.
@@ -83,13 +85,27 @@ pub struct Now {
 
 /// Every cause, in the order in which all swings have them.
 pub fn catalogue(scales: &Scales) -> Vec<Cause> {
-    let mut all = vec![quadratic_drag(scales), power_law_damping(scales), bearing_friction(scales)];
+    let mut all = vec![
+        quadratic_drag(scales),
+        power_law_damping(scales),
+        bearing_friction(scales),
+    ];
     all.extend(GIVE_RAD.map(|give_rad| presliding_bearing(scales, give_rad)));
-    all.extend([amplitude_added_mass(scales), gyro_scale(), bias_drift(), learned(scales, &TERMS)]);
+    all.extend([
+        amplitude_added_mass(scales),
+        gyro_scale(),
+        bias_drift(),
+        learned(scales, &TERMS),
+    ]);
     all
 }
 
-fn parameter(name: &'static str, unit: &'static str, factor: f64, prior: (f64, f64)) -> CauseParameter {
+fn parameter(
+    name: &'static str,
+    unit: &'static str,
+    factor: f64,
+    prior: (f64, f64),
+) -> CauseParameter {
     CauseParameter {
         name,
         unit,
@@ -109,7 +125,12 @@ fn strength(name: &'static str, unit: &'static str, factor: f64) -> CauseParamet
 }
 
 fn brake(id: &'static str, kind: Kind, parameters: Vec<CauseParameter>) -> Cause {
-    Cause { id, kind, parameters, one_sided: true }
+    Cause {
+        id,
+        kind,
+        parameters,
+        one_sided: true,
+    }
 }
 
 /// θ'' = … − c |θ'| θ'.
@@ -121,14 +142,25 @@ fn quadratic_drag(scales: &Scales) -> Cause {
 
 /// θ'' = … − c |θ'/θ'₁|^β θ', θ'₁ the fastest rate.
 fn power_law_damping(scales: &Scales) -> Cause {
-    let exponent = CauseParameter { is_strength: false, ..parameter("exponent", "1", 1.0, EXPONENT) };
+    let exponent = CauseParameter {
+        is_strength: false,
+        ..parameter("exponent", "1", 1.0, EXPONENT)
+    };
     let rate = strength("rate_at_fastest_per_s", "1/s", 2.0 * scales.omega_rad_s);
-    brake("power_law_damping", Kind::PowerLawDamping, vec![rate, exponent])
+    brake(
+        "power_law_damping",
+        Kind::PowerLawDamping,
+        vec![rate, exponent],
+    )
 }
 
 /// θ'' = … − m sgn θ'.
 fn bearing_friction(scales: &Scales) -> Cause {
-    let parameters = vec![strength("torque_per_inertia", "rad/s^2", scales.critical_rad_s2())];
+    let parameters = vec![strength(
+        "torque_per_inertia",
+        "rad/s^2",
+        scales.critical_rad_s2(),
+    )];
     brake("bearing_friction", Kind::BearingFriction, parameters)
 }
 
@@ -140,37 +172,71 @@ fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
         ..parameter("give_rad", "rad", 1.0, (give_rad.ln(), GIVE_U))
     };
     let torque = strength("torque_per_inertia", "rad/s^2", scales.critical_rad_s2());
-    brake("presliding_bearing", Kind::PreslidingBearing, vec![torque, give])
+    brake(
+        "presliding_bearing",
+        Kind::PreslidingBearing,
+        vec![torque, give],
+    )
 }
 
 /// (1 + a A) θ'' = …, A² = θ² + (θ'/ω)².
 fn amplitude_added_mass(scales: &Scales) -> Cause {
-    let parameters = vec![strength("inertia_share_per_rad", "1/rad", 1.0 / scales.reach_rad)];
+    let parameters = vec![strength(
+        "inertia_share_per_rad",
+        "1/rad",
+        1.0 / scales.reach_rad,
+    )];
     brake("amplitude_added_mass", Kind::AmplitudeAddedMass, parameters)
 }
 
 fn gyro_scale() -> Cause {
     let parameters = vec![parameter("about_the_axis", "1", 1.0, (0.0, SCALE_U))];
-    Cause { id: "gyro_scale", kind: Kind::GyroScale, parameters, one_sided: false }
+    Cause {
+        id: "gyro_scale",
+        kind: Kind::GyroScale,
+        parameters,
+        one_sided: false,
+    }
 }
 
 /// A bias that grows evenly; the change over the recording.
 fn bias_drift() -> Cause {
-    let parameters = vec![parameter("about_the_axis", "rad/s", 1.0, (0.0, DRIFT_U_RAD_S))];
-    Cause { id: "bias_drift", kind: Kind::BiasDrift, parameters, one_sided: false }
+    let parameters = vec![parameter(
+        "about_the_axis",
+        "rad/s",
+        1.0,
+        (0.0, DRIFT_U_RAD_S),
+    )];
+    Cause {
+        id: "bias_drift",
+        kind: Kind::BiasDrift,
+        parameters,
+        one_sided: false,
+    }
 }
 
 /// θ'' = … − Σ c (θ/A)^i (θ'/ωA)^j t^k, by the terms asked for.
 pub fn learned(scales: &Scales, terms: &[&'static str]) -> Cause {
     let factor = scales.omega_rad_s * scales.rate_rad_s();
-    let parameters = terms.iter().map(|term| strength(term, "rad/s^2", factor)).collect();
-    Cause { id: UNKNOWN, kind: Kind::Learned(terms.to_vec()), parameters, one_sided: false }
+    let parameters = terms
+        .iter()
+        .map(|term| strength(term, "rad/s^2", factor))
+        .collect();
+    Cause {
+        id: UNKNOWN,
+        kind: Kind::Learned(terms.to_vec()),
+        parameters,
+        one_sided: false,
+    }
 }
 
 impl Cause {
     /// Where a fit with it begins: strengths a trace above nothing, so that what else it has shows.
     pub fn start(&self) -> Vec<f64> {
-        self.parameters.iter().map(|p| p.prior.0 + if p.is_strength { p.step } else { 0.0 }).collect()
+        self.parameters
+            .iter()
+            .map(|p| p.prior.0 + if p.is_strength { p.step } else { 0.0 })
+            .collect()
     }
 
     /// Torque over inertia, rad/s².
@@ -180,13 +246,20 @@ impl Cause {
         match &self.kind {
             Kind::QuadraticDrag => -q[0] * critical * now.sense * v * v,
             Kind::PowerLawDamping => {
-                -q[0] * critical * now.sense * v.abs().powf(1.0 + q[1].clamp(EXPONENTS.0, EXPONENTS.1))
+                -q[0]
+                    * critical
+                    * now.sense
+                    * v.abs().powf(1.0 + q[1].clamp(EXPONENTS.0, EXPONENTS.1))
             }
             Kind::BearingFriction => -q[0] * critical * now.sense,
             Kind::PreslidingBearing => -q[0] * critical * now.given,
             Kind::Learned(terms) => {
                 let (x, t) = (now.angle_rad / scales.reach_rad, now.t_s / GROWTH_S);
-                let force: f64 = terms.iter().zip(q).map(|(term, q)| q * product(term, x, v, t)).sum();
+                let force: f64 = terms
+                    .iter()
+                    .zip(q)
+                    .map(|(term, q)| q * product(term, x, v, t))
+                    .sum();
                 -force * scales.omega_rad_s * scales.rate_rad_s()
             }
             Kind::AmplitudeAddedMass | Kind::GyroScale | Kind::BiasDrift => 0.0,
@@ -198,18 +271,29 @@ impl Cause {
         if self.kind != Kind::AmplitudeAddedMass {
             return 0.0;
         }
-        let (x, v) = (now.angle_rad / scales.reach_rad, now.rate_rad_s / scales.rate_rad_s());
+        let (x, v) = (
+            now.angle_rad / scales.reach_rad,
+            now.rate_rad_s / scales.rate_rad_s(),
+        );
         q[0] * x.hypot(v)
     }
 
     /// Error of the gyroscope's scale.
     pub fn scale_error(&self, q: &[f64]) -> f64 {
-        if self.kind == Kind::GyroScale { q[0].clamp(-MOST_SCALE, MOST_SCALE) } else { 0.0 }
+        if self.kind == Kind::GyroScale {
+            q[0].clamp(-MOST_SCALE, MOST_SCALE)
+        } else {
+            0.0
+        }
     }
 
     /// Drift of the gyroscope's bias over the recording, rad/s.
     pub fn drift_rad_s(&self, q: &[f64]) -> f64 {
-        if self.kind == Kind::BiasDrift { q[0] } else { 0.0 }
+        if self.kind == Kind::BiasDrift {
+            q[0]
+        } else {
+            0.0
+        }
     }
 
     /// Angle over which a bearing gives, rad.

@@ -49,17 +49,25 @@ struct Problem<'a> {
 /// Fits a swing with causes from a start; `None` where no motion can be computed there.
 pub fn fit(swing: &Swing, causes: &[&Cause], part: Part, start: &[f64]) -> Option<Fitted> {
     let (priors, one_sided) = (swing.priors(causes), swing.one_sided(causes));
-    Problem { swing, causes, part, priors, one_sided }.fit(start)
+    Problem {
+        swing,
+        causes,
+        part,
+        priors,
+        one_sided,
+    }
+    .fit(start)
 }
 
-/// The same from what the spectrum says, led over longer and longer parts of the recording: a phase known over one stays within a quarter
-/// of a cycle over the next.
+/// The same from what the spectrum says, led over longer and longer parts of the recording: a phase
+/// known over one stays within a quarter of a cycle over the next.
 pub fn fit_from_afar(swing: &Swing) -> Option<Fitted> {
     let mut point = swing.start.clone();
     for horizon_s in HORIZONS_S.into_iter().filter(|h| *h < swing.duration_s) {
         if let Some(fitted) = fit(swing, &[], Part::First(horizon_s), &point) {
             point = fitted.point;
-            // A few swings say little of how they die away, and a rate that is wrong runs away over the next part.
+            // A few swings say little of how they die away, and a rate that is wrong runs away over
+            // the next part.
             point[DAMPING] = swing.start_damping_per_s();
         }
     }
@@ -73,10 +81,15 @@ impl Problem<'_> {
         let mut damping = 1e-4;
         let (mut matrix, mut gradient) = self.normal(&point, &residual)?;
         for _ in 0..MOST_STEPS {
-            let Some(step) = self.step(&point, &residual, (&matrix, &gradient), &mut damping) else { break };
+            let Some(step) = self.step(&point, &residual, (&matrix, &gradient), &mut damping)
+            else {
+                break;
+            };
             let enough = step.promised < CONVERGED.max(CONVERGED_SHARE * residual.norm_squared());
             (point, residual) = (step.point, step.residual);
-            let Some(renewed) = self.normal(&point, &residual) else { break };
+            let Some(renewed) = self.normal(&point, &residual) else {
+                break;
+            };
             (matrix, gradient) = renewed;
             if enough {
                 break;
@@ -84,21 +97,39 @@ impl Problem<'_> {
         }
         let chi2 = residual.norm_squared();
         let cost = chi2 + self.prior_cost(&point);
-        Some(Fitted { point, cost, chi2, rows: residual.len(), matrix })
+        Some(Fitted {
+            point,
+            cost,
+            chi2,
+            rows: residual.len(),
+            matrix,
+        })
     }
 
     fn prior_cost(&self, point: &[f64]) -> f64 {
-        point.iter().zip(&self.priors).map(|(p, (mean, u))| ((p - mean) / u).powi(2)).sum()
+        point
+            .iter()
+            .zip(&self.priors)
+            .map(|(p, (mean, u))| ((p - mean) / u).powi(2))
+            .sum()
     }
 
     fn bounded(&self, mut point: Vec<f64>) -> Vec<f64> {
-        self.one_sided.iter().for_each(|k| point[*k] = point[*k].max(0.0));
-        self.swing.line_limits().for_each(|(k, most)| point[k] = point[k].clamp(-most, most));
+        self.one_sided
+            .iter()
+            .for_each(|k| point[*k] = point[*k].max(0.0));
+        self.swing
+            .line_limits()
+            .for_each(|(k, most)| point[k] = point[k].clamp(-most, most));
         point
     }
 
     /// Normal equations, priors included; what stands at zero and would go below is held there.
-    fn normal(&self, point: &[f64], residual: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
+    fn normal(
+        &self,
+        point: &[f64],
+        residual: &DVector<f64>,
+    ) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let jacobian = self.swing.jacobian(point, self.causes, self.part)?;
         let (mut matrix, mut gradient) = (jacobian.tr_mul(&jacobian), jacobian.tr_mul(residual));
         for (k, (mean, u)) in self.priors.iter().enumerate() {
@@ -134,7 +165,11 @@ impl Problem<'_> {
                 && residual.norm_squared() + self.prior_cost(&there) <= cost
             {
                 *damping = (*damping * 0.1).max(1e-9);
-                return Some(Step { point: there, residual, promised });
+                return Some(Step {
+                    point: there,
+                    residual,
+                    promised,
+                });
             }
             *damping *= 10.0;
             if promised < CONVERGED {

@@ -28,13 +28,17 @@ impl TwoLines {
     pub fn new(lines: &Lines, gravity_m_s2: f64) -> Option<Self> {
         let rest_m = lines.height_m().ok()?;
         let product_m2 = lines.half_spacing_m * lines.top_half_spacing_m;
-        Some(Self { product_m2, rest_m2: rest_m * rest_m, gravity_m_s2 })
+        Some(Self {
+            product_m2,
+            rest_m2: rest_m * rest_m,
+            gravity_m_s2,
+        })
     }
 }
 
 impl Law {
-    /// Torque over inertia that brings the body back, rad/s², and the inertia's factor, at an angle (rad) and a rate (rad/s); ω is the
-    /// angular frequency of small swings, rad/s.
+    /// Torque over inertia that brings the body back, rad/s², and the inertia's factor, at an angle
+    /// (rad) and a rate (rad/s); ω is the angular frequency of small swings, rad/s.
     pub fn at(&self, omega_rad_s: f64, angle_rad: f64, rate_rad_s: f64) -> (f64, f64) {
         let square = omega_rad_s * omega_rad_s;
         match self {
@@ -51,7 +55,8 @@ impl Law {
 }
 
 impl TwoLines {
-    /// From the energy (k² + z'²) θ'²/2 + g z(θ) with h² = h₀² − 2 d_b d_t (1 − cos θ), z = h₀ − h; k² = g d_b d_t/(h₀ ω²), eq. (5).
+    /// From the energy (k² + z'²) θ'²/2 + g z(θ) with h² = h₀² − 2 d_b d_t (1 − cos θ), z = h₀ − h;
+    /// k² = g d_b d_t/(h₀ ω²), eq. (5).
     fn at(&self, square: f64, angle_rad: f64, rate_rad_s: f64) -> (f64, f64) {
         let (sin, cos) = angle_rad.sin_cos();
         // Lines that cross hold nothing: a fit that gets there is far off, and is kept finite.

@@ -1,4 +1,5 @@
-//! The missing torque where no known cause accounts for it, and the simplest closed form that does as well.
+//! The missing torque where no known cause accounts for it, and the simplest closed form that does
+//! as well.
 
 use super::super::causes::{TERMS, UNKNOWN};
 use super::super::evidence::LEAST_GAIN;
@@ -16,18 +17,28 @@ struct Closed {
     fitted: Fitted,
 }
 
-/// The torque over inertia that the last cause is in the first swing, where it is one without a name.
+/// The torque over inertia that the last cause is in the first swing, where it is one without a
+/// name.
 pub fn force(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
-    let place = *found.best.causes.last().filter(|place| found.id(**place) == UNKNOWN)?;
+    let place = *found
+        .best
+        .causes
+        .last()
+        .filter(|place| found.id(**place) == UNKNOWN)?;
     let (swing, fitted) = (&found.swings[0], &found.best.fits[0]);
     let cause = &swing.catalogue[place];
-    let Kind::Learned(terms) = &cause.kind else { return None };
+    let Kind::Learned(terms) = &cause.kind else {
+        return None;
+    };
     let closed = closed_form(found)?;
     let scales = &swing.scales;
     let reach = (scales.reach_rad, scales.rate_rad_s());
     let factor = cause.parameters.first()?.factor;
     let (first, size) = (fitted.point.len() - terms.len(), terms.len());
-    let covariance = fitted.covariance()?.view((first, first), (size, size)).into_owned();
+    let covariance = fitted
+        .covariance()?
+        .view((first, first), (size, size))
+        .into_owned();
     let values = &closed.fitted.point[closed.fitted.point.len() - closed.terms.len()..];
     let sum: Vec<String> = closed
         .terms
@@ -63,13 +74,16 @@ fn closed_form(found: &Found) -> Option<Closed> {
     let mut best: Option<Closed> = None;
     for _ in 0..2 {
         let known = best.as_ref().map_or(vec![], |closed| closed.terms.clone());
-        let further = TERMS.iter().filter(|term| !known.contains(term)).filter_map(|term| {
-            let terms = [&known[..], &[*term]].concat();
-            let cause = learned(&swing.scales, &terms);
-            let start: Vec<f64> = without.point.iter().copied().chain(cause.start()).collect();
-            let fitted = fit(swing, &with(found, &cause), Part::All, &start)?;
-            Some(Closed { terms, fitted })
-        });
+        let further = TERMS
+            .iter()
+            .filter(|term| !known.contains(term))
+            .filter_map(|term| {
+                let terms = [&known[..], &[*term]].concat();
+                let cause = learned(&swing.scales, &terms);
+                let start: Vec<f64> = without.point.iter().copied().chain(cause.start()).collect();
+                let fitted = fit(swing, &with(found, &cause), Part::All, &start)?;
+                Some(Closed { terms, fitted })
+            });
         let next = further.min_by(|a, b| a.fitted.cost.total_cmp(&b.fitted.cost))?;
         let pays = |closed: &Closed| closed.fitted.cost - next.fitted.cost > 2.0 * LEAST_GAIN;
         if best.as_ref().is_some_and(|closed| !pays(closed)) {

@@ -1,8 +1,9 @@
 //! Criticism of swings in one motion by the gyroscope alone.
 //!
-//! Where no recording holds what a simulation of the whole body needs (a compound pendulum; no accelerometer, or one whose gravity was
-//! taken off), the turn about one axis is simulated: θ'' = −ω² f(θ) − 2 α θ', with f the law of the suspension ([`law`]). Each
-//! cause adds a torque over the moment of inertia ([`causes`]).
+//! Where no recording holds what a simulation of the whole body needs (a compound pendulum; no
+//! accelerometer, or one whose gravity was taken off), the turn about one axis is simulated: θ'' =
+//! −ω² f(θ) − 2 α θ', with f the law of the suspension ([`law`]). Each cause adds a torque over the
+//! moment of inertia ([`causes`]).
 
 mod causes;
 mod findings;
@@ -36,8 +37,9 @@ use next_swing::next_swing;
 use search::{Extended, Found, is_long_enough, search};
 use swing::{FREQUENCY, Swing};
 
-/// Criticises every swing of a session that a gyroscope saw, each in its strongest motion; `x` are the session's parameters by the
-/// periods. `None` where there is no such swing, or one of them cannot be simulated.
+/// Criticises every swing of a session that a gyroscope saw, each in its strongest motion; `x` are
+/// the session's parameters by the periods. `None` where there is no such swing, or one of them
+/// cannot be simulated.
 pub fn criticise(
     loaded: &LoadedSession,
     system: &System,
@@ -53,7 +55,9 @@ pub fn criticise(
         return Ok(None);
     }
     tell(progress, 0.15, "fitting each swing")?;
-    let Some(found) = search(&swings, progress)? else { return Ok(None) };
+    let Some(found) = search(&swings, progress)? else {
+        return Ok(None);
+    };
     tell(progress, 0.9, "judging by samples held out")?;
     Ok(conclude(loaded, (system, x), &found, warnings))
 }
@@ -74,14 +78,21 @@ fn conclude(
     };
     let (baseline, extended) = (result(&found.base, before), result(&found.best, after));
     let gain = gain((before, after), rows, &baseline, &extended);
-    let next = found.rivals().first().filter(|_| !found.is_unexplained()).and_then(|r| next_swing(found, r));
+    let next = found
+        .rivals()
+        .first()
+        .filter(|_| !found.is_unexplained())
+        .and_then(|r| next_swing(found, r));
     warnings.push(words::said("turns_alone", []));
     let critique = Critique {
         format: FORMAT.into(),
         title: title(&loaded.session),
         discrepancies: findings(found),
         causes: found.causes(),
-        verdict: CauseVerdict { next_swing: next, ..found.verdict() },
+        verdict: CauseVerdict {
+            next_swing: next,
+            ..found.verdict()
+        },
         baseline,
         extended,
         gain,
@@ -89,7 +100,10 @@ fn conclude(
         warnings: english(&warnings),
         warnings_said: warnings,
     };
-    Some(Criticism { critique, traces: traces(found)? })
+    Some(Criticism {
+        critique,
+        traces: traces(found)?,
+    })
 }
 
 /// Period of small swings, undamped, s; uncertainty widened by what is left.
@@ -110,9 +124,15 @@ fn quantities(
     let mut result = Measurement::default();
     let mut periods = BTreeMap::new();
     for (s, swing) in found.swings.iter().enumerate() {
-        let Some(period) = small_period_s(swing, model, s) else { continue };
+        let Some(period) = small_period_s(swing, model, s) else {
+            continue;
+        };
         let is_its = |what: Observed| what == Observed::Period(swing.number, swing.mode);
-        system.observations.iter_mut().filter(|o| is_its(o.what)).for_each(|o| o.value = period);
+        system
+            .observations
+            .iter_mut()
+            .filter(|o| is_its(o.what))
+            .for_each(|o| o.value = period);
         let half = COVERAGE_95 * period.u;
         let quantity = QuantityResult {
             value: period.value.into(),
@@ -129,13 +149,18 @@ fn quantities(
     result.quantities
 }
 
-/// The turn about each swing's axis, measured and by both simulations, from where they are compared.
+/// The turn about each swing's axis, measured and by both simulations, from where they are
+/// compared.
 fn traces(found: &Found) -> Option<Vec<SwingTrace>> {
     let one = |s: usize| {
         let swing = &found.swings[s];
         let first = first_settled(&swing.stream.t_s);
         let of = |model: &Extended| {
-            Some(swing.readings(&model.fits[s].point, &model.causes_of(swing))?.split_off(first))
+            Some(
+                swing
+                    .readings(&model.fits[s].point, &model.causes_of(swing))?
+                    .split_off(first),
+            )
         };
         let said = words::said("channel_swing", []);
         Some(SwingTrace {

@@ -1,5 +1,5 @@
-//! The motion in one angle: Runge and Kutta's rule of order 4, stopped and begun anew wherever the body turns round, where friction and
-//! drag change their sense.
+//! The motion in one angle: Runge and Kutta's rule of order 4, stopped and begun anew wherever the
+//! body turns round, where friction and drag change their sense.
 
 use super::causes::{Cause, Now, Scales};
 use super::law::Law;
@@ -28,11 +28,26 @@ pub struct Motion {
 
 impl Motion {
     /// From a start over a duration; `None` where it runs out of the numbers.
-    pub fn of(equation: &Equation, angle_rad: f64, rate_rad_s: f64, duration_s: f64) -> Option<Self> {
+    pub fn of(
+        equation: &Equation,
+        angle_rad: f64,
+        rate_rad_s: f64,
+        duration_s: f64,
+    ) -> Option<Self> {
         let step_s = std::f64::consts::TAU / (equation.scales.omega_rad_s * STEPS);
         let count = (duration_s / step_s).ceil() as usize + 1;
-        let sense = if rate_rad_s != 0.0 { rate_rad_s.signum() } else { -angle_rad.signum() };
-        let mut now = Now { t_s: 0.0, angle_rad, rate_rad_s, sense, given: 0.0 };
+        let sense = if rate_rad_s != 0.0 {
+            rate_rad_s.signum()
+        } else {
+            -angle_rad.signum()
+        };
+        let mut now = Now {
+            t_s: 0.0,
+            angle_rad,
+            rate_rad_s,
+            sense,
+            given: 0.0,
+        };
         let mut nodes = Vec::with_capacity(count + 1);
         for _ in 0..=count {
             nodes.push([now.rate_rad_s, equation.acceleration(&now)]);
@@ -45,11 +60,17 @@ impl Motion {
     pub fn rate_rad_s(&self, t_s: f64) -> f64 {
         let place = (t_s / self.step_s).max(0.0);
         let i = (place as usize).min(self.nodes.len() - 2);
-        hermite(place - i as f64, self.step_s, self.nodes[i], self.nodes[i + 1])
+        hermite(
+            place - i as f64,
+            self.step_s,
+            self.nodes[i],
+            self.nodes[i + 1],
+        )
     }
 }
 
-/// The cubic through values and slopes at both ends of a step of length `h`, at the fraction `x` of it.
+/// The cubic through values and slopes at both ends of a step of length `h`, at the fraction `x` of
+/// it.
 fn hermite(x: f64, h: f64, [a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f64 {
     let (y, x2) = (1.0 - x, x * x);
     let y2 = y * y;
@@ -58,7 +79,8 @@ fn hermite(x: f64, h: f64, [a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f6
 
 impl Equation<'_> {
     fn acceleration(&self, now: &Now) -> f64 {
-        let (mut torque, mut inertia) = self.law.at(self.omega_rad_s, now.angle_rad, now.rate_rad_s);
+        let (mut torque, mut inertia) =
+            self.law.at(self.omega_rad_s, now.angle_rad, now.rate_rad_s);
         torque -= 2.0 * self.alpha_per_s * now.rate_rad_s;
         for (cause, q) in &self.causes {
             torque += cause.torque(q, &self.scales, now);
@@ -78,10 +100,17 @@ impl Equation<'_> {
             let there = self.step(now, part_s);
             part_s = (part_s - there.rate_rad_s / self.acceleration(&there)).clamp(0.0, h);
         }
-        let turned = Now { rate_rad_s: 0.0, sense: -now.sense, ..self.step(now, part_s) };
+        let turned = Now {
+            rate_rad_s: 0.0,
+            sense: -now.sense,
+            ..self.step(now, part_s)
+        };
         if self.acceleration(&turned) * turned.sense <= 0.0 {
             // Friction holds the body.
-            return Now { t_s: now.t_s + h, ..turned };
+            return Now {
+                t_s: now.t_s + h,
+                ..turned
+            };
         }
         self.step(&turned, h - part_s)
     }

@@ -14,25 +14,29 @@ const WIDER: [f64; 4] = [0.25, 0.5, 1.5, 2.0];
 /// No release is wider than this, rad.
 const WIDEST_RAD: f64 = 1.0;
 
-/// The best of the swings thought of, for the cause taken and a rival; one like the first of the session.
+/// The best of the swings thought of, for the cause taken and a rival; one like the first of the
+/// session.
 pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     let swing = &found.swings[0];
     let suspension = &swing.suspension;
     let stated = |q: Option<Quantity>| q.map_or(0.0, |q| q.value);
-    let options = WIDER.iter().filter(|w| **w * swing.scales.reach_rad < WIDEST_RAD).filter_map(|wider| {
-        Some(NextSwing {
-            like: swing.id.into(),
-            line_length_m: stated(suspension.line_length_m),
-            spacing_m: stated(suspension.spacing_m),
-            excited: vec![Excitation::of(swing.mode, suspension.orientation)],
-            amplitude_deg: (wider * swing.scales.reach_rad).to_degrees(),
-            duration_s: swing.duration_s,
-            hull_pitch_deg: stated(suspension.hull_pitch_deg),
-            sigma: apart(found, swing, rival, *wider)?,
-            text: String::new(),
-            said: Text::default(),
-        })
-    });
+    let options = WIDER
+        .iter()
+        .filter(|w| **w * swing.scales.reach_rad < WIDEST_RAD)
+        .filter_map(|wider| {
+            Some(NextSwing {
+                like: swing.id.into(),
+                line_length_m: stated(suspension.line_length_m),
+                spacing_m: stated(suspension.spacing_m),
+                excited: vec![Excitation::of(swing.mode, suspension.orientation)],
+                amplitude_deg: (wider * swing.scales.reach_rad).to_degrees(),
+                duration_s: swing.duration_s,
+                hull_pitch_deg: stated(suspension.hull_pitch_deg),
+                sigma: apart(found, swing, rival, *wider)?,
+                text: String::new(),
+                said: Text::default(),
+            })
+        });
     let best = options.max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
     let last = *found.best.causes.last()?;
     Some(in_words(longer(best), found.id(last), rival.id))
@@ -52,10 +56,13 @@ fn in_words(swing: NextSwing, one: &str, other: &str) -> NextSwing {
     swing.told(said)
 }
 
-/// How far two causes are apart in a swing so much wider, standard deviations, once everything that is fitted has taken up what it can.
+/// How far two causes are apart in a swing so much wider, standard deviations, once everything that
+/// is fitted has taken up what it can.
 fn apart(found: &Found, swing: &Swing, rival: &Tried, wider: f64) -> Option<f64> {
-    let (mine, theirs) =
-        (swing.wider(&found.best.fits[0].point, wider), swing.wider(&rival.with.fits[0].point, wider));
+    let (mine, theirs) = (
+        swing.wider(&found.best.fits[0].point, wider),
+        swing.wider(&rival.with.fits[0].point, wider),
+    );
     let causes = found.best.causes_of(swing);
     let difference = swing.residual(&mine, &causes, Part::All)?
         - swing.residual(&theirs, &rival.with.causes_of(swing), Part::All)?;

@@ -1,10 +1,12 @@
-//! A swing in one motion: its gyroscope's samples, the law that it follows, and what is fitted to it.
+//! A swing in one motion: its gyroscope's samples, the law that it follows, and what is fitted to
+//! it.
 //!
 //! # Conventions
-//! The swing turns about one axis fixed in the phone, which the shape of its line in the spectrum shows. Along it the gyroscope reads the
-//! rate of the swing, a constant bias, and weak lines: damped oscillations that the record holds beside the swing. What turns across the
-//! axis is no part of the motion in one angle. Times count from the start of the part that is used. Parameters in order: [`OWN`] of the
-//! swing itself, [`LINE`] of each line, those of the causes.
+//! The swing turns about one axis fixed in the phone, which the shape of its line in the spectrum
+//! shows. Along it the gyroscope reads the rate of the swing, a constant bias, and weak lines:
+//! damped oscillations that the record holds beside the swing. What turns across the axis is no
+//! part of the motion in one angle. Times count from the start of the part that is used. Parameters
+//! in order: [`OWN`] of the swing itself, [`LINE`] of each line, those of the causes.
 
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
@@ -23,28 +25,32 @@ use crate::inertia::samples::{Stream, Turning};
 use crate::recording::{ModeName, Suspension, SuspensionKind};
 use crate::signal::{FittedMode, Pole};
 
-/// Angle and rate at the start, logarithm of the frequency over that of the spectrum, linear damping, bias.
+/// Angle and rate at the start, logarithm of the frequency over that of the spectrum, linear
+/// damping, bias.
 const OWN: usize = 5;
 const START_RAD: usize = 0;
 const START_RAD_S: usize = 1;
 pub const FREQUENCY: usize = 2;
 pub const DAMPING: usize = 3;
 const BIAS: usize = 4;
-/// Logarithm of a line's frequency over that of the spectrum, its damping, and its amplitudes (cosine, sine).
+/// Logarithm of a line's frequency over that of the spectrum, its damping, and its amplitudes
+/// (cosine, sine).
 const LINE: usize = 4;
 /// So many weak lines are taken off at most.
 const MOST_LINES: usize = 2;
-/// A line nearer to the swing than this, relative, cannot be told from the swing's own changes; nearer than the second to one of its
-/// multiples it is a part of it.
+/// A line nearer to the swing than this, relative, cannot be told from the swing's own changes;
+/// nearer than the second to one of its multiples it is a part of it.
 const OWN_LINE: f64 = 0.1;
 const OVERTONE: f64 = 0.03;
 /// A weak line must stand out by this, dB.
 const LEAST_LINE_DB: f64 = 20.0;
-/// Widths of the priors: logarithm of the swing's frequency, share of critical damping, logarithm of a line's frequency.
+/// Widths of the priors: logarithm of the swing's frequency, share of critical damping, logarithm
+/// of a line's frequency.
 const FREQUENCY_U: f64 = 0.3;
 pub const DAMPING_U: f64 = 0.1;
 const LINE_U: f64 = 0.02;
-/// A line stays where the spectrum has it to this: one that wandered to the swing's own frequency would take a part of the swing.
+/// A line stays where the spectrum has it to this: one that wandered to the swing's own frequency
+/// would take a part of the swing.
 const LINE_STAYS: f64 = 0.05;
 /// Steps of numerical derivatives, in widths of the priors.
 const STEP: f64 = 1e-5;
@@ -93,27 +99,40 @@ impl<'a> Swing<'a> {
         let (mode, name) = (&modes[main], evidence.named.get(main)?.name);
         let turning = Turning::of(evidence, mode.period_s())?;
         let from_s = turning.start_s - evidence.found.t_ref_s;
-        // Rate and angle at the start of the part that is used: pole and amplitude of the spectrum led on to there.
+        // Rate and angle at the start of the part that is used: pole and amplitude of the spectrum
+        // led on to there.
         let pole = Complex64::new(-mode.alpha_per_s, mode.omega_rad_s);
         let seen = shape(mode, first)?;
         let axis = direction(&seen);
         let rate = (0..3).map(|k| seen[k] * axis[k]).sum::<Complex64>() * (pole * from_s).exp();
         let angle = rate / pole;
-        let scales = Scales { omega_rad_s: mode.omega_rad_s, reach_rad: angle.norm() };
+        let scales = Scales {
+            omega_rad_s: mode.omega_rad_s,
+            reach_rad: angle.norm(),
+        };
         if scales.reach_rad <= 0.0 {
             return None;
         }
         let lines = lines(evidence, (first, axis), main, from_s);
         let mut start = vec![angle.re, rate.re, 0.0, mode.alpha_per_s.max(0.0), 0.0];
         for line in &lines {
-            start.extend([0.0, line.alpha_per_s, line.amplitudes[0], line.amplitudes[1]]);
+            start.extend([
+                0.0,
+                line.alpha_per_s,
+                line.amplitudes[0],
+                line.amplitudes[1],
+            ]);
         }
         let suspension = &session.swings[number].suspension;
         let is_compound = suspension.kind == SuspensionKind::Compound;
         Some(Self {
             id: &session.swings[number].id,
             number,
-            mode: if is_compound { ModeName::Compound } else { name },
+            mode: if is_compound {
+                ModeName::Compound
+            } else {
+                name
+            },
             suspension,
             rates_rad_s: turning.stream.values.iter().map(|v| v.dot(&axis)).collect(),
             noise_rad_s: turning.stream.noise.component_mul(&axis).norm(),
@@ -139,14 +158,22 @@ impl<'a> Swing<'a> {
         ];
         priors.push((0.0, rate));
         for line in &self.lines {
-            priors.extend([(0.0, LINE_U), (line.alpha_per_s, DAMPING_U * line.omega_rad_s)]);
+            priors.extend([
+                (0.0, LINE_U),
+                (line.alpha_per_s, DAMPING_U * line.omega_rad_s),
+            ]);
             priors.extend([(0.0, rate); 2]);
         }
-        priors.extend(causes.iter().flat_map(|cause| cause.parameters.iter().map(|p| p.prior)));
+        priors.extend(
+            causes
+                .iter()
+                .flat_map(|cause| cause.parameters.iter().map(|p| p.prior)),
+        );
         priors
     }
 
-    /// Places of the logarithms of the lines' frequencies, and how far each may be from that of the spectrum.
+    /// Places of the logarithms of the lines' frequencies, and how far each may be from that of the
+    /// spectrum.
     pub fn line_limits(&self) -> impl Iterator<Item = (usize, f64)> {
         (0..self.lines.len()).map(|l| (OWN + LINE * l, LINE_STAYS))
     }
@@ -196,8 +223,19 @@ impl<'a> Swing<'a> {
             causes: self.of_causes(point, causes),
             scales: self.scales,
         };
-        let motion = Motion::of(&equation, point[START_RAD], point[START_RAD_S], self.duration_s)?;
-        Some(self.stream.t_s.iter().map(|t| motion.rate_rad_s(*t)).collect())
+        let motion = Motion::of(
+            &equation,
+            point[START_RAD],
+            point[START_RAD_S],
+            self.duration_s,
+        )?;
+        Some(
+            self.stream
+                .t_s
+                .iter()
+                .map(|t| motion.rate_rad_s(*t))
+                .collect(),
+        )
     }
 
     /// Readings of the gyroscope along the axis, rad/s; `None` where no motion can be computed.
@@ -212,7 +250,9 @@ impl<'a> Swing<'a> {
             drift += cause.drift_rad_s(q) / self.duration_s;
         }
         let times = self.stream.t_s.iter().zip(rates_rad_s);
-        times.map(|(t, rate)| scale * rate + point[BIAS] + drift * t + self.beside(point, *t)).collect()
+        times
+            .map(|(t, rate)| scale * rate + point[BIAS] + drift * t + self.beside(point, *t))
+            .collect()
     }
 
     /// What the weak lines add at a time.
@@ -228,7 +268,10 @@ impl<'a> Swing<'a> {
     pub fn poles(&self, point: &[f64]) -> Vec<Pole> {
         let parts = self.lines.iter().zip(point[OWN..].chunks_exact(LINE));
         parts
-            .map(|(line, own)| Pole { omega_rad_s: line.omega_rad_s * own[0].exp(), alpha_per_s: own[1] })
+            .map(|(line, own)| Pole {
+                omega_rad_s: line.omega_rad_s * own[0].exp(),
+                alpha_per_s: own[1],
+            })
             .collect()
     }
 
@@ -247,12 +290,17 @@ impl<'a> Swing<'a> {
 
     /// Times of the blocks that count in a part, s.
     pub fn times_s(&self, part: Part) -> Vec<f64> {
-        self.blocks(part).map(|block| self.stream.t_s[block.start]).collect()
+        self.blocks(part)
+            .map(|block| self.stream.t_s[block.start])
+            .collect()
     }
 
     /// Blocks of samples that count in a part.
     fn blocks(&self, part: Part) -> impl Iterator<Item = &std::ops::Range<usize>> {
-        self.stream.blocks.iter().filter(move |b| part.has(self.stream.t_s[b.start], self.duration_s))
+        self.stream
+            .blocks
+            .iter()
+            .filter(move |b| part.has(self.stream.t_s[b.start], self.duration_s))
     }
 
     /// Means of blocks of a figure at the samples, over their noise.
@@ -299,7 +347,10 @@ impl<'a> Swing<'a> {
 
 /// The law of a swing as its suspension is stated.
 fn law(system: &System, x: &[f64], number: usize, mode: ModeName) -> Law {
-    let (suspension, index) = (&system.session.swings[number].suspension, &system.layout.swings[number]);
+    let (suspension, index) = (
+        &system.session.swings[number].suspension,
+        &system.layout.swings[number],
+    );
     if suspension.kind == SuspensionKind::Compound {
         return Law::Pendulum;
     }
@@ -317,7 +368,8 @@ fn law(system: &System, x: &[f64], number: usize, mode: ModeName) -> Law {
     yaw.map_or(Law::Linear, Law::TwoLines)
 }
 
-/// The strongest lines beside the swing that are no part of it, led on to the start of the part that is used.
+/// The strongest lines beside the swing that are no part of it, led on to the start of the part
+/// that is used.
 fn lines(evidence: &Evidence, (first, axis): (usize, Vec3), main: usize, from_s: f64) -> Vec<Line> {
     let modes = &evidence.found.modes;
     let main_rad_s = modes[main].omega_rad_s;
@@ -336,7 +388,8 @@ fn lines(evidence: &Evidence, (first, axis): (usize, Vec3), main: usize, from_s:
         .collect();
     others.sort_by(|a, b| b.1.norm().total_cmp(&a.1.norm()));
     let line = |(mode, amplitude): (&FittedMode, Complex64)| {
-        let turned = amplitude * (Complex64::new(-mode.alpha_per_s, mode.omega_rad_s) * from_s).exp();
+        let turned =
+            amplitude * (Complex64::new(-mode.alpha_per_s, mode.omega_rad_s) * from_s).exp();
         Line {
             omega_rad_s: mode.omega_rad_s,
             alpha_per_s: mode.alpha_per_s.max(0.0),

@@ -19,7 +19,11 @@ impl Ranked for Tried {
 
 impl Found<'_> {
     fn names(&self) -> Vec<String> {
-        self.best.causes.iter().map(|place| self.id(*place).into()).collect()
+        self.best
+            .causes
+            .iter()
+            .map(|place| self.id(*place).into())
+            .collect()
     }
 
     /// Whether structure remains that nothing accounts for, or nothing but many causes together.
@@ -35,7 +39,9 @@ impl Found<'_> {
 
     /// Causes that do as well as the last one taken, best first.
     pub fn rivals(&self) -> Vec<&Tried> {
-        let Some([best, others @ ..]) = self.decisive().map(|round| &round.tried[..]) else { return vec![] };
+        let Some([best, others @ ..]) = self.decisive().map(|round| &round.tried[..]) else {
+            return vec![];
+        };
         // Where structure remains, evidence counts for less: in proportion to what is left.
         let allowed = NOT_TOLD.max(0.02 * best.with.left.excess());
         let near = |t: &&Tried| best.gain - t.gain < allowed && t.id != UNKNOWN;
@@ -51,21 +57,32 @@ impl Found<'_> {
     /// Every cause of the rounds with its probability in its round; those taken first.
     pub fn causes(&self) -> Vec<CauseResult> {
         let result = |t: &Tried| result(t.id, t.gain, self.parameters(t));
-        let rounds = self.rounds.iter().map(|r| (r.taken, r.tried.iter().map(result).collect()));
-        ranked(rounds, self.is_unexplained().then(|| self.best.left.excess()), None)
+        let rounds = self
+            .rounds
+            .iter()
+            .map(|r| (r.taken, r.tried.iter().map(result).collect()));
+        ranked(
+            rounds,
+            self.is_unexplained().then(|| self.best.left.excess()),
+            None,
+        )
     }
 
     /// Parameters of the last cause of those tried, swing by swing.
     pub fn parameters(&self, tried: &Tried) -> BTreeMap<String, ParameterResult> {
         let mut all = BTreeMap::new();
-        let Some(place) = tried.with.causes.last() else { return all };
+        let Some(place) = tried.with.causes.last() else {
+            return all;
+        };
         for (s, (swing, fitted)) in self.swings.iter().zip(&tried.with.fits).enumerate() {
             let parameters = &swing.catalogue[*place].parameters;
             let first = fitted.point.len() - parameters.len();
             let covariance = fitted.covariance();
             for (k, parameter) in parameters.iter().enumerate() {
                 let at = first + k;
-                let u = covariance.as_ref().map_or(f64::INFINITY, |c| c[(at, at)].max(0.0).sqrt());
+                let u = covariance
+                    .as_ref()
+                    .map_or(f64::INFINITY, |c| c[(at, at)].max(0.0).sqrt());
                 let name = match self.swings.len() {
                     1 => parameter.name.into(),
                     _ => format!("{}_{}", parameter.name, s + 1),

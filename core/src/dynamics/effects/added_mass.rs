@@ -6,10 +6,12 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// Kirchhoff's equations in hull axes: p = A v, L = B ω; F = −(ṗ + ω × p), M = −(L̇ + ω × L + v × p).
+    /// Kirchhoff's equations in hull axes: p = A v, L = B ω; F = −(ṗ + ω × p), M = −(L̇ + ω × L + v
+    /// × p).
     ///
-    /// A and B are diagonal, about the centre of mass. They conserve ½ v·A v + ½ ω·B ω with the rest of the energy
-    /// (H. Lamb, *Hydrodynamics*, 6th ed., art. 124). A pure turn becomes slower by √(1 + B/I).
+    /// A and B are diagonal, about the centre of mass. They conserve ½ v·A v + ½ ω·B ω with the
+    /// rest of the energy (H. Lamb, *Hydrodynamics*, 6th ed., art. 124). A pure turn becomes slower
+    /// by √(1 + B/I).
     pub struct EntrainedAir {
         /// Along x.
         surge_kg: "kg",
@@ -28,7 +30,8 @@ numbers! {
 
 impl<S> Described for EntrainedAir<S> {
     const ID: &'static str = "added_mass";
-    const SENTENCE: &'static str = "air moves with the hull and makes it seem heavier and slower to turn";
+    const SENTENCE: &'static str =
+        "air moves with the hull and makes it seem heavier and slower to turn";
 }
 
 impl<S: Real> Effect<S> for EntrainedAir<S> {
@@ -36,7 +39,13 @@ impl<S: Real> Effect<S> for EntrainedAir<S> {
         true
     }
 
-    fn add_mass(&self, now: &Now<S>, _memory: &[S], _system: &Suspended<S>, mass: &mut AddedMass<S>) {
+    fn add_mass(
+        &self,
+        now: &Now<S>,
+        _memory: &[S],
+        _system: &Suspended<S>,
+        mass: &mut AddedMass<S>,
+    ) {
         let a = V3::new(self.surge_kg, self.sway_kg, self.heave_kg);
         let b = V3::new(self.roll_kg_m2, self.pitch_kg_m2, self.yaw_kg_m2);
         mass.add_diagonal(&a, &b);

@@ -8,15 +8,17 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// F = −a A v̇ along x and y, M = −a A ω̇ about y and z: Morison's inertia with a coefficient in proportion to the
-    /// amplitude A, as the Keulegan–Carpenter number (2π A over the breadth) has it.
+    /// F = −a A v̇ along x and y, M = −a A ω̇ about y and z: Morison's inertia with a coefficient
+    /// in proportion to the amplitude A, as the Keulegan–Carpenter number (2π A over the breadth)
+    /// has it.
     ///
-    /// The amplitude is taken from the moment: A² = x² + (v/ω₀)², with x the heading, the pitch, or the displacement of
-    /// the centre of mass from below the mid-point of the upper ends along the hull's x or y; ω₀ is the base model's small
-    /// swing: ω₀² = K/I_zz for the turn (K the stiffness that the lines give it at rest), g over the drop of the lines along
-    /// the line that joins the suspension points, the double pendulum's mode in phase (eq. 16) across it and about it.
-    /// Along such a swing A is constant. (G. H. Keulegan and L. H. Carpenter, J. Res. NBS 60 (1958) 423; paper,
-    /// "Air damping".)
+    /// The amplitude is taken from the moment: A² = x² + (v/ω₀)², with x the heading, the pitch, or
+    /// the displacement of the centre of mass from below the mid-point of the upper ends along the
+    /// hull's x or y; ω₀ is the base model's small swing: ω₀² = K/I_zz for the turn (K the
+    /// stiffness that the lines give it at rest), g over the drop of the lines along the line that
+    /// joins the suspension points, the double pendulum's mode in phase (eq. 16) across it and
+    /// about it. Along such a swing A is constant. (G. H. Keulegan and L. H. Carpenter, J. Res. NBS
+    /// 60 (1958) 423; paper, "Air damping".)
     pub struct AmplitudeAddedMass {
         /// Along x, for each metre of amplitude.
         surge_kg_m: "kg/m",
@@ -34,7 +36,8 @@ impl<S> Described for AmplitudeAddedMass<S> {
     const SENTENCE: &'static str = "the wider the swing, the more air moves with the hull: the period grows in proportion to the amplitude";
 }
 
-/// Height of the lines and Σ b·t over their number, b and t the horizontal places of the lower and upper ends.
+/// Height of the lines and Σ b·t over their number, b and t the horizontal places of the lower and
+/// upper ends.
 fn drop_and_spread<S: Real>(system: &Suspended<S>) -> (S, S) {
     let count = 1.0 / system.cords.len() as f64;
     let (mut drop, mut spread) = (S::zero(), S::zero());
@@ -46,8 +49,9 @@ fn drop_and_spread<S: Real>(system: &Suspended<S>) -> (S, S) {
     (drop.scale(count), spread.scale(count))
 }
 
-/// ω² of the double pendulum's mode in phase, of the lines' drop D, the centre of mass h below their lower ends and the
-/// gyradius k about the line that joins these: the lower root of ω⁴ D k² − ω² g (h² + k² + D h) + g² h = 0 (eq. 16).
+/// ω² of the double pendulum's mode in phase, of the lines' drop D, the centre of mass h below
+/// their lower ends and the gyradius k about the line that joins these: the lower root of ω⁴ D k² −
+/// ω² g (h² + k² + D h) + g² h = 0 (eq. 16).
 fn in_phase_square<S: Real>(gravity_m_s2: S, drop_m: S, depth_m: S, gyradius2_m2: S) -> S {
     let sum = depth_m * depth_m + gyradius2_m2 + drop_m * depth_m;
     let root = (sum * sum - drop_m * gyradius2_m2 * depth_m.scale(4.0)).sqrt();
@@ -59,7 +63,13 @@ impl<S: Real> Effect<S> for AmplitudeAddedMass<S> {
         true
     }
 
-    fn add_mass(&self, now: &Now<S>, _memory: &[S], system: &Suspended<S>, mass: &mut AddedMass<S>) {
+    fn add_mass(
+        &self,
+        now: &Now<S>,
+        _memory: &[S],
+        system: &Suspended<S>,
+        mass: &mut AddedMass<S>,
+    ) {
         let (drop, spread) = drop_and_spread(system);
         let pendulum = system.gravity_m_s2 / drop;
         let yaw_square = pendulum * system.mass_kg * spread / system.inertia_kg_m2[(2, 2)];
@@ -69,8 +79,11 @@ impl<S: Real> Effect<S> for AmplitudeAddedMass<S> {
         };
         let pitch_square = in_phase(1);
         let athwartships = system.axis().y.value().abs() > FRAC_1_SQRT_2;
-        let [surge_square, sway_square] =
-            if athwartships { [pitch_square, pendulum] } else { [pendulum, in_phase(0)] };
+        let [surge_square, sway_square] = if athwartships {
+            [pitch_square, pendulum]
+        } else {
+            [pendulum, in_phase(0)]
+        };
         let amplitude = |x: S, v: S, square: S| (x * x + v * v / square).sqrt();
         let (place, velocity) = (now.turn.tr_mul(&now.level_position()), now.velocity_hull());
         let zero = S::zero();

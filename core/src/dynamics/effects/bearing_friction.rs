@@ -6,12 +6,12 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// M = −M_c tanh(ω/ω_t) about each hull axis: Coulomb's law, whose jump is spread over the transition rate ω_t; and
-    /// F = −F_c tanh(v/v_t) along x and y, v_t the same figure in m/s.
+    /// M = −M_c tanh(ω/ω_t) about each hull axis: Coulomb's law, whose jump is spread over the
+    /// transition rate ω_t; and F = −F_c tanh(v/v_t) along x and y, v_t the same figure in m/s.
     ///
-    /// A pure turn loses 4 M_c/K of its amplitude in each period (K its stiffness): a straight line, not an exponential
-    /// (Squire, Am. J. Phys. 54 (1986) 984). Below ω_t the law is a linear drag: the body creeps to rest and does not
-    /// stick. For sticking see `presliding_bearing`.
+    /// A pure turn loses 4 M_c/K of its amplitude in each period (K its stiffness): a straight
+    /// line, not an exponential (Squire, Am. J. Phys. 54 (1986) 984). Below ω_t the law is a linear
+    /// drag: the body creeps to rest and does not stick. For sticking see `presliding_bearing`.
     pub struct BearingFriction {
         /// Along x.
         surge_n: "N",
@@ -51,7 +51,8 @@ impl<S: Real> Effect<S> for BearingFriction<S> {
     fn fastest_rad_s(&self, system: &Suspended<S>) -> f64 {
         let torques = [self.roll_n_m, self.pitch_n_m, self.yaw_n_m];
         let rate = |i: usize| {
-            torques[i].value() / (system.inertia_kg_m2[(i, i)].value() * self.transition_rad_s.value())
+            torques[i].value()
+                / (system.inertia_kg_m2[(i, i)].value() * self.transition_rad_s.value())
         };
         let force = self.surge_n.value().max(self.sway_n.value());
         let slide = force / (system.mass_kg.value() * self.transition_rad_s.value());

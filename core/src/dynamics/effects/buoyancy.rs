@@ -6,8 +6,8 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// F = M′ g upwards at the centre of the displaced air (Archimedes): gravity becomes (1 − M′/m) g (paper, "Air
-    /// damping and added aerodynamic mass") where that centre is the centre of mass.
+    /// F = M′ g upwards at the centre of the displaced air (Archimedes): gravity becomes (1 − M′/m)
+    /// g (paper, "Air damping and added aerodynamic mass") where that centre is the centre of mass.
     pub struct Buoyancy {
         /// Mass of the air that the hull displaces, M′.
         displaced_air_kg: "kg",

@@ -6,12 +6,13 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// A mass m that slides through a point of the hull along a given direction u, on a spring and a damper:
-    /// m u·(a − g) = −k s − c ṡ, a its acceleration in the world; across u it is carried along. Water and gear, to
-    /// first order (J. R. Roberts et al., *Slosh Design Handbook I*, NASA CR-406, 1966, ch. 3).
+    /// A mass m that slides through a point of the hull along a given direction u, on a spring and
+    /// a damper: m u·(a − g) = −k s − c ṡ, a its acceleration in the world; across u it is carried
+    /// along. Water and gear, to first order (J. R. Roberts et al., *Slosh Design Handbook I*, NASA
+    /// CR-406, 1966, ch. 3).
     ///
-    /// The body's mass, centre of mass and inertia are those with the mass at its point (s = 0), where the spring has no
-    /// load.
+    /// The body's mass, centre of mass and inertia are those with the mass at its point (s = 0),
+    /// where the spring has no load.
     pub struct InternalMotion {
         /// Mass, m.
         mass_kg: "kg",

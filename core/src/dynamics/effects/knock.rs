@@ -8,8 +8,8 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// A push in the shape of half a sine, F(t) = (π J/2τ) sin(π (t − t₀)/τ) for 0 < t − t₀ < τ, whose impulse is J; in hull
-    /// axes, at and about the centre of mass.
+    /// A push in the shape of half a sine, F(t) = (π J/2τ) sin(π (t − t₀)/τ) for 0 < t − t₀ < τ,
+    /// whose impulse is J; in hull axes, at and about the centre of mass.
     pub struct Knock {
         /// When it begins, t₀.
         at_s: "s",

@@ -6,9 +6,10 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// F = −Σ c_ij x^i v^j over one coordinate of the hull, x its position and v its rate, both over a scale; and terms that
-    /// grow with the time since the start. A force along the suspension or across it acts at the centre of mass, a torque
-    /// about the suspension or about the vertical on the turn.
+    /// F = −Σ c_ij x^i v^j over one coordinate of the hull, x its position and v its rate, both
+    /// over a scale; and terms that grow with the time since the start. A force along the
+    /// suspension or across it acts at the centre of mass, a torque about the suspension or about
+    /// the vertical on the turn.
     pub struct LearnedForce {
         /// 0: along x, 1: along y, 2: about the suspension, 3: about the vertical.
         coordinate: "1",

@@ -6,9 +6,10 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Cord;
 
 numbers! {
-    /// l(t) = l₀ (1 + c log₁₀(1 + t/t₀)): creep in proportion to the logarithm of the time under load, t₀ of which had
-    /// passed when the swing began (W. N. Findley et al., *Creep and Relaxation of Nonlinear Viscoelastic Materials*,
-    /// 1976, ch. 5). The period follows by half of the lengthening.
+    /// l(t) = l₀ (1 + c log₁₀(1 + t/t₀)): creep in proportion to the logarithm of the time under
+    /// load, t₀ of which had passed when the swing began (W. N. Findley et al., *Creep and
+    /// Relaxation of Nonlinear Viscoelastic Materials*, 1976, ch. 5). The period follows by half of
+    /// the lengthening.
     pub struct LineCreep {
         /// Strain in each decade of time, c.
         strain_per_decade: "1",

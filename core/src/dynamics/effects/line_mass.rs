@@ -6,9 +6,9 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// A straight line of mass m, its upper end at rest, has the kinetic energy of m/3 and the weight of m/2 at its
-    /// lower end: its points move in proportion to their distance from the top. Exact for straight lines of fixed
-    /// length; that heavy lines sag is left out.
+    /// A straight line of mass m, its upper end at rest, has the kinetic energy of m/3 and the
+    /// weight of m/2 at its lower end: its points move in proportion to their distance from the
+    /// top. Exact for straight lines of fixed length; that heavy lines sag is left out.
     pub struct LineMass {
         /// Mass for each metre of line.
         linear_density_kg_m: "kg/m",
@@ -25,7 +25,13 @@ impl<S: Real> Effect<S> for LineMass<S> {
         true
     }
 
-    fn add_mass(&self, now: &Now<S>, _memory: &[S], system: &Suspended<S>, mass: &mut AddedMass<S>) {
+    fn add_mass(
+        &self,
+        now: &Now<S>,
+        _memory: &[S],
+        system: &Suspended<S>,
+        mass: &mut AddedMass<S>,
+    ) {
         for cord in &system.cords {
             let line = self.linear_density_kg_m * cord.length_m;
             let arm = cord.point_m - system.cm_m;

@@ -6,8 +6,9 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Cord;
 
 numbers! {
-    /// Lines that are longer from a moment on, by a smooth rise s(x) = x³ (10 − 15 x + 6 x²), x = (t − t₀)/τ, whose speed and
-    /// acceleration are zero at both ends. The hull then hangs lower and aslant, and swings about another rest.
+    /// Lines that are longer from a moment on, by a smooth rise s(x) = x³ (10 − 15 x + 6 x²), x =
+    /// (t − t₀)/τ, whose speed and acceleration are zero at both ends. The hull then hangs lower
+    /// and aslant, and swings about another rest.
     pub struct LineSlip {
         /// When it begins, t₀.
         at_s: "s",
@@ -31,7 +32,11 @@ impl<S: Real> Effect<S> for LineSlip<S> {
         if self.over_s.value() <= 0.0 {
             return;
         }
-        let more = if side > 0.0 { self.positive_m } else { self.negative_m };
+        let more = if side > 0.0 {
+            self.positive_m
+        } else {
+            self.negative_m
+        };
         let x = (t_s - self.at_s) / self.over_s;
         if x.value() >= 1.0 {
             law[0] += more;

@@ -6,8 +6,8 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// V = ½ κ (ψ − ψ₀)², ψ the turn about the vertical (`Now::twist`): both ends of the lines are held. The yaw's
-    /// stiffness m g d²/l grows by κ.
+    /// V = ½ κ (ψ − ψ₀)², ψ the turn about the vertical (`Now::twist`): both ends of the lines are
+    /// held. The yaw's stiffness m g d²/l grows by κ.
     pub struct LineTorsion {
         /// Of all lines together, κ = Σ G J/l.
         stiffness_n_m_rad: "N m/rad",

@@ -6,7 +6,8 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// F = −c v in hull axes, M = −c ω: T and τ of the paper's decaying swing, τ = 2 I / c for a pure turn.
+    /// F = −c v in hull axes, M = −c ω: T and τ of the paper's decaying swing, τ = 2 I / c for a
+    /// pure turn.
     pub struct LinearDamping {
         /// Along x.
         surge_n_s_m: "N s/m",

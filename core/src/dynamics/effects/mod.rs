@@ -1,14 +1,15 @@
 //! What the simple theory leaves out, each effect a named part that is switched on by listing it.
 //!
-//! An effect is a structure of named numbers ([`Numbers`]) with a law ([`Effect`]), in a file of its own, and a line in
-//! the registry below.
+//! An effect is a structure of named numbers ([`Numbers`]) with a law ([`Effect`]), in a file of
+//! its own, and a line in the registry below.
 //!
-//! `pitch_coupling` is not among them: the exchange of a combined yaw and sway with the pitch (T. R. Kane and G.-T. Tseng,
-//! Int. J. Mech. Sci. 9 (1967) 83) is in the equations of motion of every body on two lines, without a switch.
+//! `pitch_coupling` is not among them: the exchange of a combined yaw and sway with the pitch (T.
+//! R. Kane and G.-T. Tseng, Int. J. Mech. Sci. 9 (1967) 83) is in the equations of motion of every
+//! body on two lines, without a switch.
 //!
 //! # Conventions
-//! Hull axes: x forward, y to port, z up. Forces act at the centre of mass, torques about it. Surge, sway and heave are
-//! motions along x, y, z; roll, pitch and yaw turn about them.
+//! Hull axes: x forward, y to port, z up. Forces act at the centre of mass, torques about it.
+//! Surge, sway and heave are motions along x, y, z; roll, pitch and yaw turn about them.
 
 use std::fmt::Debug;
 
@@ -107,14 +108,18 @@ impl<S: Real> Now<S> {
         V3::new(self.position.x, self.position.y, S::zero())
     }
 
-    /// The turn about the vertical, rad, and its change by a turn about each hull axis: what is left of the attitude
-    /// when the least tilt that explains the hull's z axis is taken away (swing and twist). A tilted hull's axes do not
-    /// bias it, and a torque along its change conserves energy.
+    /// The turn about the vertical, rad, and its change by a turn about each hull axis: what is
+    /// left of the attitude when the least tilt that explains the hull's z axis is taken away
+    /// (swing and twist). A tilted hull's axes do not bias it, and a torque along its change
+    /// conserves energy.
     pub fn twist(&self) -> (S, V3<S>) {
         let r = &self.turn;
         let angle = (r[(1, 0)] - r[(0, 1)]).atan2(r[(0, 0)] + r[(1, 1)]);
         let upright = S::one() / (S::one() + r[(2, 2)]);
-        (angle, V3::new(r[(2, 0)] * upright, r[(2, 1)] * upright, S::one()))
+        (
+            angle,
+            V3::new(r[(2, 0)] * upright, r[(2, 1)] * upright, S::one()),
+        )
     }
 }
 
@@ -169,7 +174,11 @@ impl<S: Real> AddedMass<S> {
                 matrix[3 + i][3 + j] = inertia[(i, j)];
             }
         }
-        Self { matrix, force: V3::zeros(), torque: V3::zeros() }
+        Self {
+            matrix,
+            force: V3::zeros(),
+            torque: V3::zeros(),
+        }
     }
 
     /// A mass for each axis of the centre of mass and an inertia about each.
@@ -202,8 +211,8 @@ impl<S: Real> AddedMass<S> {
         self.torque += arm.cross(&force);
     }
 
-    /// Lets a mass that was added move freely along a unit vector through where it is; `about` is its arm × that vector. What holds it there
-    /// instead pulls at the body along that line.
+    /// Lets a mass that was added move freely along a unit vector through where it is; `about` is
+    /// its arm × that vector. What holds it there instead pulls at the body along that line.
     pub fn free_along(&mut self, mass_kg: S, along: &V3<S>, about: &V3<S>, pull: S) {
         let way = [along.x, along.y, along.z, about.x, about.y, about.z];
         for i in 0..6 {
@@ -266,14 +275,23 @@ pub trait Effect<S: Real>: Debug {
         false
     }
     /// Mass, and the forces that belong to it.
-    fn add_mass(&self, _now: &Now<S>, _memory: &[S], _system: &Suspended<S>, _mass: &mut AddedMass<S>) {}
-    /// Adds to a line's length and its first two derivatives in time; `side` is where it takes hold of the body, −1 or 1.
+    fn add_mass(
+        &self,
+        _now: &Now<S>,
+        _memory: &[S],
+        _system: &Suspended<S>,
+        _mass: &mut AddedMass<S>,
+    ) {
+    }
+    /// Adds to a line's length and its first two derivatives in time; `side` is where it takes hold
+    /// of the body, −1 or 1.
     fn lengthen(&self, _t_s: S, _cord: &Cord<S>, _side: f64, _law: &mut [S; 3]) {}
     /// The moving support, where the effect is one.
     fn support(&self, _now: &Now<S>, _memory: &[S]) -> Option<Support<S>> {
         None
     }
-    /// How many states of its own it has; they begin at zero unless [`Effect::memory_given`] says otherwise.
+    /// How many states of its own it has; they begin at zero unless [`Effect::memory_given`] says
+    /// otherwise.
     fn memory(&self) -> usize {
         0
     }
@@ -295,7 +313,8 @@ pub trait Effect<S: Real>: Debug {
     fn fastest_rad_s(&self, _system: &Suspended<S>) -> f64 {
         0.0
     }
-    /// Where it is something that happens once: when it begins, s, and how long it lasts, s. Steps end there, and are short against it.
+    /// Where it is something that happens once: when it begins, s, and how long it lasts, s. Steps
+    /// end there, and are short against it.
     fn event_s(&self) -> Option<[f64; 2]> {
         None
     }
@@ -312,7 +331,8 @@ pub struct EffectKind {
     pub numbers: &'static [Number],
     /// Names of those that must be larger than zero.
     pub positive: &'static [&'static str],
-    /// Whether its law has a kink, or nearly one, where a velocity changes its sign: derivatives then need smaller steps.
+    /// Whether its law has a kink, or nearly one, where a velocity changes its sign: derivatives
+    /// then need smaller steps.
     pub kinked: bool,
 }
 
@@ -346,17 +366,30 @@ impl EffectValues {
     /// The same from another catalogue, that of the sensors.
     pub fn of(kinds: &[EffectKind], id: &str, given: &[(&str, f64)]) -> Result<Self> {
         let known = || kinds.iter().map(|k| k.id).collect::<Vec<_>>().join(", ");
-        let kind =
-            *kinds.iter().find(|k| k.id == id).ok_or_else(|| Error::argument("effect", known(), id))?;
-        let mut effect = Self { kind, values: vec![0.0; kind.numbers.len()] };
-        given.iter().try_for_each(|(name, value)| effect.set(name, *value))?;
+        let kind = *kinds
+            .iter()
+            .find(|k| k.id == id)
+            .ok_or_else(|| Error::argument("effect", known(), id))?;
+        let mut effect = Self {
+            kind,
+            values: vec![0.0; kind.numbers.len()],
+        };
+        given
+            .iter()
+            .try_for_each(|(name, value)| effect.set(name, *value))?;
         Ok(effect)
     }
 
     /// Gives a number by its name.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let numbers = self.kind.numbers;
-        let names = || numbers.iter().map(|n| n.name).collect::<Vec<_>>().join(", ");
+        let names = || {
+            numbers
+                .iter()
+                .map(|n| n.name)
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
         let place = numbers.iter().position(|n| n.name == name);
         self.values[place.ok_or_else(|| Error::argument(self.kind.id, names(), name))?] = value;
         Ok(())
@@ -387,7 +420,8 @@ macro_rules! registry {
             }),*]
         }
 
-        /// The law of the effect `id` with its numbers; `None` for an unknown one or too few numbers.
+        /// The law of the effect `id` with its numbers; `None` for an unknown one or too few
+        /// numbers.
         pub(super) fn build<S: Real>(id: &str, numbers: &mut dyn Iterator<Item = S>) -> Option<Box<dyn Effect<S>>> {
             $(if id == $effect::<f64>::ID {
                 return Some(Box::new($effect::<S>::from_numbers(numbers)?));

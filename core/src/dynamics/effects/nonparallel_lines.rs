@@ -6,8 +6,8 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// Moves the upper ends apart along the axis, each by half. With half spacings b below and t above the yaw's period
-    /// is 2π k √(h/(g b t)), h the drop of the lines (eq. (5) for b ≠ t).
+    /// Moves the upper ends apart along the axis, each by half. With half spacings b below and t
+    /// above the yaw's period is 2π k √(h/(g b t)), h the drop of the lines (eq. (5) for b ≠ t).
     pub struct NonparallelLines {
         /// Distance of the upper ends beyond the stated one.
         excess_m: "m",

@@ -6,8 +6,8 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// Moves the centre of mass, inertia about it unchanged. Along the axis the lines carry unequal shares and yaw mixes
-    /// with sway; across it, the hull tilts about its suspension.
+    /// Moves the centre of mass, inertia about it unchanged. Along the axis the lines carry unequal
+    /// shares and yaw mixes with sway; across it, the hull tilts about its suspension.
     pub struct OffCentreCm {
         /// Along x, beyond the stated place.
         forward_m: "m",

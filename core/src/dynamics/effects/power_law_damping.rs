@@ -11,10 +11,12 @@ const REFERENCE: f64 = 0.1;
 const LINEAR_BELOW: f64 = 1e-4;
 
 numbers! {
-    /// M = −c |ω/ω₁|^β ω about each hull axis, F = −c |v/v₁|^β v along each, with ω₁ = 0.1 rad/s, v₁ = 0.1 m/s.
+    /// M = −c |ω/ω₁|^β ω about each hull axis, F = −c |v/v₁|^β v along each, with ω₁ = 0.1 rad/s,
+    /// v₁ = 0.1 m/s.
     ///
-    /// The decay time is then ∝ θ0^(−β) (errata to the paper, which prints θ0^(1−β)); β = 0 is linear damping, β = 1
-    /// quadratic drag. The paper found β = 0.3. |x| is √(x² + 10⁻⁸): linear below a ten-thousandth of ω₁ and v₁.
+    /// The decay time is then ∝ θ0^(−β) (errata to the paper, which prints θ0^(1−β)); β = 0 is
+    /// linear damping, β = 1 quadratic drag. The paper found β = 0.3. |x| is √(x² + 10⁻⁸): linear
+    /// below a ten-thousandth of ω₁ and v₁.
     pub struct PowerLawDamping {
         /// β.
         exponent: "1",
@@ -53,7 +55,8 @@ impl<S: Real> Effect<S> for PowerLawDamping<S> {
     fn load(&self, now: &Now<S>, _memory: &[S], _system: &Suspended<S>, loads: &mut Loads<S>) {
         let force = V3::new(self.surge_n_s_m, self.sway_n_s_m, self.heave_n_s_m);
         let torque = V3::new(self.roll_n_m_s, self.pitch_n_m_s, self.yaw_n_m_s);
-        loads.force -= now.turn * force.component_mul(&now.velocity_hull().map(|x| self.powered(x)));
+        loads.force -=
+            now.turn * force.component_mul(&now.velocity_hull().map(|x| self.powered(x)));
         loads.torque -= torque.component_mul(&now.rate.map(|x| self.powered(x)));
     }
 }

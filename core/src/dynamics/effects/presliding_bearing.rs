@@ -6,11 +6,12 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// Dahl's friction: M = −M_c z about each hull axis, ż = (ω − |ω| z)/θ_s, z = 0 at the start; likewise along x and y
-    /// with a length over which it gives (0: none).
+    /// Dahl's friction: M = −M_c z about each hull axis, ż = (ω − |ω| z)/θ_s, z = 0 at the start;
+    /// likewise along x and y with a length over which it gives (0: none).
     ///
-    /// Within angles small against θ_s the bearing is a spring of M_c/θ_s, which shortens the period; beyond, it slides
-    /// with Coulomb's torque M_c (P. R. Dahl, *A Solid Friction Model*, Aerospace Corporation TOR-0158(3107-18)-1, 1968).
+    /// Within angles small against θ_s the bearing is a spring of M_c/θ_s, which shortens the
+    /// period; beyond, it slides with Coulomb's torque M_c (P. R. Dahl, *A Solid Friction Model*,
+    /// Aerospace Corporation TOR-0158(3107-18)-1, 1968).
     pub struct PreslidingBearing {
         /// Force once it slides, along x.
         surge_n: "N",
@@ -31,8 +32,7 @@ numbers! {
 
 impl<S> Described for PreslidingBearing<S> {
     const ID: &'static str = "presliding_bearing";
-    const SENTENCE: &'static str =
-        "the bearings stick and give like a spring before they slide: small swings are stiffer and faster";
+    const SENTENCE: &'static str = "the bearings stick and give like a spring before they slide: small swings are stiffer and faster";
     const POSITIVE: &'static [&'static str] = &["give_rad"];
     const KINKED: bool = true;
 }
@@ -45,7 +45,9 @@ impl<S: Real> PreslidingBearing<S> {
 
 impl<S: Real> Effect<S> for PreslidingBearing<S> {
     fn load(&self, now: &Now<S>, memory: &[S], _system: &Suspended<S>, loads: &mut Loads<S>) {
-        loads.torque -= self.torque().component_mul(&V3::new(memory[0], memory[1], memory[2]));
+        loads.torque -= self
+            .torque()
+            .component_mul(&V3::new(memory[0], memory[1], memory[2]));
         let force = V3::new(self.surge_n * memory[3], self.sway_n * memory[4], S::zero());
         loads.force -= now.turn * force;
     }
@@ -81,7 +83,8 @@ impl<S: Real> Effect<S> for PreslidingBearing<S> {
         let stiffness = |i: usize| self.torque()[i].value() / self.give_rad.value();
         let square = |i: usize| stiffness(i) / system.inertia_kg_m2[(i, i)].value();
         let along = if self.give_m.value() > 0.0 {
-            self.surge_n.value().max(self.sway_n.value()) / (self.give_m.value() * system.mass_kg.value())
+            self.surge_n.value().max(self.sway_n.value())
+                / (self.give_m.value() * system.mass_kg.value())
         } else {
             0.0
         };

@@ -20,6 +20,9 @@ impl<S> Described for StatedLength<S> {
 
 impl<S: Real> Effect<S> for StatedLength<S> {
     fn set_up(&self, system: &mut Suspended<S>) {
-        system.cords.iter_mut().for_each(|cord| cord.length_m += self.excess_m);
+        system
+            .cords
+            .iter_mut()
+            .for_each(|cord| cord.length_m += self.excess_m);
     }
 }

@@ -6,7 +6,8 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// The lines are farther apart than was stated, above and below alike: what was parallel stays so.
+    /// The lines are farther apart than was stated, above and below alike: what was parallel stays
+    /// so.
     pub struct StatedSpacing {
         /// True spacing less the stated one.
         excess_m: "m",

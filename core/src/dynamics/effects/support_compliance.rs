@@ -6,8 +6,9 @@ use crate::dynamics::real::{Real, V3};
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// m s̈ = −k s − c ṡ + pull of the lines, along the world's x and y: all upper ends move together by s. The height
-    /// stays. Slow swings see a support that gives by 1/k: sway becomes slower by 1 + m_hull g/(2 k l).
+    /// m s̈ = −k s − c ṡ + pull of the lines, along the world's x and y: all upper ends move
+    /// together by s. The height stays. Slow swings see a support that gives by 1/k: sway becomes
+    /// slower by 1 + m_hull g/(2 k l).
     ///
     /// At the start the gantry stands where the lines' pull would hold it at rest.
     pub struct SupportCompliance {
@@ -24,9 +25,10 @@ numbers! {
     }
 }
 
-/// A gantry moves with the lines' pull: how it rings by itself, faster than any swing, need not be followed so finely as a swing, and this share
-/// of its frequency counts. Steps then turn it by 1.6 rad in fits and by 2.5 in their derivatives; up to 5.6 the integration lets no ringing
-/// grow (|R(iy)| ≤ 1 of its coefficients), and errors are looked at where a motion is followed finely.
+/// A gantry moves with the lines' pull: how it rings by itself, faster than any swing, need not be
+/// followed so finely as a swing, and this share of its frequency counts. Steps then turn it by 1.6
+/// rad in fits and by 2.5 in their derivatives; up to 5.6 the integration lets no ringing grow
+/// (|R(iy)| ≤ 1 of its coefficients), and errors are looked at where a motion is followed finely.
 const FOLLOWED: f64 = 0.5;
 
 impl<S> Described for SupportCompliance<S> {
@@ -78,7 +80,10 @@ impl<S: Real> Effect<S> for SupportCompliance<S> {
 
     fn fastest_rad_s(&self, system: &Suspended<S>) -> f64 {
         let drawn = (system.mass_kg * system.gravity_m_s2 / system.mean_length_m()).value();
-        let stiffest = self.stiffness_x_n_m.value().max(self.stiffness_y_n_m.value());
+        let stiffest = self
+            .stiffness_x_n_m
+            .value()
+            .max(self.stiffness_y_n_m.value());
         FOLLOWED * ((stiffest + drawn) / self.mass_kg.value()).sqrt()
     }
 }

@@ -6,8 +6,8 @@ use crate::dynamics::real::Real;
 use crate::dynamics::suspended::Suspended;
 
 numbers! {
-    /// The line on the positive side of the axis is longer by half of the difference, the other shorter by half (of two
-    /// Vs: their legs). The hull hangs aslant, and yaw, sway and roll mix.
+    /// The line on the positive side of the axis is longer by half of the difference, the other
+    /// shorter by half (of two Vs: their legs). The hull hangs aslant, and yaw, sway and roll mix.
     pub struct UnequalLines {
         /// Length on the positive side less that on the negative.
         difference_m: "m",

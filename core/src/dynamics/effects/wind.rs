@@ -11,19 +11,21 @@ use crate::dynamics::suspended::Suspended;
 const TONES: usize = 24;
 
 numbers! {
-    /// What a wind W adds to the drag of still air: F = c (|W − v| (W − v) + |v| v) in the horizontal plane, v the
-    /// velocity of the centre of mass, of which the part along the hull is less; its moment is taken about the centre of
-    /// pressure.
+    /// What a wind W adds to the drag of still air: F = c (|W − v| (W − v) + |v| v) in the
+    /// horizontal plane, v the velocity of the centre of mass, of which the part along the hull is
+    /// less; its moment is taken about the centre of pressure.
     ///
-    /// W is steady plus a gust, along x and y of the world independently: `24` sinusoids of equal size whose frequencies
-    /// halve the spectrum 2σ²τ/(1 + ω²τ²) into equal parts (coloured noise of correlation time τ: M. Shinozuka and C. M.
-    /// Jan, J. Sound Vib. 25 (1972) 111). Their phases follow from the seed by a hash of integers, so that a gust is
-    /// smooth and can be had again; the derivative by the seed is zero. Tones of given frequencies make the steady wind swell
-    /// and ebb: W = W₀ (1 + Σ aₖ cos 2π fₖ t + bₖ sin 2π fₖ t).
+    /// W is steady plus a gust, along x and y of the world independently: `24` sinusoids of equal
+    /// size whose frequencies halve the spectrum 2σ²τ/(1 + ω²τ²) into equal parts (coloured noise
+    /// of correlation time τ: M. Shinozuka and C. M. Jan, J. Sound Vib. 25 (1972) 111). Their
+    /// phases follow from the seed by a hash of integers, so that a gust is smooth and can be had
+    /// again; the derivative by the seed is zero. Tones of given frequencies make the steady wind
+    /// swell and ebb: W = W₀ (1 + Σ aₖ cos 2π fₖ t + bₖ sin 2π fₖ t).
     pub struct Wind {
         /// ½ ρ C_D A, c.
         force_coefficient: "N s^2/m^2",
-        /// By what share c is less along the hull than across it: a hull is narrower from ahead than from abeam.
+        /// By what share c is less along the hull than across it: a hull is narrower from ahead
+        /// than from abeam.
         less_along: "1",
         /// Steady wind along the world's x.
         steady_x_m_s: "m/s",
@@ -130,7 +132,8 @@ fn squared<S: Real>(v: &V3<S>) -> V3<S> {
 
 impl<S: Real> Effect<S> for Wind<S> {
     fn load(&self, now: &Now<S>, _memory: &[S], _system: &Suspended<S>, loads: &mut Loads<S>) {
-        let mut wind = V3::new(self.steady_x_m_s, self.steady_y_m_s, S::zero()) * self.swell(now.t_s);
+        let mut wind =
+            V3::new(self.steady_x_m_s, self.steady_y_m_s, S::zero()) * self.swell(now.t_s);
         if self.has_gusts() {
             wind.x += self.gust(now.t_s, 0);
             wind.y += self.gust(now.t_s, 1);
@@ -145,8 +148,15 @@ impl<S: Real> Effect<S> for Wind<S> {
     }
 
     fn fastest_rad_s(&self, _system: &Suspended<S>) -> f64 {
-        let of_gusts = if self.has_gusts() { tone(TONES - 1) / self.gust_time_s.value() } else { 0.0 };
-        self.tones().iter().map(|[hz, ..]| TAU * hz.value().abs()).fold(of_gusts, f64::max)
+        let of_gusts = if self.has_gusts() {
+            tone(TONES - 1) / self.gust_time_s.value()
+        } else {
+            0.0
+        };
+        self.tones()
+            .iter()
+            .map(|[hz, ..]| TAU * hz.value().abs())
+            .fold(of_gusts, f64::max)
     }
 }
 
@@ -156,15 +166,21 @@ mod tests {
 
     /// A gust of 1 m/s with τ = 1 s.
     fn gust(seed: f64) -> Wind {
-        Wind { gust_m_s: 1.0, gust_time_s: 1.0, seed, ..Wind::default() }
+        Wind {
+            gust_m_s: 1.0,
+            gust_time_s: 1.0,
+            seed,
+            ..Wind::default()
+        }
     }
 
     #[test]
     fn gusts_have_the_stated_size_and_memory() {
-        // Over many seeds the mean of W(0) W(t) is σ² e^(−t/τ): the spectrum's Fourier transform. 4000 products of sums
-        // of 24 independent sinusoids scatter by 1.4/√4000 = 0.022.
+        // Over many seeds the mean of W(0) W(t) is σ² e^(−t/τ): the spectrum's Fourier transform.
+        // 4000 products of sums of 24 independent sinusoids scatter by 1.4/√4000 = 0.022.
         for t in [0.0, 0.3, 1.0, 3.0] {
-            let product = |seed: u32| gust(f64::from(seed)).gust(0.0, 0) * gust(f64::from(seed)).gust(t, 0);
+            let product =
+                |seed: u32| gust(f64::from(seed)).gust(0.0, 0) * gust(f64::from(seed)).gust(t, 0);
             let mean = (0..4000).map(product).sum::<f64>() / 4000.0;
             assert!((mean - (-t).exp()).abs() < 0.1, "{t} s: {mean}");
         }
@@ -172,7 +188,8 @@ mod tests {
 
     #[test]
     fn the_two_directions_are_independent() {
-        let product = |seed: u32| gust(f64::from(seed)).gust(0.0, 0) * gust(f64::from(seed)).gust(0.0, 1);
+        let product =
+            |seed: u32| gust(f64::from(seed)).gust(0.0, 0) * gust(f64::from(seed)).gust(0.0, 1);
         let mean = (0..4000).map(product).sum::<f64>() / 4000.0;
         assert!(mean.abs() < 0.1, "{mean}");
     }

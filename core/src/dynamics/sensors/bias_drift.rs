@@ -6,8 +6,9 @@ use crate::dynamics::phone::Reading;
 use crate::dynamics::real::{Real, V3};
 
 numbers! {
-    /// b(t) = r t + w (1 − e^{−t/τ}), on top of the phone's constant bias: a steady drift, and a sensor that warms up (first
-    /// order, as a body heated at a steady power: Newton's law of cooling). τ = 0 leaves the warming out.
+    /// b(t) = r t + w (1 − e^{−t/τ}), on top of the phone's constant bias: a steady drift, and a
+    /// sensor that warms up (first order, as a body heated at a steady power: Newton's law of
+    /// cooling). τ = 0 leaves the warming out.
     pub struct BiasDrift {
         /// r of the gyroscope.
         gyro_rate_x_rad_s2: "rad/s^2",
@@ -50,10 +51,25 @@ impl<S: Real> SensorEffect<S> for BiasDrift<S> {
         } else {
             S::zero()
         };
-        reading.gyro += V3::new(self.gyro_rate_x_rad_s2, self.gyro_rate_y_rad_s2, self.gyro_rate_z_rad_s2)
-            * clock_s
-            + V3::new(self.gyro_warm_x_rad_s, self.gyro_warm_y_rad_s, self.gyro_warm_z_rad_s) * warm;
-        reading.force += V3::new(self.acc_rate_x_m_s3, self.acc_rate_y_m_s3, self.acc_rate_z_m_s3) * clock_s
-            + V3::new(self.acc_warm_x_m_s2, self.acc_warm_y_m_s2, self.acc_warm_z_m_s2) * warm;
+        reading.gyro += V3::new(
+            self.gyro_rate_x_rad_s2,
+            self.gyro_rate_y_rad_s2,
+            self.gyro_rate_z_rad_s2,
+        ) * clock_s
+            + V3::new(
+                self.gyro_warm_x_rad_s,
+                self.gyro_warm_y_rad_s,
+                self.gyro_warm_z_rad_s,
+            ) * warm;
+        reading.force += V3::new(
+            self.acc_rate_x_m_s3,
+            self.acc_rate_y_m_s3,
+            self.acc_rate_z_m_s3,
+        ) * clock_s
+            + V3::new(
+                self.acc_warm_x_m_s2,
+                self.acc_warm_y_m_s2,
+                self.acc_warm_z_m_s2,
+            ) * warm;
     }
 }

@@ -6,7 +6,8 @@ use crate::dynamics::phone::Reading;
 use crate::dynamics::real::{M3, Real};
 
 numbers! {
-    /// r → (1 + C) r with zeros on C's diagonal: a share of one axis in another, by misalignment or cross-talk.
+    /// r → (1 + C) r with zeros on C's diagonal: a share of one axis in another, by misalignment or
+    /// cross-talk.
     pub struct CrossAxis {
         /// Of y in x, gyroscope.
         gyro_xy: "1",

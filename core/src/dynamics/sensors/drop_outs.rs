@@ -5,8 +5,8 @@ use crate::dynamics::numbers::numbers;
 use crate::dynamics::real::Real;
 
 numbers! {
-    /// Each sample is lost with a probability of its own, and all of them during one stall. What is lost has no
-    /// derivative.
+    /// Each sample is lost with a probability of its own, and all of them during one stall. What is
+    /// lost has no derivative.
     pub struct DropOuts {
         /// Probability.
         share: "1",

@@ -5,8 +5,8 @@ use crate::dynamics::numbers::numbers;
 use crate::dynamics::real::Real;
 
 numbers! {
-    /// Both scatter with a normal distribution about an even rate. Late sampling shows in the stamps; a wrong stamp does
-    /// not show in the readings.
+    /// Both scatter with a normal distribution about an even rate. Late sampling shows in the
+    /// stamps; a wrong stamp does not show in the readings.
     pub struct Jitter {
         /// Standard deviation of the times at which samples are taken.
         sampling_s: "s",

@@ -6,9 +6,10 @@ use crate::dynamics::real::Real;
 use crate::error::{Error, Result};
 
 numbers! {
-    /// τ ẏ + y = r, that is y(t) = ∫₀^∞ e^{−x} r(t − τ x) dx: eight Gauss–Laguerre nodes over the motion itself, whatever
-    /// the rate of the samples. Exact for polynomials of degree 15; for a motion e^{iωt} with ωτ < 0.3 to 1e-8. What
-    /// changes within a few τ, as at the release of a held hull, comes out as a stair.
+    /// τ ẏ + y = r, that is y(t) = ∫₀^∞ e^{−x} r(t − τ x) dx: eight Gauss–Laguerre nodes over the
+    /// motion itself, whatever the rate of the samples. Exact for polynomials of degree 15; for a
+    /// motion e^{iωt} with ωτ < 0.3 to 1e-8. What changes within a few τ, as at the release of a
+    /// held hull, comes out as a stair.
     pub struct LowPass {
         /// τ of the gyroscope.
         gyro_time_constant_s: "s",
@@ -33,9 +34,16 @@ const LAGUERRE: [(f64, f64); 8] = [
 
 impl<S: Real> SensorEffect<S> for LowPass<S> {
     fn check(&self) -> Result<()> {
-        let shortest = self.gyro_time_constant_s.value().min(self.acc_time_constant_s.value());
+        let shortest = self
+            .gyro_time_constant_s
+            .value()
+            .min(self.acc_time_constant_s.value());
         if shortest < 0.0 {
-            return Err(Error::argument("low_pass", "time constants of 0 or above", shortest));
+            return Err(Error::argument(
+                "low_pass",
+                "time constants of 0 or above",
+                shortest,
+            ));
         }
         Ok(())
     }
@@ -47,6 +55,8 @@ impl<S: Real> SensorEffect<S> for LowPass<S> {
             Sensor::Gyroscope => self.gyro_time_constant_s,
             Sensor::Accelerometer => self.acc_time_constant_s,
         };
-        LAGUERRE.map(|(node, weight)| (tau.scale(node), weight)).to_vec()
+        LAGUERRE
+            .map(|(node, weight)| (tau.scale(node), weight))
+            .to_vec()
     }
 }

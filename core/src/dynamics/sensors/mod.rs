@@ -1,11 +1,14 @@
-//! What a phone's sensors do to what they feel, each effect a named part that is switched on by listing it.
+//! What a phone's sensors do to what they feel, each effect a named part that is switched on by
+//! listing it.
 //!
-//! An effect is a structure of named numbers ([`Numbers`]) with a law ([`SensorEffect`]), in a file of its own, and a
-//! line in the registry below. Laws act in the order of the signal, whatever the order of the list: the phone's own
-//! motion against the hull, the clock, the filter, errors of the sensor, noise, conversion to figures.
+//! An effect is a structure of named numbers ([`Numbers`]) with a law ([`SensorEffect`]), in a file
+//! of its own, and a line in the registry below. Laws act in the order of the signal, whatever the
+//! order of the list: the phone's own motion against the hull, the clock, the filter, errors of the
+//! sensor, noise, conversion to figures.
 //!
-//! There is no randomness here. An effect that needs chance says how many standard normal numbers it takes for each
-//! sample, and whoever simulates hands them in; without any the sensor is what it is on average.
+//! There is no randomness here. An effect that needs chance says how many standard normal numbers
+//! it takes for each sample, and whoever simulates hands them in; without any the sensor is what it
+//! is on average.
 //!
 //! # Conventions
 //! Readings are in phone axes. Times count on the phone's clock from the start of the recording.
@@ -62,7 +65,8 @@ pub enum Sensor {
 /// Where the phone is against its place on the hull.
 ///
 /// # Conventions
-/// The shift is in hull axes. The turn is a rotation vector in phone axes, about an axis that stays, or small.
+/// The shift is in hull axes. The turn is a rotation vector in phone axes, about an axis that
+/// stays, or small.
 #[derive(Debug, Clone, Copy)]
 pub struct Offset<S: Real> {
     /// m.
@@ -80,7 +84,13 @@ pub struct Offset<S: Real> {
 impl<S: Real> Default for Offset<S> {
     fn default() -> Self {
         let none = V3::zeros();
-        Self { shift: none, shift_rate: none, shift_acceleration: none, turn: none, turn_rate: none }
+        Self {
+            shift: none,
+            shift_rate: none,
+            shift_acceleration: none,
+            turn: none,
+            turn_rate: none,
+        }
     }
 }
 
@@ -138,7 +148,13 @@ pub trait SensorEffect<S: Real>: Debug {
         0
     }
     /// Adds noise; `since_s` is the time from the sample before, none at the first.
-    fn add_noise(&self, _since_s: Option<f64>, _draws: &[f64], _states: &mut [S], _reading: &mut Reading<S>) {
+    fn add_noise(
+        &self,
+        _since_s: Option<f64>,
+        _draws: &[f64],
+        _states: &mut [S],
+        _reading: &mut Reading<S>,
+    ) {
     }
     /// Turns a reading into figures.
     fn convert(&self, _reading: &mut Reading<S>) {}
@@ -166,7 +182,8 @@ macro_rules! registry {
             }),*]
         }
 
-        /// The law of the effect `id` with its numbers; `None` for an unknown one or too few numbers.
+        /// The law of the effect `id` with its numbers; `None` for an unknown one or too few
+        /// numbers.
         pub(super) fn build<S: Real>(
             id: &str,
             numbers: &mut dyn Iterator<Item = S>,

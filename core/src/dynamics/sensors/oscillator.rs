@@ -1,7 +1,8 @@
 //! A damped oscillator that follows a given drive: ẍ + 2 ζ ω ẋ + ω² x = u(t), three axes alike.
 //!
-//! The solution by its impulse response h(t) = e^{−ζωt} sin(ω_d t) / ω_d, ω_d = ω √(1 − ζ²), stepped on a grid of its own
-//! that is fine against ω; within a step ∫ h(t − s) u(s) ds by Gauss and Legendre. A constant drive is met exactly.
+//! The solution by its impulse response h(t) = e^{−ζωt} sin(ω_d t) / ω_d, ω_d = ω √(1 − ζ²),
+//! stepped on a grid of its own that is fine against ω; within a step ∫ h(t − s) u(s) ds by Gauss
+//! and Legendre. A constant drive is met exactly.
 
 use crate::dynamics::real::{Real, V3};
 use crate::error::{Error, Result};
@@ -24,7 +25,8 @@ const SLOPE: f64 = 1e-3;
 /// Place and velocity.
 type State<S> = (V3<S>, V3<S>);
 
-/// What an impulse does by the end of a time: [h, h'] of one at its beginning and of one at each node.
+/// What an impulse does by the end of a time: [h, h'] of one at its beginning and of one at each
+/// node.
 struct Responses<S> {
     whole: [S; 2],
     nodes: [[S; 2]; LEGENDRE.len()],
@@ -41,8 +43,8 @@ pub struct Driven<S: Real, D> {
 }
 
 impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
-    /// Follows the drive from `from_s`, before which it has followed for long what changed slowly or not at all; there the drive may jump, as
-    /// where a held hull is let go.
+    /// Follows the drive from `from_s`, before which it has followed for long what changed slowly
+    /// or not at all; there the drive may jump, as where a held hull is let go.
     pub fn new((omega, zeta): (S, S), (from_s, to_s): (f64, f64), drive: D) -> Result<Self> {
         let step_s = STEP / omega.value();
         let count = ((to_s - from_s) / step_s).ceil().max(1.0);
@@ -53,7 +55,14 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
                 omega.value(),
             ));
         }
-        let mut driven = Self { drive, omega, zeta, from_s, step_s, knots: Vec::new() };
+        let mut driven = Self {
+            drive,
+            omega,
+            zeta,
+            from_s,
+            step_s,
+            knots: Vec::new(),
+        };
         let mut state = driven.steady(S::constant(from_s.next_down()));
         let step = S::constant(step_s);
         let responses = driven.responses(step);
@@ -64,11 +73,13 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
         Ok(driven)
     }
 
-    /// What has followed the drive for long, as fast as that changed: x = (u − 2 ζ u̇/ω − (1 − 4 ζ²) ü/ω²) / ω² and its derivative, the
-    /// series of the steady response in Ω/ω, Ω the drive's frequency, to the second order. The derivatives are those before `t_s`.
+    /// What has followed the drive for long, as fast as that changed: x = (u − 2 ζ u̇/ω − (1 − 4
+    /// ζ²) ü/ω²) / ω² and its derivative, the series of the steady response in Ω/ω, Ω the drive's
+    /// frequency, to the second order. The derivatives are those before `t_s`.
     fn steady(&self, t_s: S) -> State<S> {
         let back_s = SLOPE / self.omega.value();
-        let [u, before, long_before] = [0.0, 1.0, 2.0].map(|n| (self.drive)(t_s - S::constant(n * back_s)));
+        let [u, before, long_before] =
+            [0.0, 1.0, 2.0].map(|n| (self.drive)(t_s - S::constant(n * back_s)));
         // Per radian of ω.
         let by = |x: V3<S>, n: i32| x.map(|x| x.scale(SLOPE.powi(-n)));
         let bend = by(u - before.map(|x| x.scale(2.0)) + long_before, 2);
@@ -99,7 +110,10 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
 
     fn responses(&self, time: S) -> Responses<S> {
         let nodes = LEGENDRE.map(|(node, _)| self.impulse(time.scale(1.0 - node)));
-        Responses { whole: self.impulse(time), nodes }
+        Responses {
+            whole: self.impulse(time),
+            nodes,
+        }
     }
 
     /// h and its derivative.
@@ -122,6 +136,10 @@ impl<S: Real, D: Fn(S) -> V3<S>> Driven<S, D> {
             self.after(n, time, &self.responses(time))
         };
         let damping = (self.zeta * self.omega).scale(2.0);
-        [x, v, (self.drive)(t_s) - v * damping - x * (self.omega * self.omega)]
+        [
+            x,
+            v,
+            (self.drive)(t_s) - v * damping - x * (self.omega * self.omega),
+        ]
     }
 }

@@ -8,11 +8,12 @@ use crate::error::{Error, Result};
 use super::oscillator::Driven;
 
 numbers! {
-    /// The phone is light against the hull and hangs in a spring and damper, alike along and about all axes: against the
-    /// hull it turns by θ̈ + 2 ζ ω θ̇ + ω² θ = −α and shifts by d̈ + 2 ζ ω ḋ + ω² d = −f, with the hull's angular
-    /// acceleration α and the specific force f at the phone's place (base excitation of an oscillator: e.g. D. J. Inman,
-    /// *Engineering Vibration*, sec. 2.4). θ is small. A frequency of 0 leaves its part out. On a hull that was held
-    /// the phone begins at rest; on one that swings already it has followed for long.
+    /// The phone is light against the hull and hangs in a spring and damper, alike along and about
+    /// all axes: against the hull it turns by θ̈ + 2 ζ ω θ̇ + ω² θ = −α and shifts by d̈ + 2 ζ ω ḋ
+    /// + ω² d = −f, with the hull's angular acceleration α and the specific force f at the phone's
+    /// place (base excitation of an oscillator: e.g. D. J. Inman, *Engineering Vibration*, sec.
+    /// 2.4). θ is small. A frequency of 0 leaves its part out. On a hull that was held the phone
+    /// begins at rest; on one that swings already it has followed for long.
     pub struct PhoneMountResonance {
         /// ω / 2π of the turn.
         turn_hz: "Hz",
@@ -20,16 +21,19 @@ numbers! {
         shift_hz: "Hz",
         /// ζ, below 1.
         damping_ratio: "1",
-        /// Where the mount turns about one axis only: that axis n, phone axes, of any size (0: about all).
+        /// Where the mount turns about one axis only: that axis n, phone axes, of any size (0:
+        /// about all).
         axis_x: "1",
         /// The same.
         axis_y: "1",
         /// The same.
         axis_z: "1",
-        /// Share of the hull's turning about that axis that drives it: 1 for a mount, anything for its parts alone.
+        /// Share of the hull's turning about that axis that drives it: 1 for a mount, anything for
+        /// its parts alone.
         turning_share: "1",
-        /// h, phone axes: height of the phone's centre of mass above the axis over its squared gyradius about it. The
-        /// turn is then driven by −n·(h × (f − f₀)) too, f₀ the specific force at rest.
+        /// h, phone axes: height of the phone's centre of mass above the axis over its squared
+        /// gyradius about it. The turn is then driven by −n·(h × (f − f₀)) too, f₀ the specific
+        /// force at rest.
         lever_x_per_m: "1/m",
         /// The same.
         lever_y_per_m: "1/m",
@@ -62,11 +66,19 @@ impl<S: Real> SensorEffect<S> for PhoneMountResonance<S> {
     fn check(&self) -> Result<()> {
         let slowest = self.turn_hz.value().min(self.shift_hz.value());
         if slowest < 0.0 {
-            return Err(Error::argument("phone_mount_resonance", "frequencies of 0 or above", slowest));
+            return Err(Error::argument(
+                "phone_mount_resonance",
+                "frequencies of 0 or above",
+                slowest,
+            ));
         }
         let zeta = self.damping_ratio.value();
         if !(0.0..1.0).contains(&zeta) {
-            return Err(Error::argument("phone_mount_resonance", "`damping_ratio` from 0 to below 1", zeta));
+            return Err(Error::argument(
+                "phone_mount_resonance",
+                "`damping_ratio` from 0 to below 1",
+                zeta,
+            ));
         }
         Ok(())
     }
@@ -94,7 +106,13 @@ impl<S: Real> SensorEffect<S> for PhoneMountResonance<S> {
             let [turn, turn_rate, _] = turn.as_ref().map_or_else(still, |turn| turn.at(t));
             let [shift, shift_rate, shift_acceleration] =
                 shift.as_ref().map_or_else(still, |shift| shift.at(t));
-            Offset { shift, shift_rate, shift_acceleration, turn, turn_rate }
+            Offset {
+                shift,
+                shift_rate,
+                shift_acceleration,
+                turn,
+                turn_rate,
+            }
         })))
     }
 }

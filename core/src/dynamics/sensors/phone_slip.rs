@@ -6,9 +6,9 @@ use crate::dynamics::real::{Real, V3};
 use crate::error::{Error, Result};
 
 numbers! {
-    /// From `at_s` on, over `over_s`, the phone turns by θ about an axis fixed in it and shifts by d: both times
-    /// s(u) = u³ (10 − 15 u + 6 u²), the fifth-degree step with no rate and no acceleration at its ends. What the slip
-    /// itself turns and accelerates is felt.
+    /// From `at_s` on, over `over_s`, the phone turns by θ about an axis fixed in it and shifts by
+    /// d: both times s(u) = u³ (10 − 15 u + 6 u²), the fifth-degree step with no rate and no
+    /// acceleration at its ends. What the slip itself turns and accelerates is felt.
     pub struct PhoneSlip {
         /// Start.
         at_s: "s",
@@ -44,13 +44,21 @@ fn step<S: Real>(u: S) -> [S; 3] {
     }
     let left = S::one() - u;
     let s = u * u * u * (S::constant(10.0) - u.scale(15.0) + (u * u).scale(6.0));
-    [s, (u * u * left * left).scale(30.0), (u * left * (left - u)).scale(60.0)]
+    [
+        s,
+        (u * u * left * left).scale(30.0),
+        (u * left * (left - u)).scale(60.0),
+    ]
 }
 
 impl<S: Real> SensorEffect<S> for PhoneSlip<S> {
     fn check(&self) -> Result<()> {
         let over_s = self.over_s.value();
-        if over_s > 0.0 { Ok(()) } else { Err(Error::argument("phone_slip", "`over_s` above 0", over_s)) }
+        if over_s > 0.0 {
+            Ok(())
+        } else {
+            Err(Error::argument("phone_slip", "`over_s` above 0", over_s))
+        }
     }
     fn own_motion<'a>(&'a self, _ride: &'a Ride<'a, S>) -> Result<Option<OwnMotion<'a, S>>> {
         let turn = V3::new(self.turn_x_rad, self.turn_y_rad, self.turn_z_rad);

@@ -6,8 +6,8 @@ use crate::dynamics::phone::Reading;
 use crate::dynamics::real::{Real, V3};
 
 numbers! {
-    /// r → q round(r / q); q = 0 leaves it out. Derivatives pass as if there were no steps, and none goes by q: what the
-    /// steps do to a fit is noise, variance q²/12.
+    /// r → q round(r / q); q = 0 leaves it out. Derivatives pass as if there were no steps, and
+    /// none goes by q: what the steps do to a fit is noise, variance q²/12.
     pub struct Quantisation {
         /// q of the gyroscope.
         gyro_rad_s: "rad/s",
@@ -22,7 +22,11 @@ impl<S> SensorDescribed for Quantisation<S> {
 }
 
 fn stepped<S: Real>(r: S, step: f64) -> S {
-    if step > 0.0 { r.chain(step * (r.value() / step).round(), 1.0) } else { r }
+    if step > 0.0 {
+        r.chain(step * (r.value() / step).round(), 1.0)
+    } else {
+        r
+    }
 }
 
 impl<S: Real> SensorEffect<S> for Quantisation<S> {

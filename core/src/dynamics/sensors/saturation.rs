@@ -6,8 +6,8 @@ use crate::dynamics::phone::Reading;
 use crate::dynamics::real::{Real, V3};
 
 numbers! {
-    /// r → min(max(r, −R), R); R = 0 leaves it out. A reading at the limit follows the limit: its derivative by R is ±1,
-    /// by everything else 0.
+    /// r → min(max(r, −R), R); R = 0 leaves it out. A reading at the limit follows the limit: its
+    /// derivative by R is ±1, by everything else 0.
     pub struct Saturation {
         /// R of the gyroscope.
         gyro_rad_s: "rad/s",
@@ -22,7 +22,11 @@ impl<S> SensorDescribed for Saturation<S> {
 }
 
 fn clipped<S: Real>(r: S, limit: S) -> S {
-    if limit.value() <= 0.0 || r.value().abs() <= limit.value() { r } else { limit.scale(r.value().signum()) }
+    if limit.value() <= 0.0 || r.value().abs() <= limit.value() {
+        r
+    } else {
+        limit.scale(r.value().signum())
+    }
 }
 
 impl<S: Real> SensorEffect<S> for Saturation<S> {

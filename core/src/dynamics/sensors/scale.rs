@@ -47,6 +47,8 @@ impl<S> SensorDescribed for AccScale<S> {
 
 impl<S: Real> SensorEffect<S> for AccScale<S> {
     fn distort(&self, _clock_s: S, reading: &mut Reading<S>) {
-        reading.force += reading.force.component_mul(&V3::new(self.x, self.y, self.z));
+        reading.force += reading
+            .force
+            .component_mul(&V3::new(self.x, self.y, self.z));
     }
 }

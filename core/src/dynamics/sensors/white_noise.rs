@@ -24,7 +24,13 @@ impl<S: Real> SensorEffect<S> for WhiteNoise<S> {
     fn draws(&self) -> usize {
         6
     }
-    fn add_noise(&self, _since_s: Option<f64>, draws: &[f64], _states: &mut [S], reading: &mut Reading<S>) {
+    fn add_noise(
+        &self,
+        _since_s: Option<f64>,
+        draws: &[f64],
+        _states: &mut [S],
+        reading: &mut Reading<S>,
+    ) {
         reading.gyro += V3::from_fn(|i, _| self.gyro_rad_s.scale(draws[i]));
         reading.force += V3::from_fn(|i, _| self.acc_m_s2.scale(draws[3 + i]));
     }

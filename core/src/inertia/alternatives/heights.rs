@@ -11,18 +11,32 @@ pub fn routes(benches: &[Bench]) -> Vec<RouteCalculation> {
     let mut found = Vec::new();
     for (i, a) in benches.iter().enumerate() {
         let alike = |b: &&Bench| b.orientation() == a.orientation();
-        found.extend(benches[i + 1..].iter().filter(alike).filter_map(|b| two_heights(a, b)).flatten());
+        found.extend(
+            benches[i + 1..]
+                .iter()
+                .filter(alike)
+                .filter_map(|b| two_heights(a, b))
+                .flatten(),
+        );
     }
     found
 }
 
 fn two_heights(a: &Bench, b: &Bench) -> Option<[RouteCalculation; 2]> {
-    let height_and_period =
-        |bench: &Bench| Some((bench.stated(bench.index().axis_height)?, bench.period(ModeName::Compound)?));
-    let ((height_a, period_a), (height_b, period_b)) = (height_and_period(a)?, height_and_period(b)?);
+    let height_and_period = |bench: &Bench| {
+        Some((
+            bench.stated(bench.index().axis_height)?,
+            bench.period(ModeName::Compound)?,
+        ))
+    };
+    let ((height_a, period_a), (height_b, period_b)) =
+        (height_and_period(a)?, height_and_period(b)?);
     let parts = [&height_a, &period_a, &height_b, &period_b, &a.gravity()];
     let both = |v: &[f64]| -> crate::Result<Lamboley> {
-        let at = |i: usize| HeightAndPeriod { axis_height_m: v[i], period_s: v[i + 1] };
+        let at = |i: usize| HeightAndPeriod {
+            axis_height_m: v[i],
+            period_s: v[i + 1],
+        };
         lamboley(at(0), at(2), v[4])
     };
     let (k_name, about) = a.compound_quantity();
@@ -34,7 +48,8 @@ fn two_heights(a: &Bench, b: &Bench) -> Option<[RouteCalculation; 2]> {
         figure,
         interval_95: None,
     };
-    let gyradius = Traced::combine(&parts, |v| Ok(a.share.gyradii[about] * both(v)?.gyradius_m)).ok()?;
+    let gyradius =
+        Traced::combine(&parts, |v| Ok(a.share.gyradii[about] * both(v)?.gyradius_m)).ok()?;
     let depth = Traced::combine(&parts, |v| Ok(both(v)?.cm_depth_m + a.share.depth_m)).ok()?;
     Some([route(k_name, gyradius), route("cm_depth_m", depth)])
 }

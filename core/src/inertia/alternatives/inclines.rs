@@ -12,10 +12,20 @@ use super::{RouteCalculation, stated};
 
 /// Each incline by itself.
 pub fn routes(system: &System, solution: &Solution) -> Vec<RouteCalculation> {
-    let Some(depth_shift_m) = hull_above_hanging_m(system, solution) else { return vec![] };
-    let ends = system.observations.iter().filter_map(|o| one_end(system, o, depth_shift_m));
-    let moved = system.observations.iter().filter_map(|o| moved_points(system, o, depth_shift_m));
-    ends.chain(moved).chain(both_ends(system, depth_shift_m)).collect()
+    let Some(depth_shift_m) = hull_above_hanging_m(system, solution) else {
+        return vec![];
+    };
+    let ends = system
+        .observations
+        .iter()
+        .filter_map(|o| one_end(system, o, depth_shift_m));
+    let moved = system
+        .observations
+        .iter()
+        .filter_map(|o| moved_points(system, o, depth_shift_m));
+    ends.chain(moved)
+        .chain(both_ends(system, depth_shift_m))
+        .collect()
 }
 
 /// How much deeper the hull's own centre lies than that of everything that hangs, m.
@@ -25,8 +35,14 @@ fn hull_above_hanging_m(system: &System, solution: &Solution) -> Option<f64> {
     Some(-hull.cm_m.z - solution.x[depth].exp())
 }
 
-fn one_end(system: &System, observed: &Observation, depth_shift_m: f64) -> Option<RouteCalculation> {
-    let Observed::Incline(i) = observed.what else { return None };
+fn one_end(
+    system: &System,
+    observed: &Observation,
+    depth_shift_m: f64,
+) -> Option<RouteCalculation> {
+    let Observed::Incline(i) = observed.what else {
+        return None;
+    };
     let incline = &system.session.inclines[i];
     let angle = Traced::input(observed.label.clone(), observed.value);
     let figure = Traced::combine(&[&angle, &stated(system, system.layout.mass)], |v| {
@@ -49,8 +65,14 @@ fn one_end(system: &System, observed: &Observation, depth_shift_m: f64) -> Optio
 }
 
 /// Suspension points moved along the deck, and the tilt that follows.
-fn moved_points(system: &System, observed: &Observation, depth_shift_m: f64) -> Option<RouteCalculation> {
-    let Observed::Moved(i) = observed.what else { return None };
+fn moved_points(
+    system: &System,
+    observed: &Observation,
+    depth_shift_m: f64,
+) -> Option<RouteCalculation> {
+    let Observed::Moved(i) = observed.what else {
+        return None;
+    };
     let moved_m = Traced::input(observed.label.clone(), observed.value);
     let pitch_deg = stated(system, system.layout.swings[i].pitch_deg);
     let figure = Traced::combine(&[&moved_m, &pitch_deg], |v| {
@@ -81,7 +103,11 @@ fn both_ends(system: &System, depth_shift_m: f64) -> Option<RouteCalculation> {
         return None;
     }
     let angle = |o: &Observation| Traced::input(o.label.clone(), o.value);
-    let parts = [&angle(bow_seen), &angle(stern_seen), &stated(system, system.layout.mass)];
+    let parts = [
+        &angle(bow_seen),
+        &angle(stern_seen),
+        &stated(system, system.layout.mass),
+    ];
     let figure = Traced::combine(&parts, |v| {
         let test = BothEnds {
             mass_ratio: bow.mass_kg.value / v[2],

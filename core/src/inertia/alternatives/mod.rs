@@ -1,8 +1,9 @@
 //! The paper's single routes, run on a session beside the joint estimate.
 //!
-//! Each route is a function of named inputs with uncertainties, so that two routes know what they share.
-//! The routes give the body as it hangs; [`HullShare`] brings them to the hull alone by the joint estimate's own ratio
-//! (hull over hanging body), so that all figures of one quantity mean the same thing.
+//! Each route is a function of named inputs with uncertainties, so that two routes know what they
+//! share. The routes give the body as it hangs; [`HullShare`] brings them to the hull alone by the
+//! joint estimate's own ratio (hull over hanging body), so that all figures of one quantity mean
+//! the same thing.
 
 mod heights;
 mod inclines;
@@ -55,19 +56,31 @@ impl RouteCalculation {
     }
 }
 
-/// All single routes that a session's observations allow; `beats` are those counted in the swings' records.
-pub fn routes(system: &System, solution: &Solution, beats: &[Option<CountedBeat>]) -> Vec<RouteCalculation> {
+/// All single routes that a session's observations allow; `beats` are those counted in the swings'
+/// records.
+pub fn routes(
+    system: &System,
+    solution: &Solution,
+    beats: &[Option<CountedBeat>],
+) -> Vec<RouteCalculation> {
     let mut found = of_figures(system, solution, beats);
     simplified::widen(system, solution, &mut found);
     found
 }
 
 /// The routes on the figures as they stand in the system.
-fn of_figures(system: &System, solution: &Solution, beats: &[Option<CountedBeat>]) -> Vec<RouteCalculation> {
-    let benches: Vec<Bench> =
-        (0..system.session.swings.len()).filter_map(|i| Bench::of(system, solution, i)).collect();
-    let mut found: Vec<RouteCalculation> =
-        benches.iter().flat_map(|bench| swings::routes(bench, solution, beats)).collect();
+fn of_figures(
+    system: &System,
+    solution: &Solution,
+    beats: &[Option<CountedBeat>],
+) -> Vec<RouteCalculation> {
+    let benches: Vec<Bench> = (0..system.session.swings.len())
+        .filter_map(|i| Bench::of(system, solution, i))
+        .collect();
+    let mut found: Vec<RouteCalculation> = benches
+        .iter()
+        .flat_map(|bench| swings::routes(bench, solution, beats))
+        .collect();
     found.extend(heights::routes(&benches));
     let rolls: Vec<&RouteCalculation> = found.iter().filter(|r| r.quantity == "k_roll_m").collect();
     let tilted = tilts::routes(&benches, &rolls);
@@ -83,8 +96,8 @@ struct Bench<'a> {
     share: HullShare,
 }
 
-/// Hull-alone over hanging-body figures by the joint estimate: gyradii about the directions that are x, y, z in this
-/// hanging, and the difference in depth.
+/// Hull-alone over hanging-body figures by the joint estimate: gyradii about the directions that
+/// are x, y, z in this hanging, and the difference in depth.
 struct HullShare {
     gyradii: [f64; 3],
     depth_m: f64,
@@ -95,15 +108,29 @@ impl<'a> Bench<'a> {
         let (layout, index) = (&system.layout, &system.layout.swings[swing]);
         let hanging = swing_body(layout, &solution.x, &system.session.swings[swing], index).ok()?;
         let alone = hull_alone(system.session, layout, &solution.x, index.log_depth).ok()?;
-        let turned = alone.rotated(world_from_hull_pitched(solution.x[index.pitch_deg].to_radians()));
-        let k =
-            |body: &crate::dynamics::RigidBody, i: usize| (body.inertia_kg_m2[(i, i)] / body.mass_kg).sqrt();
+        let turned = alone.rotated(world_from_hull_pitched(
+            solution.x[index.pitch_deg].to_radians(),
+        ));
+        let k = |body: &crate::dynamics::RigidBody, i: usize| {
+            (body.inertia_kg_m2[(i, i)] / body.mass_kg).sqrt()
+        };
         let gyradii = std::array::from_fn(|i| k(&turned, i) / k(&hanging, i));
-        Some(Bench { system, swing, share: HullShare { gyradii, depth_m: hanging.cm_m.z - alone.cm_m.z } })
+        Some(Bench {
+            system,
+            swing,
+            share: HullShare {
+                gyradii,
+                depth_m: hanging.cm_m.z - alone.cm_m.z,
+            },
+        })
     }
 
     fn period(&self, mode: ModeName) -> Option<Traced> {
-        let found = self.system.periods.iter().find(|o| o.what == Observed::Period(self.swing, mode))?;
+        let found = self
+            .system
+            .periods
+            .iter()
+            .find(|o| o.what == Observed::Period(self.swing, mode))?;
         Some(Traced::input(found.label.clone(), found.value))
     }
 
@@ -125,10 +152,13 @@ impl<'a> Bench<'a> {
     }
 
     fn orientation(&self) -> Orientation {
-        self.system.session.swings[self.swing].suspension.orientation
+        self.system.session.swings[self.swing]
+            .suspension
+            .orientation
     }
 
-    /// The gyradius that a compound pendulum on this suspension has, and the direction it turns about.
+    /// The gyradius that a compound pendulum on this suspension has, and the direction it turns
+    /// about.
     fn compound_quantity(&self) -> (&'static str, usize) {
         match self.orientation() {
             Orientation::Athwartships => ("k_pitch_m", 1),
@@ -137,7 +167,11 @@ impl<'a> Bench<'a> {
     }
 
     fn is_level(&self) -> bool {
-        self.system.layout.parameters[self.index().pitch_deg].prior.value.abs() < LEVEL_DEG
+        self.system.layout.parameters[self.index().pitch_deg]
+            .prior
+            .value
+            .abs()
+            < LEVEL_DEG
     }
 
     fn is_parallel(&self) -> bool {

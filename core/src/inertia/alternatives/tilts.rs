@@ -1,5 +1,5 @@
-//! Routes through several hangings: roll gyradius from tilted yaw (25, 26), ψ from one tilt (4) or from three and more by
-//! least squares (3).
+//! Routes through several hangings: roll gyradius from tilted yaw (25, 26), ψ from one tilt (4) or
+//! from three and more by least squares (3).
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -29,7 +29,11 @@ impl TiltedYaw {
     fn of(bench: &Bench) -> Option<Self> {
         let degrees = bench.stated(Some(bench.index().pitch_deg))?;
         let pitch = Traced::combine(&[&degrees], |v| Ok(v[0].to_radians())).ok()?;
-        Some(TiltedYaw { id: bench.id(), gyradius: yaw_gyradius(bench)?, pitch })
+        Some(TiltedYaw {
+            id: bench.id(),
+            gyradius: yaw_gyradius(bench)?,
+            pitch,
+        })
     }
 
     fn is_tilted(&self) -> bool {
@@ -39,10 +43,16 @@ impl TiltedYaw {
 
 /// Every route through tilted yaw; `rolls` are the single routes to the roll gyradius from swings.
 pub fn routes(benches: &[Bench], rolls: &[&RouteCalculation]) -> Vec<RouteCalculation> {
-    let level = benches.iter().filter(|b| b.is_level()).filter_map(TiltedYaw::of);
+    let level = benches
+        .iter()
+        .filter(|b| b.is_level())
+        .filter_map(TiltedYaw::of);
     let level = level.min_by(|a, b| a.gyradius.u().total_cmp(&b.gyradius.u()));
-    let tilted: Vec<TiltedYaw> =
-        benches.iter().filter_map(TiltedYaw::of).filter(TiltedYaw::is_tilted).collect();
+    let tilted: Vec<TiltedYaw> = benches
+        .iter()
+        .filter_map(TiltedYaw::of)
+        .filter(TiltedYaw::is_tilted)
+        .collect();
     let mut found = Vec::new();
     if let Some(level) = &level {
         for (i, a) in tilted.iter().enumerate() {
@@ -57,10 +67,19 @@ pub fn routes(benches: &[Bench], rolls: &[&RouteCalculation]) -> Vec<RouteCalcul
 
 fn roll_of(level: &TiltedYaw, a: &TiltedYaw, b: &TiltedYaw) -> Option<RouteCalculation> {
     let apart_deg = (a.pitch.value - b.pitch.value).abs().to_degrees();
-    let parts = [&level.gyradius, &a.gyradius, &b.gyradius, &a.pitch, &b.pitch];
+    let parts = [
+        &level.gyradius,
+        &a.gyradius,
+        &b.gyradius,
+        &a.pitch,
+        &b.pitch,
+    ];
     let right_angle = (apart_deg - 90.0).abs() < RIGHT_ANGLE_DEG;
-    let (method, equation) =
-        if right_angle { ("tilted_yaw_right_angle", "(26)") } else { ("tilted_yaw", "(25)") };
+    let (method, equation) = if right_angle {
+        ("tilted_yaw_right_angle", "(26)")
+    } else {
+        ("tilted_yaw", "(25)")
+    };
     let figure = Traced::combine(&parts, |v| match right_angle {
         true => roll_gyradius_right_angle_m(v[0], v[1], v[2]),
         false => roll_gyradius_m(v[0], (v[1], v[3]), (v[2], v[4])),
@@ -77,23 +96,55 @@ fn roll_of(level: &TiltedYaw, a: &TiltedYaw, b: &TiltedYaw) -> Option<RouteCalcu
 }
 
 /// (4) from a level yaw, a tilted yaw and a roll.
-fn psi_of_one(roll: &RouteCalculation, level: &TiltedYaw, tilted: &TiltedYaw) -> Option<RouteCalculation> {
-    let parts = [&roll.figure, &level.gyradius, &tilted.gyradius, &tilted.pitch];
-    let psi_deg =
-        |v: &[f64]| -> Result<f64> { Ok(from_one_tilt(v[0], v[1], v[2], v[3])?.psi_rad.to_degrees()) };
+fn psi_of_one(
+    roll: &RouteCalculation,
+    level: &TiltedYaw,
+    tilted: &TiltedYaw,
+) -> Option<RouteCalculation> {
+    let parts = [
+        &roll.figure,
+        &level.gyradius,
+        &tilted.gyradius,
+        &tilted.pitch,
+    ];
+    let psi_deg = |v: &[f64]| -> Result<f64> {
+        Ok(from_one_tilt(v[0], v[1], v[2], v[3])?.psi_rad.to_degrees())
+    };
     let figure = Traced::combine(&parts, psi_deg).ok()?;
-    let from = roll.from.iter().chain([&level.id, &tilted.id]).cloned().collect();
+    let from = roll
+        .from
+        .iter()
+        .chain([&level.id, &tilted.id])
+        .cloned()
+        .collect();
     let (quantity, method, equation) = ("psi_deg", "one_tilt", "(3), (4)");
-    Some(RouteCalculation { quantity, method, equation, from, figure, interval_95: None })
+    Some(RouteCalculation {
+        quantity,
+        method,
+        equation,
+        from,
+        figure,
+        interval_95: None,
+    })
 }
 
-/// Roll gyradius and ψ from three or more tilts, a roll counting as a tilt of a right angle. Fieller's interval of ψ.
-fn least_squares(yaws: &[&TiltedYaw], roll: Option<&RouteCalculation>) -> Option<Vec<RouteCalculation>> {
-    let upright = Traced { value: FRAC_PI_2, by_input: Default::default() };
+/// Roll gyradius and ψ from three or more tilts, a roll counting as a tilt of a right angle.
+/// Fieller's interval of ψ.
+fn least_squares(
+    yaws: &[&TiltedYaw],
+    roll: Option<&RouteCalculation>,
+) -> Option<Vec<RouteCalculation>> {
+    let upright = Traced {
+        value: FRAC_PI_2,
+        by_input: Default::default(),
+    };
     let mut rows: Vec<(&Traced, &Traced)> = yaws.iter().map(|y| (&y.gyradius, &y.pitch)).collect();
     rows.extend(roll.map(|roll| (&roll.figure, &upright)));
     let shared = shared_inputs(&rows);
-    let tilts: Vec<Tilt> = rows.iter().map(|(k, pitch)| tilt(k, pitch, &shared)).collect();
+    let tilts: Vec<Tilt> = rows
+        .iter()
+        .map(|(k, pitch)| tilt(k, pitch, &shared))
+        .collect();
     let fit = fit_tilts(&tilts, 0.0).ok()?;
     let mut from: Vec<String> = yaws.iter().map(|y| y.id.clone()).collect();
     from.extend(roll.iter().flat_map(|roll| roll.from.clone()));
@@ -111,21 +162,34 @@ fn least_squares(yaws: &[&TiltedYaw], roll: Option<&RouteCalculation>) -> Option
             interval_95,
         }));
     };
-    push("k_roll_m", Traced::combine(&parts, |v| Ok(again(v)?.k_roll_m.value)), None);
+    push(
+        "k_roll_m",
+        Traced::combine(&parts, |v| Ok(again(v)?.k_roll_m.value)),
+        None,
+    );
     let psi = Traced::combine(&parts, |v| Ok(again(v)?.principal.psi_rad.to_degrees()));
-    push("psi_deg", psi, Some(fit.psi_interval_95_rad.map(f64::to_degrees)));
+    push(
+        "psi_deg",
+        psi,
+        Some(fit.psi_interval_95_rad.map(f64::to_degrees)),
+    );
     Some(found)
 }
 
 /// Inputs of all gyradii, the spacing for one: they scale them together and turn no axis.
 fn shared_inputs(rows: &[(&Traced, &Traced)]) -> Vec<String> {
-    let Some(((first, _), rest)) = rows.split_first() else { return vec![] };
+    let Some(((first, _), rest)) = rows.split_first() else {
+        return vec![];
+    };
     let in_all = |name: &&String| rest.iter().all(|(k, _)| k.by_input.contains_key(*name));
     first.by_input.keys().filter(in_all).cloned().collect()
 }
 
 fn tilt(gyradius: &Traced, pitch: &Traced, shared: &[String]) -> Tilt {
-    let own = gyradius.by_input.iter().filter(|(name, _)| !shared.contains(name));
+    let own = gyradius
+        .by_input
+        .iter()
+        .filter(|(name, _)| !shared.contains(name));
     let own_u = own.map(|(_, change)| change * change).sum::<f64>().sqrt();
     Tilt {
         pitch_rad: Quantity::new(pitch.value, pitch.u()),

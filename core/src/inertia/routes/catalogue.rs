@@ -1,5 +1,5 @@
-//! The one door to every route by name: inputs and outputs as named numbers, for test vectors that every language runs
-//! and for users who look a formula up.
+//! The one door to every route by name: inputs and outputs as named numbers, for test vectors that
+//! every language runs and for users who look a formula up.
 
 use std::collections::BTreeMap;
 
@@ -47,7 +47,8 @@ pub(super) struct Inputs<'a>(&'a Numbers);
 
 impl Inputs<'_> {
     pub(super) fn get(&self, name: &str) -> Result<f64> {
-        self.optional(name).ok_or_else(|| Error::argument(name, "a number", "none"))
+        self.optional(name)
+            .ok_or_else(|| Error::argument(name, "a number", "none"))
     }
 
     pub(super) fn optional(&self, name: &str) -> Option<f64> {
@@ -61,10 +62,15 @@ impl Inputs<'_> {
     /// No input of a numbered slot may stand beyond a gap, where it would be read by nobody.
     pub(super) fn numbered_up_to(&self, pattern: &str, last: usize) -> Result<()> {
         let beyond = |key: &&String| {
-            matches(pattern, key) && !(1..=last).any(|n| **key == pattern.replace('#', &n.to_string()))
+            matches(pattern, key)
+                && !(1..=last).any(|n| **key == pattern.replace('#', &n.to_string()))
         };
         match self.0.keys().find(beyond) {
-            Some(key) => Err(Error::argument(key, format!("numbers from 1 to {last}, without gaps"), key)),
+            Some(key) => Err(Error::argument(
+                key,
+                format!("numbers from 1 to {last}, without gaps"),
+                key,
+            )),
             None => Ok(()),
         }
     }
@@ -84,8 +90,8 @@ pub fn catalogue() -> &'static [CatalogueEntry] {
 /// Outputs of the route of this name.
 ///
 /// # Errors
-/// [`Error::Argument`] for an unknown route, an unknown or missing input, and whatever is outside the domain;
-/// [`Error::NoResult`] where the inputs contradict each other.
+/// [`Error::Argument`] for an unknown route, an unknown or missing input, and whatever is outside
+/// the domain; [`Error::NoResult`] where the inputs contradict each other.
 pub fn evaluate(name: &str, inputs: &Numbers) -> Result<Numbers> {
     let entry = find(name)?;
     check_names(entry, inputs)?;
@@ -93,34 +99,57 @@ pub fn evaluate(name: &str, inputs: &Numbers) -> Result<Numbers> {
         finite(key, *value)?;
     }
     let values = (entry.function)(&Inputs(inputs))?;
-    let named = |(slot, value): (&Slot, f64)| Ok((slot.name.to_string(), result(slot.name, value)?));
+    let named =
+        |(slot, value): (&Slot, f64)| Ok((slot.name.to_string(), result(slot.name, value)?));
     entry.outputs.iter().zip(values).map(named).collect()
 }
 
 /// One output of a route with its uncertainty; contributions in the order of the inputs' names.
-pub fn evaluate_with_u(name: &str, inputs: &BTreeMap<String, Quantity>, output: &str) -> Result<Propagated> {
+pub fn evaluate_with_u(
+    name: &str,
+    inputs: &BTreeMap<String, Quantity>,
+    output: &str,
+) -> Result<Propagated> {
     let quantities: Vec<Quantity> = inputs.values().copied().collect();
     propagate(&quantities, |values| {
         let numbers = inputs.keys().cloned().zip(values.iter().copied()).collect();
         let outputs = evaluate(name, &numbers)?;
         let known = || outputs.keys().cloned().collect::<Vec<_>>().join(", ");
-        outputs.get(output).copied().ok_or_else(|| Error::argument("output", known(), output))
+        outputs
+            .get(output)
+            .copied()
+            .ok_or_else(|| Error::argument("output", known(), output))
     })
 }
 
 fn find(name: &str) -> Result<&'static CatalogueEntry> {
-    ROUTES.iter().find(|entry| entry.name == name).ok_or_else(|| {
-        let near = |entry: &&CatalogueEntry| (1000.0 * strsim::jaro_winkler(entry.name, name)) as i64;
-        let nearest = ROUTES.iter().max_by_key(near).map_or("", |entry| entry.name);
-        Error::argument("route", format!("a route of the catalogue (the nearest is `{nearest}`)"), name)
-    })
+    ROUTES
+        .iter()
+        .find(|entry| entry.name == name)
+        .ok_or_else(|| {
+            let near =
+                |entry: &&CatalogueEntry| (1000.0 * strsim::jaro_winkler(entry.name, name)) as i64;
+            let nearest = ROUTES
+                .iter()
+                .max_by_key(near)
+                .map_or("", |entry| entry.name);
+            Error::argument(
+                "route",
+                format!("a route of the catalogue (the nearest is `{nearest}`)"),
+                name,
+            )
+        })
 }
 
 fn check_names(entry: &CatalogueEntry, inputs: &Numbers) -> Result<()> {
     for slot in entry.inputs.iter().filter(|slot| slot.required) {
         let name = slot.name.replace('#', "1");
         if !inputs.contains_key(&name) {
-            return Err(Error::argument(&name, format!("a number, {}", slot.unit), "none"));
+            return Err(Error::argument(
+                &name,
+                format!("a number, {}", slot.unit),
+                "none",
+            ));
         }
     }
     for key in inputs.keys() {
@@ -133,7 +162,15 @@ fn check_names(entry: &CatalogueEntry, inputs: &Numbers) -> Result<()> {
 }
 
 fn matches(pattern: &str, key: &str) -> bool {
-    let Some((head, tail)) = pattern.split_once('#') else { return pattern == key };
-    let number = key.strip_prefix(head).and_then(|rest| rest.strip_suffix(tail));
-    number.is_some_and(|digits| digits.parse::<u16>().is_ok_and(|n| n > 0 && n.to_string() == digits))
+    let Some((head, tail)) = pattern.split_once('#') else {
+        return pattern == key;
+    };
+    let number = key
+        .strip_prefix(head)
+        .and_then(|rest| rest.strip_suffix(tail));
+    number.is_some_and(|digits| {
+        digits
+            .parse::<u16>()
+            .is_ok_and(|n| n > 0 && n.to_string() == digits)
+    })
 }

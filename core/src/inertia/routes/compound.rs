@@ -1,8 +1,9 @@
 //! Compound pendulum: a hull on a fixed horizontal axis (eqs. 22–24), and Lamboley's two heights.
 //!
 //! # Conventions
-//! a is the depth of the centre of mass below the axis; a = l0 + l2, with l0 (`axis_height_m`) the height of the axis
-//! above the hull's suspension points and l2 (`cm_depth_m`) the depth of the centre below them.
+//! a is the depth of the centre of mass below the axis; a = l0 + l2, with l0 (`axis_height_m`) the
+//! height of the axis above the hull's suspension points and l2 (`cm_depth_m`) the depth of the
+//! centre below them.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +14,10 @@ use crate::{Error, Result};
 pub fn period_s(gyradius_m: f64, axis_to_cm_m: f64, gravity_m_s2: f64) -> Result<f64> {
     let k = not_negative("gyradius_m", gyradius_m)?;
     let a = positive("axis_to_cm_m", axis_to_cm_m)?;
-    result("period", TAU * ((a * a + k * k) / (a * positive("gravity_m_s2", gravity_m_s2)?)).sqrt()) // (22)
+    result(
+        "period",
+        TAU * ((a * a + k * k) / (a * positive("gravity_m_s2", gravity_m_s2)?)).sqrt(),
+    ) // (22)
 }
 
 /// Gyradius about the axis through the centre of mass, m.
@@ -43,7 +47,7 @@ pub fn slopes(gyradius_m: f64, axis_to_cm_m: f64, gravity_m_s2: f64) -> Result<S
     let a = positive("axis_to_cm_m", axis_to_cm_m)?;
     let g = positive("gravity_m_s2", gravity_m_s2)?;
     Ok(Slopes {
-        by_axis_to_cm: (k * k - a * a) / (2.0 * k * a),         // (24)
+        by_axis_to_cm: (k * k - a * a) / (2.0 * k * a), // (24)
         by_period_m_s: (a * g).sqrt() / (TAU * k) * k.hypot(a), // (24)
     })
 }
@@ -67,14 +71,23 @@ pub struct Lamboley {
 }
 
 /// Gyradius and depth from two axis heights: (23) for both, the same k, a₂ = a₁ + Δ.
-pub fn lamboley(first: HeightAndPeriod, second: HeightAndPeriod, gravity_m_s2: f64) -> Result<Lamboley> {
+pub fn lamboley(
+    first: HeightAndPeriod,
+    second: HeightAndPeriod,
+    gravity_m_s2: f64,
+) -> Result<Lamboley> {
     let start = finite("axis_height_m", first.axis_height_m)?;
     let rise = finite("axis_height_m", second.axis_height_m)? - start;
     if rise == 0.0 {
-        return Err(Error::no_result("Lamboley test", "both swings have the same axis height"));
+        return Err(Error::no_result(
+            "Lamboley test",
+            "both swings have the same axis height",
+        ));
     }
-    let reduced =
-        [reduced_length_m(first.period_s, gravity_m_s2)?, reduced_length_m(second.period_s, gravity_m_s2)?];
+    let reduced = [
+        reduced_length_m(first.period_s, gravity_m_s2)?,
+        reduced_length_m(second.period_s, gravity_m_s2)?,
+    ];
     // c₁ a − a² = c₂ (a + Δ) − (a + Δ)², linear in a = a₁.
     let a = rise * (reduced[1] - rise) / (reduced[0] - reduced[1] + 2.0 * rise);
     if !(a.is_finite() && a > 0.0 && a + rise > 0.0) {
@@ -84,5 +97,8 @@ pub fn lamboley(first: HeightAndPeriod, second: HeightAndPeriod, gravity_m_s2: f
         ));
     }
     let gyradius_m = root("Lamboley gyradius", a * (reduced[0] - a))?; // (23)
-    Ok(Lamboley { gyradius_m, cm_depth_m: a - start })
+    Ok(Lamboley {
+        gyradius_m,
+        cm_depth_m: a - start,
+    })
 }

@@ -1,4 +1,5 @@
-//! Domains of the routes' arguments: what is outside is an error that names the argument, never a NaN.
+//! Domains of the routes' arguments: what is outside is an error that names the argument, never a
+//! NaN.
 
 use crate::{Error, Result};
 
@@ -22,7 +23,11 @@ pub(super) fn not_negative(name: &str, value: f64) -> Result<f64> {
 
 /// Any finite number.
 pub(super) fn finite(name: &str, value: f64) -> Result<f64> {
-    if value.is_finite() { Ok(value) } else { Err(Error::argument(name, "a finite number", value)) }
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::argument(name, "a finite number", value))
+    }
 }
 
 /// A number strictly between two bounds.
@@ -30,7 +35,11 @@ pub(super) fn between(name: &str, value: f64, low: f64, high: f64) -> Result<f64
     if value > low && value < high {
         Ok(value)
     } else {
-        Err(Error::argument(name, format!("a number between {low} and {high}"), value))
+        Err(Error::argument(
+            name,
+            format!("a number between {low} and {high}"),
+            value,
+        ))
     }
 }
 
@@ -51,6 +60,9 @@ pub(super) fn result(what: &str, value: f64) -> Result<f64> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(Error::no_result(what, "the formula has no finite value for these inputs"))
+        Err(Error::no_result(
+            what,
+            "the formula has no finite value for these inputs",
+        ))
     }
 }

@@ -1,9 +1,11 @@
-//! Pitch–surge (or, on a fore-and-aft suspension, roll–sway) double pendulum: periods from gyradius and depth
-//! (eqs. 16, 19), gyradius and depth from periods (17, 18), and the line length that serves best (Figs. 16, 17).
+//! Pitch–surge (or, on a fore-and-aft suspension, roll–sway) double pendulum: periods from gyradius
+//! and depth (eqs. 16, 19), gyradius and depth from periods (17, 18), and the line length that
+//! serves best (Figs. 16, 17).
 //!
 //! # Conventions
-//! Modes are named by what they are: `in_phase` has the long period, `out_of_phase` the short one (print and text
-//! of the paper number them differently). Always T_out < T_s < T_in, T_s being the simple pendulum's period (7).
+//! Modes are named by what they are: `in_phase` has the long period, `out_of_phase` the short one
+//! (print and text of the paper number them differently). Always T_out < T_s < T_in, T_s being the
+//! simple pendulum's period (7).
 
 use std::f64::consts::TAU;
 
@@ -29,8 +31,13 @@ pub struct GyradiusAndDepth {
     pub cm_depth_m: f64,
 }
 
-/// Small-amplitude periods of a hull of gyradius k with its centre l2 below the points, on lines of length l1.
-pub fn periods_s(body: &GyradiusAndDepth, line_length_m: f64, gravity_m_s2: f64) -> Result<Periods> {
+/// Small-amplitude periods of a hull of gyradius k with its centre l2 below the points, on lines of
+/// length l1.
+pub fn periods_s(
+    body: &GyradiusAndDepth,
+    line_length_m: f64,
+    gravity_m_s2: f64,
+) -> Result<Periods> {
     let k2 = positive("gyradius_m", body.gyradius_m)?.powi(2);
     let l2 = positive("cm_depth_m", body.cm_depth_m)?;
     let l1 = positive("line_length_m", line_length_m)?;
@@ -56,15 +63,19 @@ pub fn from_sway_period(
     let slow = positive("in_phase_period_s", periods.in_phase_s)?;
     let sway = positive("sway_period_s", sway_period_s)?;
     if !(fast < sway && sway < slow) {
-        let reason =
-            format!("periods must stand out of phase < sway < in phase, found {fast}, {sway}, {slow} s");
+        let reason = format!(
+            "periods must stand out of phase < sway < in phase, found {fast}, {sway}, {slow} s"
+        );
         return Err(Error::no_result("double pendulum", reason));
     }
     let scale = positive("gravity_m_s2", gravity_m_s2)? / (TAU * sway).powi(2);
     let product = (sway - fast) * (sway + fast) * ((slow - sway) * (slow + sway));
     let cm_depth_m = scale * product; // (17)
     let gyradius_m = scale * fast * slow * root("gyradius", product)?; // (18)
-    Ok(GyradiusAndDepth { gyradius_m, cm_depth_m })
+    Ok(GyradiusAndDepth {
+        gyradius_m,
+        cm_depth_m,
+    })
 }
 
 /// Gyradius and depth from the two periods and a line length: (17), (18) with T_s from (7).
@@ -73,7 +84,11 @@ pub fn from_line_length(
     line_length_m: f64,
     gravity_m_s2: f64,
 ) -> Result<GyradiusAndDepth> {
-    from_sway_period(periods, ratio::sway_period_s(line_length_m, gravity_m_s2)?, gravity_m_s2)
+    from_sway_period(
+        periods,
+        ratio::sway_period_s(line_length_m, gravity_m_s2)?,
+        gravity_m_s2,
+    )
 }
 
 /// How the gyradius is got from the periods, which decides how it depends on their errors.
@@ -85,7 +100,8 @@ pub enum DepthIs {
     SolvedFor,
 }
 
-/// √((∂k/∂T_in)² + (∂k/∂T_out)²), m/s: the error of the gyradius for the same error of both periods (Fig. 16).
+/// √((∂k/∂T_in)² + (∂k/∂T_out)²), m/s: the error of the gyradius for the same error of both periods
+/// (Fig. 16).
 pub fn sensitivity_m_s(
     body: &GyradiusAndDepth,
     line_length_m: f64,
@@ -95,16 +111,23 @@ pub fn sensitivity_m_s(
     let periods = periods_s(body, line_length_m, gravity_m_s2)?;
     let (slow, fast) = match depth {
         DepthIs::Known => slopes_with_depth_known(body, line_length_m, gravity_m_s2, &periods),
-        DepthIs::SolvedFor => {
-            slopes_with_depth_solved(body, ratio::sway_period_s(line_length_m, gravity_m_s2)?, &periods)
-        }
+        DepthIs::SolvedFor => slopes_with_depth_solved(
+            body,
+            ratio::sway_period_s(line_length_m, gravity_m_s2)?,
+            &periods,
+        ),
     };
     Ok(slow.hypot(fast))
 }
 
 /// ∂k/∂T of both modes at fixed l2, by differentiating the quadratic behind (16),
 /// l1 k² w² − g (l1 l2 + l2² + k²) w + g² l2 = 0 with w = ω².
-fn slopes_with_depth_known(body: &GyradiusAndDepth, l1: f64, g: f64, periods: &Periods) -> (f64, f64) {
+fn slopes_with_depth_known(
+    body: &GyradiusAndDepth,
+    l1: f64,
+    g: f64,
+    periods: &Periods,
+) -> (f64, f64) {
     let (k, l2) = (body.gyradius_m, body.cm_depth_m);
     let slope = |period: f64| {
         let w = (TAU / period).powi(2);
@@ -124,8 +147,13 @@ fn slopes_with_depth_solved(body: &GyradiusAndDepth, sway: f64, periods: &Period
     (by_slow, by_fast)
 }
 
-/// Line length at which [`sensitivity_m_s`] is least, m (Fig. 17; searched over 0.01 to 100 times the depth).
-pub fn best_line_length_m(body: &GyradiusAndDepth, gravity_m_s2: f64, depth: DepthIs) -> Result<f64> {
+/// Line length at which [`sensitivity_m_s`] is least, m (Fig. 17; searched over 0.01 to 100 times
+/// the depth).
+pub fn best_line_length_m(
+    body: &GyradiusAndDepth,
+    gravity_m_s2: f64,
+    depth: DepthIs,
+) -> Result<f64> {
     let l2 = positive("cm_depth_m", body.cm_depth_m)?;
     let at = |log_ratio: f64| sensitivity_m_s(body, l2 * log_ratio.exp(), gravity_m_s2, depth);
     let (low, high, steps) = (0.01_f64.ln(), 100.0_f64.ln(), 200_u32);
@@ -139,7 +167,10 @@ pub fn best_line_length_m(body: &GyradiusAndDepth, gravity_m_s2: f64, depth: Dep
         }
     }
     if best.1 <= low || best.1 >= high - 0.5 * step {
-        return Err(Error::no_result("best line length", "no minimum between 0.01 and 100 times the depth"));
+        return Err(Error::no_result(
+            "best line length",
+            "no minimum between 0.01 and 100 times the depth",
+        ));
     }
     Ok(l2 * golden_section(at, best.1 - step, best.1 + step)?.exp())
 }
@@ -147,7 +178,10 @@ pub fn best_line_length_m(body: &GyradiusAndDepth, gravity_m_s2: f64, depth: Dep
 /// Place of the minimum of a function with one minimum between the bounds.
 fn golden_section(f: impl Fn(f64) -> Result<f64>, mut low: f64, mut high: f64) -> Result<f64> {
     const INVERSE_GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let (mut a, mut b) = (high - INVERSE_GOLDEN * (high - low), low + INVERSE_GOLDEN * (high - low));
+    let (mut a, mut b) = (
+        high - INVERSE_GOLDEN * (high - low),
+        low + INVERSE_GOLDEN * (high - low),
+    );
     let (mut fa, mut fb) = (f(a)?, f(b)?);
     for _ in 0..80 {
         if fa < fb {
@@ -165,6 +199,9 @@ fn golden_section(f: impl Fn(f64) -> Result<f64>, mut low: f64, mut high: f64) -
 
 /// Dimensionless form: T √(g / l2) of both modes from K = k/l2 and L = l1/l2 (19).
 pub fn dimensionless_periods(k_over_l2: f64, l1_over_l2: f64) -> Result<Periods> {
-    let body = GyradiusAndDepth { gyradius_m: positive("k_over_l2", k_over_l2)?, cm_depth_m: 1.0 };
+    let body = GyradiusAndDepth {
+        gyradius_m: positive("k_over_l2", k_over_l2)?,
+        cm_depth_m: 1.0,
+    };
     periods_s(&body, positive("l1_over_l2", l1_over_l2)?, 1.0) // (19) is (16) in units of l2 and √(l2/g)
 }

@@ -1,8 +1,8 @@
 //! Periods at finite amplitude by the exact laws, and back to the small-amplitude limit.
 //!
-//! The pendulum's by the arithmetic–geometric mean. Pure yaw on two lines by quadrature of its energy
-//! (k² + z'²) θ'²/2 + g z(θ) = g z(A), the heave's kinetic energy z'² θ'²/2 included, which (5) leaves out; there is
-//! no damping in either.
+//! The pendulum's by the arithmetic–geometric mean. Pure yaw on two lines by quadrature of its
+//! energy (k² + z'²) θ'²/2 + g z(θ) = g z(A), the heave's kinetic energy z'² θ'²/2 included, which
+//! (5) leaves out; there is no damping in either.
 //!
 //! # Conventions
 //! Amplitudes in rad from rest to the turning point. Lines as in [`super::yaw`].
@@ -13,9 +13,11 @@ use super::domain::{between, positive, result};
 use super::yaw::{Lines, yaw_period_s};
 use crate::{Error, Result};
 
-/// Relative change at which the quadrature stops. It converges geometrically, so what is left is far below it.
+/// Relative change at which the quadrature stops. It converges geometrically, so what is left is
+/// far below it.
 const QUADRATURE: f64 = 1e-13;
-/// Relative step at which the secant stops: the error left is of the order of the product of the last two.
+/// Relative step at which the secant stops: the error left is of the order of the product of the
+/// last two.
 const SECANT: f64 = 1e-10;
 
 /// Period of a pendulum of amplitude A over its small-amplitude period: 1 / agm(1, cos A/2).
@@ -68,10 +70,12 @@ pub fn yaw_gyradius_at_amplitude_m(
 ) -> Result<f64> {
     let period = positive("period_s", period_s)?;
     let unit = yaw_period_s(1.0, lines, gravity_m_s2)?;
-    let excess =
-        |k: f64| Ok::<f64, Error>(yaw_period_at_amplitude_s(k, lines, gravity_m_s2, amplitude_rad)? - period);
-    // The period grows with k, and at finite amplitude faster than (5): the gyradius of (6) is too large, and by no
-    // more than the heave's share; secant steps from there converge in a few rounds.
+    let excess = |k: f64| {
+        Ok::<f64, Error>(yaw_period_at_amplitude_s(k, lines, gravity_m_s2, amplitude_rad)? - period)
+    };
+    // The period grows with k, and at finite amplitude faster than (5): the gyradius of (6) is too
+    // large, and by no more than the heave's share; secant steps from there converge in a few
+    // rounds.
     let mut high = period / unit;
     let mut low = 0.9 * high;
     let (mut at_low, mut at_high) = (excess(low)?, excess(high)?);
@@ -129,7 +133,11 @@ impl Turn {
                 amplitude_rad,
             ));
         }
-        Ok(Self { product_m2, rest_m2, half_sin })
+        Ok(Self {
+            product_m2,
+            rest_m2,
+            half_sin,
+        })
     }
 
     /// h(θ), m, from sin θ/2: h² = h0² − 4 d_b d_t sin²(θ/2).
@@ -137,8 +145,8 @@ impl Turn {
         (self.rest_m2 - 4.0 * self.product_m2 * half_sin * half_sin).sqrt()
     }
 
-    /// With sin θ/2 = sin A/2 · sin u the quarter period has a smooth, periodic integrand, for which the
-    /// mid-point rule converges faster than any power of the number of points.
+    /// With sin θ/2 = sin A/2 · sin u the quarter period has a smooth, periodic integrand, for
+    /// which the mid-point rule converges faster than any power of the number of points.
     fn period_s(&self, k: f64, g: f64, points: u32) -> f64 {
         let turning = self.height_m(self.half_sin);
         let sum: f64 = (0..points)

@@ -1,8 +1,9 @@
-//! Pass, fail or undecided against a class limit, with a guard band (JCGM 106:2012, sections 7 and 8).
+//! Pass, fail or undecided against a class limit, with a guard band (JCGM 106:2012, sections 7 and
+//! 8).
 //!
 //! # Conventions
-//! The value is taken as normally distributed with the stated u. The guard band keeps the risk of a wrong pass *and*
-//! of a wrong fail at or below 5 %: between the two bands nothing is decided.
+//! The value is taken as normally distributed with the stated u. The guard band keeps the risk of a
+//! wrong pass *and* of a wrong fail at or below 5 %: between the two bands nothing is decided.
 
 use super::domain::{finite, not_negative};
 use crate::inertia::Verdict;
@@ -46,8 +47,13 @@ impl std::str::FromStr for Limit {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        let bad =
-            || Error::argument("limit", "a quantity, >= or <=, and a number, as in k_pitch_m>=1.100", text);
+        let bad = || {
+            Error::argument(
+                "limit",
+                "a quantity, >= or <=, and a number, as in k_pitch_m>=1.100",
+                text,
+            )
+        };
         let (relation, parts) = match (text.split_once(">="), text.split_once("<=")) {
             (Some(parts), None) => (Relation::AtLeast, parts),
             (None, Some(parts)) => (Relation::AtMost, parts),
@@ -58,7 +64,11 @@ impl std::str::FromStr for Limit {
         if quantity.is_empty() || !limit.is_finite() {
             return Err(bad());
         }
-        Ok(Self { quantity, relation, limit })
+        Ok(Self {
+            quantity,
+            relation,
+            limit,
+        })
     }
 }
 

@@ -1,5 +1,5 @@
-//! The incline test: depth of the centre of mass from a weight at one end or at both (eqs. 20, 21), and the tilt
-//! from a phone's gravity before and after.
+//! The incline test: depth of the centre of mass from a weight at one end or at both (eqs. 20, 21),
+//! and the tilt from a phone's gravity before and after.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -52,12 +52,13 @@ pub fn cm_depth_from_both_ends_m(test: &BothEnds) -> Result<f64> {
     let length = positive("length_m", test.length_m)?;
     let bow = between("bow_angle_rad", test.bow_angle_rad, 0.0, FRAC_PI_2)?.tan();
     let stern = between("stern_angle_rad", test.stern_angle_rad, 0.0, FRAC_PI_2)?.tan();
-    let depths =
-        finite("bow_depth_m", test.bow_depth_m)? * bow + finite("stern_depth_m", test.stern_depth_m)? * stern;
+    let depths = finite("bow_depth_m", test.bow_depth_m)? * bow
+        + finite("stern_depth_m", test.stern_depth_m)? * stern;
     deep("incline test", ratio * (length - depths) / (bow + stern)) // (21)
 }
 
-/// Depth from moving the suspension points by `shift_m` along the deck and the tilt that follows: l2 = Δ / tan φ.
+/// Depth from moving the suspension points by `shift_m` along the deck and the tilt that follows:
+/// l2 = Δ / tan φ.
 pub fn cm_depth_from_shift_m(shift_m: f64, angle_rad: f64) -> Result<f64> {
     let tan = between("angle_rad", angle_rad, -FRAC_PI_2, FRAC_PI_2)?.tan();
     deep("suspension shift", finite("shift_m", shift_m)? / tan)
@@ -74,7 +75,8 @@ fn deep(what: &str, depth: f64) -> Result<f64> {
     }
 }
 
-/// Angle between two directions of gravity as one sensor saw them, rad, 0 to π. Any orientation, any scale.
+/// Angle between two directions of gravity as one sensor saw them, rad, 0 to π. Any orientation,
+/// any scale.
 pub fn tilt_rad(before: &Vec3, after: &Vec3) -> Result<f64> {
     for (name, vector) in [("before", before), ("after", after)] {
         if !vector.iter().all(|x| x.is_finite()) || vector.norm() == 0.0 {

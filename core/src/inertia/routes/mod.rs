@@ -1,9 +1,10 @@
 //! Every route of the paper to a quantity, each a pure function that names its equation.
 //!
-//! Source: P. F. Hinrichsen, *Bifilar suspension measurement of boat inertia parameters*, Journal of Sailboat
-//! Technology 2014-01. Numbers in brackets are its equations; where the print is wrong the code holds the corrected
-//! form and says so. Functions take SI units, refuse arguments outside their domain with [`crate::Error::Argument`],
-//! and answer [`crate::Error::NoResult`] where the arguments contradict each other; none returns NaN or panics.
+//! Source: P. F. Hinrichsen, *Bifilar suspension measurement of boat inertia parameters*, Journal
+//! of Sailboat Technology 2014-01. Numbers in brackets are its equations; where the print is wrong
+//! the code holds the corrected form and says so. Functions take SI units, refuse arguments outside
+//! their domain with [`crate::Error::Argument`], and answer [`crate::Error::NoResult`] where the
+//! arguments contradict each other; none returns NaN or panics.
 
 pub mod attachments;
 pub mod beat;

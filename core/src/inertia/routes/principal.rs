@@ -1,12 +1,13 @@
-//! Principal axes in the centre plane: ψ and the principal gyradii (eqs. 3, 4), roll gyradius and ψ from tilted
-//! yaw (25, 26), and least squares over three or more tilts.
+//! Principal axes in the centre plane: ψ and the principal gyradii (eqs. 3, 4), roll gyradius and ψ
+//! from tilted yaw (25, 26), and least squares over three or more tilts.
 //!
 //! # Conventions
-//! Angles φ (hull pitched) and ψ (from the hull's x axis up to the principal x axis) are positive **bow up**; the hull
-//! hangs pitched by φ and turns about the vertical. The print's (4) with its φ of −31.1° (bow down) and +22.8° gives
-//! ψ = +5.7° and +5.6°, not the −5.5° it states. "Principal x" is the principal axis within 45° of the hull's x.
-//! `xz` is the element of the inertia tensor over the mass, −Σ m x z / M, m²: k_φ² = k_xx² sin²φ + k_zz² cos²φ
-//! + xz sin 2φ, linear in all three, which is why the fit is linear.
+//! Angles φ (hull pitched) and ψ (from the hull's x axis up to the principal x axis) are positive
+//! **bow up**; the hull hangs pitched by φ and turns about the vertical. The print's (4) with its φ
+//! of −31.1° (bow down) and +22.8° gives ψ = +5.7° and +5.6°, not the −5.5° it states. "Principal
+//! x" is the principal axis within 45° of the hull's x. `xz` is the element of the inertia tensor
+//! over the mass, −Σ m x z / M, m²: k_φ² = k_xx² sin²φ + k_zz² cos²φ + xz sin 2φ, linear in all
+//! three, which is why the fit is linear.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -44,7 +45,8 @@ pub struct Principal {
 pub fn tilted_gyradius_m(principal: &Principal, pitch_rad: f64) -> Result<f64> {
     let x = not_negative("k_px_m", principal.k_px_m)?;
     let z = positive("k_pz_m", principal.k_pz_m)?;
-    let (sin, cos) = (finite("pitch_rad", pitch_rad)? + finite("psi_rad", principal.psi_rad)?).sin_cos();
+    let (sin, cos) =
+        (finite("pitch_rad", pitch_rad)? + finite("psi_rad", principal.psi_rad)?).sin_cos();
     root("tilted gyradius", (x * sin).powi(2) + (z * cos).powi(2)) // (3), third line
 }
 
@@ -62,7 +64,10 @@ pub fn centre_plane(principal: &Principal) -> Result<CentrePlane> {
 
 /// Principal gyradii and ψ from the hull-axes elements.
 pub fn principal(plane: &CentrePlane) -> Result<Principal> {
-    let (half_sum, half_difference) = (0.5 * (plane.xx_m2 + plane.zz_m2), 0.5 * (plane.xx_m2 - plane.zz_m2));
+    let (half_sum, half_difference) = (
+        0.5 * (plane.xx_m2 + plane.zz_m2),
+        0.5 * (plane.xx_m2 - plane.zz_m2),
+    );
     let radius = half_difference.hypot(plane.xz_m2);
     if !radius.is_finite() || half_difference == 0.0 {
         return Err(Error::no_result(
@@ -80,17 +85,30 @@ pub fn principal(plane: &CentrePlane) -> Result<Principal> {
 }
 
 /// ψ and principal gyradii from roll, yaw and one tilted gyradius.
-pub fn from_one_tilt(k_roll_m: f64, k_yaw_m: f64, k_tilted_m: f64, pitch_rad: f64) -> Result<Principal> {
+pub fn from_one_tilt(
+    k_roll_m: f64,
+    k_yaw_m: f64,
+    k_tilted_m: f64,
+    pitch_rad: f64,
+) -> Result<Principal> {
     let xx_m2 = positive("k_roll_m", k_roll_m)?.powi(2);
     let zz_m2 = positive("k_yaw_m", k_yaw_m)?.powi(2);
     let (sin, cos) = usable_tilt("pitch_rad", pitch_rad)?.sin_cos();
-    let excess = positive("k_tilted_m", k_tilted_m)?.powi(2) - xx_m2 * sin * sin - zz_m2 * cos * cos;
-    principal(&CentrePlane { xx_m2, zz_m2, xz_m2: excess / (2.0 * sin * cos) }) // (4)
+    let excess =
+        positive("k_tilted_m", k_tilted_m)?.powi(2) - xx_m2 * sin * sin - zz_m2 * cos * cos;
+    principal(&CentrePlane {
+        xx_m2,
+        zz_m2,
+        xz_m2: excess / (2.0 * sin * cos),
+    }) // (4)
 }
 
 fn usable_tilt(name: &str, pitch_rad: f64) -> Result<f64> {
     if between(name, pitch_rad, -FRAC_PI_2, FRAC_PI_2)? == 0.0 {
-        return Err(Error::no_result(name, "a level hull says nothing about the other axes"));
+        return Err(Error::no_result(
+            name,
+            "a level hull says nothing about the other axes",
+        ));
     }
     Ok(pitch_rad)
 }
@@ -98,18 +116,32 @@ fn usable_tilt(name: &str, pitch_rad: f64) -> Result<f64> {
 /// Roll gyradius from yaw level and at two tilts, m.
 pub fn roll_gyradius_m(k_yaw_m: f64, tilt_a: (f64, f64), tilt_b: (f64, f64)) -> Result<f64> {
     let yaw2 = positive("k_yaw_m", k_yaw_m)?.powi(2);
-    let (a2, b2) = (positive("k_a_m", tilt_a.0)?.powi(2), positive("k_b_m", tilt_b.0)?.powi(2));
-    let (a, b) = (usable_tilt("pitch_a_rad", tilt_a.1)?, usable_tilt("pitch_b_rad", tilt_b.1)?);
+    let (a2, b2) = (
+        positive("k_a_m", tilt_a.0)?.powi(2),
+        positive("k_b_m", tilt_b.0)?.powi(2),
+    );
+    let (a, b) = (
+        usable_tilt("pitch_a_rad", tilt_a.1)?,
+        usable_tilt("pitch_b_rad", tilt_b.1)?,
+    );
     if a == b {
-        return Err(Error::no_result("roll gyradius", "the two tilts are the same"));
+        return Err(Error::no_result(
+            "roll gyradius",
+            "the two tilts are the same",
+        ));
     }
-    let tilted = (a2 * (2.0 * b).sin() - b2 * (2.0 * a).sin()) / (2.0 * (a - b).sin() * a.sin() * b.sin());
+    let tilted =
+        (a2 * (2.0 * b).sin() - b2 * (2.0 * a).sin()) / (2.0 * (a - b).sin() * a.sin() * b.sin());
     root("roll gyradius", tilted + yaw2 / (a.tan() * b.tan())) // (25)
 }
 
 /// (25) where the tilts stand a right angle apart, φ_A = φ_B + π/2.
 pub fn roll_gyradius_right_angle_m(k_yaw_m: f64, k_a_m: f64, k_b_m: f64) -> Result<f64> {
-    let (yaw, a, b) = (positive("k_yaw_m", k_yaw_m)?, positive("k_a_m", k_a_m)?, positive("k_b_m", k_b_m)?);
+    let (yaw, a, b) = (
+        positive("k_yaw_m", k_yaw_m)?,
+        positive("k_a_m", k_a_m)?,
+        positive("k_b_m", k_b_m)?,
+    );
     root("roll gyradius", a * a + b * b - yaw * yaw) // (26)
 }
 
@@ -133,7 +165,8 @@ pub struct TiltFit {
     pub principal: Principal,
     /// Standard uncertainty of ψ by first order, rad.
     pub psi_u_rad: f64,
-    /// 95 % interval of ψ, rad (Fieller's: it does not rely on first order, and is −45°…45° where ψ is not determined).
+    /// 95 % interval of ψ, rad (Fieller's: it does not rely on first order, and is −45°…45° where ψ
+    /// is not determined).
     pub psi_interval_95_rad: [f64; 2],
     /// Standard uncertainty of k_px and k_pz, m.
     pub k_px_u_m: f64,
@@ -149,21 +182,30 @@ pub struct TiltFit {
     pub degrees_of_freedom: usize,
 }
 
-/// ψ, principal, roll and yaw gyradii from three or more tilts (level and π/2 = roll included among them).
+/// ψ, principal, roll and yaw gyradii from three or more tilts (level and π/2 = roll included among
+/// them).
 ///
-/// Every gyradius needs u > 0: the weights come from them and from the u of the angles. `common_relative_u` is the
-/// relative standard uncertainty that all gyradii share (spacing, clock): it scales the tensor and leaves ψ alone.
+/// Every gyradius needs u > 0: the weights come from them and from the u of the angles.
+/// `common_relative_u` is the relative standard uncertainty that all gyradii share (spacing,
+/// clock): it scales the tensor and leaves ψ alone.
 pub fn fit_tilts(tilts: &[Tilt], common_relative_u: f64) -> Result<TiltFit> {
     check(tilts)?;
     let common = not_negative("common_relative_u", common_relative_u)?;
-    let mut plane = CentrePlane { xx_m2: 0.0, zz_m2: 0.0, xz_m2: 0.0 };
+    let mut plane = CentrePlane {
+        xx_m2: 0.0,
+        zz_m2: 0.0,
+        xz_m2: 0.0,
+    };
     let mut covariance = Mat3::zeros();
-    // The weight of a tilt depends, through the u of its angle, on the answer: three rounds settle it.
+    // The weight of a tilt depends, through the u of its angle, on the answer: three rounds settle
+    // it.
     for round in 0..4 {
         (plane, covariance) = weighted_fit(tilts, (round > 0).then_some(&plane))?;
     }
-    let chi_squared =
-        tilts.iter().map(|tilt| misfit(tilt, &plane).powi(2) / variance(tilt, Some(&plane))).sum();
+    let chi_squared = tilts
+        .iter()
+        .map(|tilt| misfit(tilt, &plane).powi(2) / variance(tilt, Some(&plane)))
+        .sum();
     let solution = Vec3::new(plane.xx_m2, plane.zz_m2, plane.xz_m2);
     covariance += solution * solution.transpose() * (2.0 * common).powi(2);
     describe(plane, covariance, chi_squared, tilts.len() - 3)
@@ -171,7 +213,10 @@ pub fn fit_tilts(tilts: &[Tilt], common_relative_u: f64) -> Result<TiltFit> {
 
 fn check(tilts: &[Tilt]) -> Result<()> {
     if tilts.len() < 3 {
-        return Err(Error::no_result("tilted yaw", format!("three tilts are needed, found {}", tilts.len())));
+        return Err(Error::no_result(
+            "tilted yaw",
+            format!("three tilts are needed, found {}", tilts.len()),
+        ));
     }
     for tilt in tilts {
         finite("pitch_rad", tilt.pitch_rad.value)?;
@@ -210,7 +255,10 @@ fn weighted_fit(tilts: &[Tilt], before: Option<&CentrePlane>) -> Result<(CentreP
         right += row * (tilt.gyradius_m.value.powi(2) * weight);
     }
     let alike = || {
-        Error::no_result("tilted yaw", "fewer than three different tilts: the centre plane is not determined")
+        Error::no_result(
+            "tilted yaw",
+            "fewer than three different tilts: the centre plane is not determined",
+        )
     };
     // Conditioned on a scale-free matrix, so that the verdict does not depend on units.
     let scale = normal.trace() / 3.0;
@@ -219,7 +267,14 @@ fn weighted_fit(tilts: &[Tilt], before: Option<&CentrePlane>) -> Result<(CentreP
     }
     let covariance = normal.try_inverse().ok_or_else(alike)?;
     let solution = covariance * right;
-    Ok((CentrePlane { xx_m2: solution[0], zz_m2: solution[1], xz_m2: solution[2] }, covariance))
+    Ok((
+        CentrePlane {
+            xx_m2: solution[0],
+            zz_m2: solution[1],
+            xz_m2: solution[2],
+        },
+        covariance,
+    ))
 }
 
 fn describe(
@@ -253,7 +308,8 @@ fn describe(
     })
 }
 
-/// Fieller's interval of tan 2ψ = N/D with N = 2 xz, D = xx − zz: all R with (N − R D)² ≤ z² var(N − R D).
+/// Fieller's interval of tan 2ψ = N/D with N = 2 xz, D = xx − zz: all R with (N − R D)² ≤ z² var(N
+/// − R D).
 fn psi_interval(plane: &CentrePlane, covariance: &Mat3) -> [f64; 2] {
     let (n, d) = (Vec3::new(0.0, 0.0, 2.0), Vec3::new(1.0, -1.0, 0.0));
     let solution = Vec3::new(plane.xx_m2, plane.zz_m2, plane.xz_m2);
@@ -266,5 +322,8 @@ fn psi_interval(plane: &CentrePlane, covariance: &Mat3) -> [f64; 2] {
         return [-FRAC_PI_4, FRAC_PI_4]; // roll and yaw cannot be told apart: no direction is excluded
     }
     let angle = |r: f64| 0.5 * r.atan();
-    [angle((cross - inside.sqrt()) / square), angle((cross + inside.sqrt()) / square)]
+    [
+        angle((cross - inside.sqrt()) / square),
+        angle((cross + inside.sqrt()) / square),
+    ]
 }

@@ -1,7 +1,7 @@
 //! The catalogue's table: names, equations and the function behind each route.
 //!
-//! A row reads `route!(name, equation, summary; inputs [= default] => outputs; values)`: in the values the inputs are
-//! variables of their names. Units follow from the names ([`unit_of`]).
+//! A row reads `route!(name, equation, summary; inputs [= default] => outputs; values)`: in the
+//! values the inputs are variables of their names. Units follow from the names ([`unit_of`]).
 
 use super::attachments::{self, AxisBody};
 use super::catalogue::{CatalogueEntry, Inputs, Slot};
@@ -18,15 +18,27 @@ use crate::recording::import::{from_core_motion, stamp_from_core_motion};
 use crate::{Error, Result};
 
 const fn need(name: &'static str) -> Slot {
-    Slot { name, unit: unit_of(name), required: true }
+    Slot {
+        name,
+        unit: unit_of(name),
+        required: true,
+    }
 }
 
 const fn may(name: &'static str) -> Slot {
-    Slot { name, unit: unit_of(name), required: false }
+    Slot {
+        name,
+        unit: unit_of(name),
+        required: false,
+    }
 }
 
 const fn in_root_moment(name: &'static str) -> Slot {
-    Slot { name, unit: "kg^(-1/2)/m", required: true }
+    Slot {
+        name,
+        unit: "kg^(-1/2)/m",
+        required: true,
+    }
 }
 
 /// Unit that the end of a name tells, `1` for a plain number.
@@ -92,26 +104,48 @@ fn yes(name: &str, value: f64) -> Result<bool> {
 }
 
 fn depth(known: f64) -> Result<DepthIs> {
-    Ok(if yes("depth_known", known)? { DepthIs::Known } else { DepthIs::SolvedFor })
+    Ok(if yes("depth_known", known)? {
+        DepthIs::Known
+    } else {
+        DepthIs::SolvedFor
+    })
 }
 
 fn tilt_fit(i: &Inputs) -> Result<Vec<f64>> {
     let mut tilts = Vec::new();
     for n in 1_u16.. {
-        let Some(pitch) = i.optional(&format!("pitch_{n}_rad")) else { break };
-        let gyradius =
-            Quantity::new(i.get(&format!("gyradius_{n}_m"))?, i.get(&format!("gyradius_u_{n}_m"))?);
+        let Some(pitch) = i.optional(&format!("pitch_{n}_rad")) else {
+            break;
+        };
+        let gyradius = Quantity::new(
+            i.get(&format!("gyradius_{n}_m"))?,
+            i.get(&format!("gyradius_u_{n}_m"))?,
+        );
         let pitch_rad = Quantity::new(pitch, i.or(&format!("pitch_u_{n}_rad"), 0.0));
-        tilts.push(Tilt { pitch_rad, gyradius_m: gyradius });
+        tilts.push(Tilt {
+            pitch_rad,
+            gyradius_m: gyradius,
+        });
     }
-    for pattern in ["pitch_#_rad", "gyradius_#_m", "gyradius_u_#_m", "pitch_u_#_rad"] {
+    for pattern in [
+        "pitch_#_rad",
+        "gyradius_#_m",
+        "gyradius_u_#_m",
+        "pitch_u_#_rad",
+    ] {
         i.numbered_up_to(pattern, tilts.len())?;
     }
     let fit = principal::fit_tilts(&tilts, i.or("common_relative_u", 0.0))?;
     let [low, high] = fit.psi_interval_95_rad;
     let p = fit.principal;
     let axes = [p.k_px_m, fit.k_px_u_m, p.k_pz_m, fit.k_pz_u_m];
-    let hull = [fit.k_roll_m.value, fit.k_roll_m.u, fit.k_yaw_m.value, fit.k_yaw_m.u, fit.chi_squared];
+    let hull = [
+        fit.k_roll_m.value,
+        fit.k_roll_m.u,
+        fit.k_yaw_m.value,
+        fit.k_yaw_m.u,
+        fit.chi_squared,
+    ];
     Ok([&[p.psi_rad, fit.psi_u_rad, low, high], &axes[..], &hull[..]].concat())
 }
 
@@ -120,18 +154,41 @@ fn body(i: &Inputs, n: &str) -> Result<RigidBody> {
     let [xx, yy, zz] = i.three(&format!("i#_{n}_kg_m2"), ["xx", "yy", "zz"])?;
     let [xy, xz, yz] = i.three(&format!("i#_{n}_kg_m2"), ["xy", "xz", "yz"])?;
     let inertia_kg_m2 = Mat3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
-    Ok(RigidBody { mass_kg: i.get(&format!("mass_{n}_kg"))?, cm_m: Vec3::from(cm), inertia_kg_m2 })
+    Ok(RigidBody {
+        mass_kg: i.get(&format!("mass_{n}_kg"))?,
+        cm_m: Vec3::from(cm),
+        inertia_kg_m2,
+    })
 }
 
 fn numbers_of(body: &RigidBody) -> Vec<f64> {
     let j = &body.inertia_kg_m2;
     let [x, y, z] = [body.cm_m.x, body.cm_m.y, body.cm_m.z];
-    vec![body.mass_kg, x, y, z, j.m11, j.m22, j.m33, j.m12, j.m13, j.m23]
+    vec![
+        body.mass_kg,
+        x,
+        y,
+        z,
+        j.m11,
+        j.m22,
+        j.m33,
+        j.m12,
+        j.m13,
+        j.m23,
+    ]
 }
 
 fn guard_band(value: Quantity, bound: f64, at_least: f64, factor: f64) -> Result<[f64; 3]> {
-    let relation = if yes("at_least", at_least)? { Relation::AtLeast } else { Relation::AtMost };
-    let limit = Limit { quantity: "value".into(), relation, limit: bound };
+    let relation = if yes("at_least", at_least)? {
+        Relation::AtLeast
+    } else {
+        Relation::AtMost
+    };
+    let limit = Limit {
+        quantity: "value".into(),
+        relation,
+        limit: bound,
+    };
     let v = verdict_with_guard(value, &limit, factor)?;
     let sign = match v.verdict.as_str() {
         "pass" => 1.0,
@@ -343,7 +400,12 @@ pub(super) const ROUTES: &[CatalogueEntry] = &[
         summary: "Two rigid bodies as one: mass, centre, full tensor about it (elements as they stand in the tensor).",
         inputs: TWO_BODIES,
         outputs: ONE_BODY,
-        function: |i| Ok(numbers_of(&attachments::joined(&body(i, "1")?, &body(i, "2")?)?)),
+        function: |i| {
+            Ok(numbers_of(&attachments::joined(
+                &body(i, "1")?,
+                &body(i, "2")?,
+            )?))
+        },
     },
     CatalogueEntry {
         name: "body_without",
@@ -351,7 +413,12 @@ pub(super) const ROUTES: &[CatalogueEntry] = &[
         summary: "Rigid body 1 when its part, body 2, is taken off.",
         inputs: TWO_BODIES,
         outputs: ONE_BODY,
-        function: |i| Ok(numbers_of(&attachments::without(&body(i, "1")?, &body(i, "2")?)?)),
+        function: |i| {
+            Ok(numbers_of(&attachments::without(
+                &body(i, "1")?,
+                &body(i, "2")?,
+            )?))
+        },
     },
     route!(levelling, "(28)",
         "Gyradius about the vertical at angles of pitch and roll from the principal axes.";
@@ -393,7 +460,11 @@ pub(super) const ROUTES: &[CatalogueEntry] = &[
         k_px_m, k_py_m, k_pz_m => a_m, b_m, c_m;
         ellipsoid::equivalent_semi_axes_m([k_px_m, k_py_m, k_pz_m])?),
     CatalogueEntry {
-        outputs: &[in_root_moment("a"), in_root_moment("b"), in_root_moment("c")],
+        outputs: &[
+            in_root_moment("a"),
+            in_root_moment("b"),
+            in_root_moment("c"),
+        ],
         ..route!(inertia_ellipsoid, "Fig. 1", "Semi-axes 1/√I of the inertia ellipsoid.";
             mass_kg, k_px_m, k_py_m, k_pz_m => a, b, c;
             ellipsoid::inertia_ellipsoid_semi_axes(mass_kg, [k_px_m, k_py_m, k_pz_m])?)

@@ -1,5 +1,5 @@
-//! Yaw on two lines: gyradius from period, line length and spacing (eqs. 5, 6), lines that are not parallel
-//! included.
+//! Yaw on two lines: gyradius from period, line length and spacing (eqs. 5, 6), lines that are not
+//! parallel included.
 //!
 //! # Conventions
 //! `half_spacing_m` is the paper's d: half the distance between the points on the hull;
@@ -25,7 +25,11 @@ pub struct Lines {
 impl Lines {
     /// Parallel lines: the same spacing above and below.
     pub fn parallel(length_m: f64, half_spacing_m: f64) -> Self {
-        Self { length_m, half_spacing_m, top_half_spacing_m: half_spacing_m }
+        Self {
+            length_m,
+            half_spacing_m,
+            top_half_spacing_m: half_spacing_m,
+        }
     }
 
     /// Vertical distance between the two pairs of points, m.
@@ -59,6 +63,7 @@ pub fn yaw_period_s(gyradius_m: f64, lines: &Lines, gravity_m_s2: f64) -> Result
 
 /// Yaw gyradius about the vertical through the centre of mass, m.
 pub fn yaw_gyradius_m(yaw_period_s: f64, lines: &Lines, gravity_m_s2: f64) -> Result<f64> {
-    let gyradius = positive("yaw_period_s", yaw_period_s)? / (TAU * lines.slowness_s_m(gravity_m_s2)?); // (6)
+    let gyradius =
+        positive("yaw_period_s", yaw_period_s)? / (TAU * lines.slowness_s_m(gravity_m_s2)?); // (6)
     result("yaw gyradius", gyradius)
 }

@@ -1,4 +1,5 @@
-//! What the samples of a swing that was not made would say: the information of the fit without its data.
+//! What the samples of a swing that was not made would say: the information of the fit without its
+//! data.
 
 use nalgebra::DVector;
 
@@ -24,8 +25,9 @@ pub struct Recorded {
     pub acc_m_s2: f64,
 }
 
-/// What a swing with this start would say of the session's parameters `x`, as if it agreed with all others. Linear
-/// about `x`, the swing's own numbers (start, damping, phone, biases) left open as in a fit.
+/// What a swing with this start would say of the session's parameters `x`, as if it agreed with all
+/// others. Linear about `x`, the swing's own numbers (start, damping, phone, biases) left open as
+/// in a fit.
 ///
 /// # Errors
 /// Where the parameters allow no motion, or no motion of that length.
@@ -36,7 +38,11 @@ pub fn expected_statements(
     recorded: &Recorded,
 ) -> Result<Vec<Statement>> {
     let body = swing_body(setup.layout, x, setup.swing, setup.index)?;
-    let fastest_s = small_modes(&swing_rig(setup.layout, x, setup.swing, setup.index)?, &body)?.period_s(3);
+    let fastest_s = small_modes(
+        &swing_rig(setup.layout, x, setup.swing, setup.index)?,
+        &body,
+    )?
+    .period_s(3);
     let samples = Samples::expected(recorded, fastest_s).ok_or_else(|| {
         Error::argument(
             "duration_s",
@@ -56,7 +62,10 @@ pub fn expected_statements(
         rms_over_noise: 1.0,
         inflation: 1.0,
     };
-    let model = SwingModel { setup: *setup, samples };
+    let model = SwingModel {
+        setup: *setup,
+        samples,
+    };
     let mut said = model.statements(&fit, false).unwrap_or_default();
     // What is expected is what is assumed: the weak priors must not pull.
     for statement in &mut said {

@@ -13,8 +13,8 @@ use crate::error::{Error, Result};
 use crate::frames::{Mat3, Rotation, Vec3};
 use crate::inertia::theory::{swing_body, swing_rig};
 
-/// Horizons in periods of the slowest mode. A phase known over one horizon stays within a quarter of a cycle over the
-/// next; the session's parameters move from the second on.
+/// Horizons in periods of the slowest mode. A phase known over one horizon stays within a quarter
+/// of a cycle over the next; the session's parameters move from the second on.
 const HORIZONS: [f64; 5] = [1.5, 3.0, 7.0, 16.0, 40.0];
 /// Information below this share of a prior's own is left out of the joint estimate's rows.
 const LEAST_INFORMATION: f64 = 0.1;
@@ -36,7 +36,8 @@ pub struct Fit {
     pub own: Own,
     /// The session's free parameters.
     pub free: Vec<usize>,
-    /// Of the normal equations without priors: session's free parameters first, then the swing's own.
+    /// Of the normal equations without priors: session's free parameters first, then the swing's
+    /// own.
     pub matrix: DMatrix<f64>,
     pub gradient: DVector<f64>,
     /// χ² of samples, priors and what was known.
@@ -47,7 +48,8 @@ pub struct Fit {
     pub inflation: f64,
 }
 
-/// A linear statement about the session's parameters: `row · x = value`, of unit standard uncertainty.
+/// A linear statement about the session's parameters: `row · x = value`, of unit standard
+/// uncertainty.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     pub row: Vec<(usize, f64)>,
@@ -63,7 +65,10 @@ impl Statement {
     /// The row by places among the free parameters.
     pub fn by_place(&self, free: &[usize]) -> Vec<(usize, f64)> {
         let place = |i: &usize| free.iter().position(|f| f == i);
-        self.row.iter().filter_map(|(i, slope)| Some((place(i)?, *slope))).collect()
+        self.row
+            .iter()
+            .filter_map(|(i, slope)| Some((place(i)?, *slope)))
+            .collect()
     }
 }
 
@@ -73,10 +78,13 @@ pub struct Begun {
     slowest_s: f64,
 }
 
-/// Begins with a swing, from rest and from several sets of the session's parameters, which are held; the best first. A set
-/// that is no body that can be simulated is left out.
+/// Begins with a swing, from rest and from several sets of the session's parameters, which are
+/// held; the best first. A set that is no body that can be simulated is left out.
 pub fn begun(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement]) -> Vec<Begun> {
-    let fitting = Fitting { models: vec![model], known };
+    let fitting = Fitting {
+        models: vec![model],
+        known,
+    };
     let whole_s = model.samples.duration_s;
     let one = |x: &Vec<f64>| -> Result<Begun> {
         let slowest_s = model.slowest_s(x)?;
@@ -90,10 +98,13 @@ pub fn begun(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement]) -> Ve
     begun
 }
 
-/// Fits a swing to its end from what was begun, beside what is `known` of the session's parameters; over the short horizons only
-/// what `early` says moves.
+/// Fits a swing to its end from what was begun, beside what is `known` of the session's parameters;
+/// over the short horizons only what `early` says moves.
 pub fn fit(model: &SwingModel, begun: &[Begun], known: &[Statement], early: Moves) -> Result<Fit> {
-    let fitting = Fitting { models: vec![model], known };
+    let fitting = Fitting {
+        models: vec![model],
+        known,
+    };
     let grown = |Begun { point, slowest_s }: &Begun| {
         let grown = |point: Point| model.grown(&fitting, point, *slowest_s, early);
         if !model.tells_bow_from_stern() {
@@ -102,32 +113,60 @@ pub fn fit(model: &SwingModel, begun: &[Begun], known: &[Statement], early: Move
         // Over a short horizon a tilted hull looks much the same from its other end.
         let turned = Point::new(&point.x, point.owns.iter().map(Own::turned_round).collect());
         let ends = [point.clone(), turned].map(grown).into_iter().flatten();
-        ends.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
+        ends.min_by(|a, b| a.cost.total_cmp(&b.cost))
+            .ok_or_else(no_start)
     };
     // One that leads to a body that cannot be simulated leads nowhere; the next may.
-    begun.iter().find_map(|start| grown(start).ok()).ok_or_else(no_start)
+    begun
+        .iter()
+        .find_map(|start| grown(start).ok())
+        .ok_or_else(no_start)
 }
 
-/// Fits several swings together from parameters of the session and what each swing had for its own. Bow and stern look alike
-/// to most of a level swing: both headings are tried.
+/// Fits several swings together from parameters of the session and what each swing had for its own.
+/// Bow and stern look alike to most of a level swing: both headings are tried.
 pub fn fit_together(models: &[&SwingModel], x: &[f64], owns: &[Own]) -> Result<Vec<Fit>> {
-    let near =
-        models.iter().zip(owns).map(|(model, own)| model.headed(x, own)).collect::<Result<Vec<Own>>>()?;
-    let fitting = Fitting { models: models.to_vec(), known: &[] };
-    let starts = [vec![Point::new(x, near.clone())], other_ends(models, x, &near)].concat();
-    let ends = starts.into_iter().map(|p| fitting.optimised(p, Moves::All, f64::INFINITY, Enough::Converged));
-    let best = ends.flatten().min_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
+    let near = models
+        .iter()
+        .zip(owns)
+        .map(|(model, own)| model.headed(x, own))
+        .collect::<Result<Vec<Own>>>()?;
+    let fitting = Fitting {
+        models: models.to_vec(),
+        known: &[],
+    };
+    let starts = [
+        vec![Point::new(x, near.clone())],
+        other_ends(models, x, &near),
+    ]
+    .concat();
+    let ends = starts
+        .into_iter()
+        .map(|p| fitting.optimised(p, Moves::All, f64::INFINITY, Enough::Converged));
+    let best = ends
+        .flatten()
+        .min_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
     fitting.all_finished(best.ok_or_else(no_start)?)
 }
 
-/// Other starts where masses were added at unlike distances: seen from its other end such a hull is another hull, and which way
-/// the product of inertia points is no longer a matter of heading alone.
+/// Other starts where masses were added at unlike distances: seen from its other end such a hull is
+/// another hull, and which way the product of inertia points is no longer a matter of heading
+/// alone.
 fn other_ends(models: &[&SwingModel], x: &[f64], owns: &[Own]) -> Vec<Point> {
     let is_lopsided = |i: &usize| !models[*i].setup.swing.added_masses.is_empty();
-    let Some(lopsided) = (0..models.len()).find(is_lopsided) else { return vec![] };
+    let Some(lopsided) = (0..models.len()).find(is_lopsided) else {
+        return vec![];
+    };
     let turned = |which: &dyn Fn(usize) -> bool| -> Vec<Own> {
         let each = owns.iter().enumerate();
-        each.map(|(i, own)| if which(i) { own.turned_round() } else { own.clone() }).collect()
+        each.map(|(i, own)| {
+            if which(i) {
+                own.turned_round()
+            } else {
+                own.clone()
+            }
+        })
+        .collect()
     };
     let mut mirrored = x.to_vec();
     mirrored[models[0].setup.layout.product_xz] *= -1.0;
@@ -145,21 +184,36 @@ fn no_start() -> Error {
 impl Fitting<'_> {
     fn all_finished(&self, (point, slopes): (Point, Vec<Linearised>)) -> Result<Vec<Fit>> {
         let each = self.models.iter().zip(&point.owns).zip(slopes);
-        each.map(|((model, own), slopes)| model.finished(&point, own, slopes)).collect()
+        each.map(|((model, own), slopes)| model.finished(&point, own, slopes))
+            .collect()
     }
 }
 
 impl SwingModel<'_> {
     fn slowest_s(&self, x: &[f64]) -> Result<f64> {
-        let SwingSetup { layout, swing, index } = self.setup;
+        let SwingSetup {
+            layout,
+            swing,
+            index,
+        } = self.setup;
         let body = swing_body(layout, x, swing, index)?;
         Ok(small_modes(&swing_rig(layout, x, swing, index)?, &body)?.period_s(0))
     }
 
     /// A start followed over longer and longer horizons.
-    fn grown(&self, fitting: &Fitting, mut point: Point, slowest_s: f64, early: Moves) -> Result<Fit> {
+    fn grown(
+        &self,
+        fitting: &Fitting,
+        mut point: Point,
+        slowest_s: f64,
+        early: Moves,
+    ) -> Result<Fit> {
         let whole_s = self.samples.duration_s;
-        for horizon in HORIZONS[1..].iter().map(|h| h * slowest_s).take_while(|h| *h < whole_s) {
+        for horizon in HORIZONS[1..]
+            .iter()
+            .map(|h| h * slowest_s)
+            .take_while(|h| *h < whole_s)
+        {
             point = fitting.optimised(point, early, horizon, Enough::Nearly)?.0;
         }
         let there = fitting.optimised(point, Moves::All, whole_s, Enough::Converged)?;
@@ -170,19 +224,36 @@ impl SwingModel<'_> {
     fn first(&self, fitting: &Fitting, x: &[f64], horizon_s: f64) -> Result<Point> {
         let tried = self.headings().into_iter().map(|nominal| -> Result<Point> {
             let start = Point::new(x, vec![Own::at_rest(nominal)]);
-            Ok(fitting.optimised(start, Moves::Own, horizon_s, Enough::Nearly)?.0)
+            Ok(fitting
+                .optimised(start, Moves::Own, horizon_s, Enough::Nearly)?
+                .0)
         });
-        tried.flatten().min_by(|a: &Point, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)
+        tried
+            .flatten()
+            .min_by(|a: &Point, b| a.cost.total_cmp(&b.cost))
+            .ok_or_else(no_start)
     }
 
-    /// The swing's own numbers at other parameters of the session, with the better of both headings.
+    /// The swing's own numbers at other parameters of the session, with the better of both
+    /// headings.
     fn headed(&self, x: &[f64], own: &Own) -> Result<Own> {
-        let fitting = Fitting { models: vec![self], known: &[] };
+        let fitting = Fitting {
+            models: vec![self],
+            known: &[],
+        };
         let whole_s = self.samples.duration_s;
-        let tried = [own.clone(), own.turned_round()]
-            .map(|own| fitting.optimised(Point::new(x, vec![own]), Moves::Own, whole_s, Enough::Nearly));
+        let tried = [own.clone(), own.turned_round()].map(|own| {
+            fitting.optimised(
+                Point::new(x, vec![own]),
+                Moves::Own,
+                whole_s,
+                Enough::Nearly,
+            )
+        });
         let best = tried.into_iter().flatten().map(|(point, _)| point);
-        let best = best.min_by(|a, b| a.cost.total_cmp(&b.cost)).ok_or_else(no_start)?;
+        let best = best
+            .min_by(|a, b| a.cost.total_cmp(&b.cost))
+            .ok_or_else(no_start)?;
         best.owns.into_iter().next().ok_or_else(no_start)
     }
 
@@ -190,7 +261,9 @@ impl SwingModel<'_> {
     fn headings(&self) -> Vec<Rotation> {
         let up = self.samples.up;
         let level = |v: Vec3| (v - up * up.dot(&v)).try_normalize(0.5);
-        let Some(start) = level(Vec3::x()).or_else(|| level(Vec3::y())) else { return vec![] };
+        let Some(start) = level(Vec3::x()).or_else(|| level(Vec3::y())) else {
+            return vec![];
+        };
         // Columns: x, y and z of the hanging axes in phone axes.
         let turned = |eighth: i32| {
             let ahead = Rotation::from_scaled_axis(up * (FRAC_PI_4 * f64::from(eighth))) * start;
@@ -203,8 +276,16 @@ impl SwingModel<'_> {
 
     /// χ² of the swing's samples up to a horizon, with the priors of its own numbers.
     pub fn own_cost(&self, x: &[f64], own: &Own, horizon_s: f64) -> f64 {
-        let (horizon_s, whole_s) = (horizon_s.min(self.samples.duration_s), self.samples.duration_s);
-        let priors: f64 = own.values.iter().zip(Own::prior_u()).map(|(v, u)| (v / u).powi(2)).sum();
+        let (horizon_s, whole_s) = (
+            horizon_s.min(self.samples.duration_s),
+            self.samples.duration_s,
+        );
+        let priors: f64 = own
+            .values
+            .iter()
+            .zip(Own::prior_u())
+            .map(|(v, u)| (v / u).powi(2))
+            .sum();
         match Simulated::new(&self.setup, x, own, horizon_s, whole_s) {
             Ok(simulated) => simulated.chi2(&self.samples, horizon_s) + priors,
             Err(_) => f64::INFINITY,
@@ -217,9 +298,14 @@ impl SwingModel<'_> {
             let prior = self.setup.layout.parameters[*i].prior;
             (prior.u.powi(-2), (prior.value - x[*i]) / prior.u.powi(2))
         });
-        let of_own = own.values.iter().zip(Own::prior_u()).map(|(v, u)| (u.powi(-2), -v / (u * u)));
+        let of_own = own
+            .values
+            .iter()
+            .zip(Own::prior_u())
+            .map(|(v, u)| (u.powi(-2), -v / (u * u)));
         let both: Vec<(f64, f64)> = of_session.chain(of_own).collect();
-        let column = |f: fn(&(f64, f64)) -> f64| DVector::from_iterator(both.len(), both.iter().map(f));
+        let column =
+            |f: fn(&(f64, f64)) -> f64| DVector::from_iterator(both.len(), both.iter().map(f));
         (column(|p| p.0), column(|p| p.1))
     }
 
@@ -246,11 +332,15 @@ impl SwingModel<'_> {
     }
 
     pub fn tells_bow_from_stern(&self) -> bool {
-        self.setup.layout.parameters[self.setup.index.pitch_deg].prior.value.abs() > TELLING_PITCH_DEG
+        self.setup.layout.parameters[self.setup.index.pitch_deg]
+            .prior
+            .value
+            .abs()
+            > TELLING_PITCH_DEG
     }
 
-    /// What the swing says of the session's parameters, its own numbers left open, and the product of inertia where that
-    /// is asked.
+    /// What the swing says of the session's parameters, its own numbers left open, and the product
+    /// of inertia where that is asked.
     pub fn statements(&self, fit: &Fit, product_is_open: bool) -> Option<Vec<Statement>> {
         let (information, pull) = self.priors(&fit.x, &fit.own, &fit.free);
         let is_open = |k: usize| {
@@ -259,13 +349,18 @@ impl SwingModel<'_> {
         let all = fit.free.len() + OWN;
         let (open, kept): (Vec<usize>, Vec<usize>) = (0..all).partition(|k| is_open(*k));
         let part = |rows: &[usize], columns: &[usize]| {
-            DMatrix::from_fn(rows.len(), columns.len(), |i, j| fit.matrix[(rows[i], columns[j])])
+            DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+                fit.matrix[(rows[i], columns[j])]
+            })
         };
         let mut inner = part(&open, &open);
-        open.iter().enumerate().for_each(|(i, k)| inner[(i, i)] += information[*k]);
+        open.iter()
+            .enumerate()
+            .for_each(|(i, k)| inner[(i, i)] += information[*k]);
         let outer = part(&kept, &open);
         let solved = inner.cholesky()?;
-        let open_gradient = DVector::from_fn(open.len(), |i, _| fit.gradient[open[i]] + pull[open[i]]);
+        let open_gradient =
+            DVector::from_fn(open.len(), |i, _| fit.gradient[open[i]] + pull[open[i]]);
         let matrix = part(&kept, &kept) - &outer * solved.solve(&outer.transpose());
         let gradient = DVector::from_fn(kept.len(), |i, _| fit.gradient[kept[i]])
             - &outer * solved.solve(&open_gradient);
@@ -275,11 +370,17 @@ impl SwingModel<'_> {
         let statement = |k: usize| {
             let (vector, root) = (eigen.eigenvectors.column(k), eigen.eigenvalues[k].sqrt());
             let scale = 1.0 / fit.inflation.sqrt();
-            let row: Vec<(usize, f64)> =
-                (0..kept.len()).map(|i| (fit.free[kept[i]], scale * root * vector[i] / u[i])).collect();
+            let row: Vec<(usize, f64)> = (0..kept.len())
+                .map(|i| (fit.free[kept[i]], scale * root * vector[i] / u[i]))
+                .collect();
             let here: f64 = row.iter().map(|(i, r)| r * fit.x[*i]).sum();
-            let pulled: f64 = (0..kept.len()).map(|i| vector[i] * u[i] * gradient[i]).sum();
-            Statement { row, value: here + scale * pulled / root }
+            let pulled: f64 = (0..kept.len())
+                .map(|i| vector[i] * u[i] * gradient[i])
+                .sum();
+            Statement {
+                row,
+                value: here + scale * pulled / root,
+            }
         };
         let telling = (0..kept.len()).filter(|k| eigen.eigenvalues[*k] > LEAST_INFORMATION);
         Some(telling.map(statement).collect())
@@ -291,10 +392,13 @@ impl SwingModel<'_> {
         Some(self.covariance(fit)?[(place, place)].sqrt())
     }
 
-    /// Standard uncertainty of the phone's turn against the hull, about its least certain axis, rad.
+    /// Standard uncertainty of the phone's turn against the hull, about its least certain axis,
+    /// rad.
     pub fn turn_u_rad(&self, fit: &Fit) -> f64 {
         let first = fit.free.len() + TURN;
-        let Some(covariance) = self.covariance(fit) else { return f64::INFINITY };
+        let Some(covariance) = self.covariance(fit) else {
+            return f64::INFINITY;
+        };
         let part = covariance.view((first, first), (3, 3)).into_owned();
         part.symmetric_eigenvalues().max().max(0.0).sqrt()
     }
@@ -314,21 +418,27 @@ fn residual(simulated: &Simulated, stream: &Stream, i: usize) -> Vec3 {
 fn rms(simulated: &Simulated, samples: &Samples) -> f64 {
     let (mut sum, mut count) = (0.0, 0);
     for stream in &samples.streams {
-        sum += (0..stream.t_s.len()).map(|i| residual(simulated, stream, i).norm_squared()).sum::<f64>();
+        sum += (0..stream.t_s.len())
+            .map(|i| residual(simulated, stream, i).norm_squared())
+            .sum::<f64>();
         count += 3 * stream.t_s.len();
     }
     (sum / count.max(1) as f64).sqrt()
 }
 
-/// Variance of the block means over what white noise gives them, at least 1: what is left at the frequencies of the
-/// swing counts, and a block passes them. The worst axis counts where it stands out from chance.
+/// Variance of the block means over what white noise gives them, at least 1: what is left at the
+/// frequencies of the swing counts, and a block passes them. The worst axis counts where it stands
+/// out from chance.
 fn inflation(simulated: &Simulated, samples: &Samples) -> f64 {
     let mut worst: f64 = 1.0;
     for stream in &samples.streams {
         let mut sum = Vec3::zeros();
         for block in &stream.blocks {
-            let mean =
-                block.clone().map(|i| residual(simulated, stream, i)).sum::<Vec3>() / block.len() as f64;
+            let mean = block
+                .clone()
+                .map(|i| residual(simulated, stream, i))
+                .sum::<Vec3>()
+                / block.len() as f64;
             sum += mean.component_mul(&mean) * block.len() as f64;
         }
         let ratio = (sum / stream.blocks.len().max(1) as f64).max();

@@ -49,12 +49,28 @@ pub struct Simulated {
 }
 
 impl Simulated {
-    pub fn new(setup: &SwingSetup, x: &[f64], own: &Own, horizon_s: f64, whole_s: f64) -> Result<Self> {
+    pub fn new(
+        setup: &SwingSetup,
+        x: &[f64],
+        own: &Own,
+        horizon_s: f64,
+        whole_s: f64,
+    ) -> Result<Self> {
         let own = own.clone().folded();
         let clock = setup.layout.clock_error(x, setup.index);
-        let path = setup.scene(x, &own)?.motion_as(Fineness::OF_FITS, horizon_s / (1.0 + clock))?;
-        let mounted = own.phone().mounted(&own.nominal, &path.cm_m, path.gravity_m_s2);
-        Ok(Self { path, mounted, own, clock, middle_s: 0.5 * whole_s })
+        let path = setup
+            .scene(x, &own)?
+            .motion_as(Fineness::OF_FITS, horizon_s / (1.0 + clock))?;
+        let mounted = own
+            .phone()
+            .mounted(&own.nominal, &path.cm_m, path.gravity_m_s2);
+        Ok(Self {
+            path,
+            mounted,
+            own,
+            clock,
+            middle_s: 0.5 * whole_s,
+        })
     }
 
     /// The reading at a time of the phone's clock.
@@ -76,7 +92,10 @@ impl Simulated {
 
     /// Mean difference of samples and readings over a block.
     fn misfit(&self, stream: &Stream, block: &std::ops::Range<usize>) -> Vec3 {
-        let sum: Vec3 = block.clone().map(|i| stream.values[i] - self.at(stream.sensor, stream.t_s[i])).sum();
+        let sum: Vec3 = block
+            .clone()
+            .map(|i| stream.values[i] - self.at(stream.sensor, stream.t_s[i]))
+            .sum();
         sum / block.len() as f64
     }
 
@@ -96,7 +115,10 @@ impl Simulated {
 
 /// The blocks that end before the horizon.
 fn within(stream: &Stream, horizon_s: f64) -> impl Iterator<Item = &std::ops::Range<usize>> {
-    stream.blocks.iter().take_while(move |b| stream.t_s[b.end - 1] <= horizon_s)
+    stream
+        .blocks
+        .iter()
+        .take_while(move |b| stream.t_s[b.end - 1] <= horizon_s)
 }
 
 fn sensor_offset(sensor: Sensor) -> usize {
@@ -114,7 +136,8 @@ fn pick<T>(sensor: Sensor, gyro: T, force: T) -> T {
 }
 
 impl Linearised {
-    /// About `x` and `own`, whose turn is folded, up to `horizon_s`; `free` are the session's parameters in play.
+    /// About `x` and `own`, whose turn is folded, up to `horizon_s`; `free` are the session's
+    /// parameters in play.
     pub fn at(
         setup: &SwingSetup,
         (x, own): (&[f64], &Own),
@@ -128,8 +151,10 @@ impl Linearised {
         let until_s = horizon_s / (1.0 + simulated.clock);
         let paths = scene.motion_and_derivatives(&LANES, Fineness::OF_FITS, until_s)?;
         let phone = own.phone().map(Dual::constant);
-        let mounted: Vec<Mounted<Dual<{ dynamics::LANES }>>> =
-            paths.iter().map(|p| phone.mounted(&own.nominal, &p.cm_m, p.gravity_m_s2)).collect();
+        let mounted: Vec<Mounted<Dual<{ dynamics::LANES }>>> = paths
+            .iter()
+            .map(|p| phone.mounted(&own.nominal, &p.cm_m, p.gravity_m_s2))
+            .collect();
         let mut all = Vec::new();
         let mut matrix = Box::new(SMatrix::<f64, COLUMNS, COLUMNS>::zeros());
         for (i, stream) in samples.streams.iter().enumerate() {
@@ -141,14 +166,24 @@ impl Linearised {
                 for axis in 0..3 {
                     matrix.syger(weight[axis], &rows[axis], &rows[axis], 1.0);
                 }
-                all.push(BlockRows { stream: i, block: block.clone(), rows, weight });
+                all.push(BlockRows {
+                    stream: i,
+                    block: block.clone(),
+                    rows,
+                    weight,
+                });
             }
         }
         matrix.fill_upper_triangle_with_lower_triangle();
         let combine = combination(setup, x, own, free, &scene)?;
         let matrix = DMatrix::from_column_slice(COLUMNS, COLUMNS, matrix.as_slice());
         let matrix = combine.transpose() * matrix * &combine;
-        Ok(Self { rows: all, combine, matrix, horizon_s })
+        Ok(Self {
+            rows: all,
+            combine,
+            matrix,
+            horizon_s,
+        })
     }
 
     /// The gradient g at a point nearby.
@@ -186,7 +221,8 @@ fn rows(
     let here = simulated.moving(sensor, t_s);
     let moment = simulated.path.at(true_s);
     let phone_from_hull = simulated.own.nominal.inverse();
-    let rate = (simulated.moving(sensor, t_s + TIME_STEP_S) - simulated.moving(sensor, t_s - TIME_STEP_S))
+    let rate = (simulated.moving(sensor, t_s + TIME_STEP_S)
+        - simulated.moving(sensor, t_s - TIME_STEP_S))
         / (2.0 * TIME_STEP_S);
     let offset = sensor_offset(sensor);
     for k in 0..3 {
@@ -220,7 +256,9 @@ fn combination(
     scene: &dynamics::Scene,
 ) -> Result<DMatrix<f64>> {
     let mut combine = DMatrix::zeros(COLUMNS, free.len() + OWN);
-    combine.view_mut((0, 0), (LANES.len(), free.len())).copy_from(&setup.lane_slopes(x, own, free)?);
+    combine
+        .view_mut((0, 0), (LANES.len(), free.len()))
+        .copy_from(&setup.lane_slopes(x, own, free)?);
     let is_clock = |i: &usize| *i == setup.layout.clock || Some(*i) == setup.index.clock;
     for (column, _) in free.iter().enumerate().filter(|(_, i)| is_clock(i)) {
         combine[(RAW_CLOCK, column)] = 1.0;

@@ -1,5 +1,5 @@
-//! Levenberg and Marquardt over the samples of one swing or of several at once: one body and one set of dimensions for
-//! all, and for each swing what is its own.
+//! Levenberg and Marquardt over the samples of one swing or of several at once: one body and one
+//! set of dimensions for all, and for each swing what is its own.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,7 +15,8 @@ const MOST_DAMPING: f64 = 1e6;
 const KEPT: f64 = 0.5;
 /// A step of an early horizon that promises less than this share of χ² ends it.
 const ENOUGH: f64 = 1e-2;
-/// Over the whole record a step that promises less of χ² ends the fit: a hundredth of a standard deviation, squared.
+/// Over the whole record a step that promises less of χ² ends the fit: a hundredth of a standard
+/// deviation, squared.
 const CONVERGED: f64 = 1e-4;
 
 /// What is fitted.
@@ -62,7 +63,11 @@ pub struct Point {
 
 impl Point {
     pub fn new(x: &[f64], owns: Vec<Own>) -> Self {
-        Self { x: x.to_vec(), owns, cost: f64::INFINITY }
+        Self {
+            x: x.to_vec(),
+            owns,
+            cost: f64::INFINITY,
+        }
     }
 }
 
@@ -78,7 +83,9 @@ struct Step {
 
 /// The session's parameters in play.
 pub fn free(layout: &Layout) -> Vec<usize> {
-    (0..layout.parameters.len()).filter(|i| layout.parameters[*i].prior.u > 0.0).collect()
+    (0..layout.parameters.len())
+        .filter(|i| layout.parameters[*i].prior.u > 0.0)
+        .collect()
 }
 
 impl Fitting<'_> {
@@ -86,8 +93,9 @@ impl Fitting<'_> {
         self.models[0].setup.layout
     }
 
-    /// The derivatives are kept while the steps they give do what they promise: they cost some thirty times what a
-    /// motion does. Those from far away, at rest above all, cannot tell that nothing is left to gain.
+    /// The derivatives are kept while the steps they give do what they promise: they cost some
+    /// thirty times what a motion does. Those from far away, at rest above all, cannot tell that
+    /// nothing is left to gain.
     pub fn optimised(
         &self,
         mut at: Point,
@@ -121,19 +129,35 @@ impl Fitting<'_> {
     }
 
     fn session_cost(&self, x: &[f64]) -> f64 {
-        let priors = self.layout().parameters.iter().zip(x).filter(|(p, _)| p.prior.u > 0.0);
-        let priors: f64 = priors.map(|(p, x)| ((x - p.prior.value) / p.prior.u).powi(2)).sum();
+        let priors = self
+            .layout()
+            .parameters
+            .iter()
+            .zip(x)
+            .filter(|(p, _)| p.prior.u > 0.0);
+        let priors: f64 = priors
+            .map(|(p, x)| ((x - p.prior.value) / p.prior.u).powi(2))
+            .sum();
         priors + self.known.iter().map(|s| s.misfit(x).powi(2)).sum::<f64>()
     }
 
-    fn linearised(&self, at: &mut Point, free: &[usize], horizon_s: f64) -> Result<Vec<Linearised>> {
-        at.owns.iter_mut().for_each(|own| *own = own.clone().folded());
+    fn linearised(
+        &self,
+        at: &mut Point,
+        free: &[usize],
+        horizon_s: f64,
+    ) -> Result<Vec<Linearised>> {
+        at.owns
+            .iter_mut()
+            .for_each(|own| *own = own.clone().folded());
         let x = &at.x;
         let each = self.models.iter().zip(&at.owns);
-        each.map(|(m, own)| Linearised::at(&m.setup, (x, own), free, &m.samples, horizon_s)).collect()
+        each.map(|(m, own)| Linearised::at(&m.setup, (x, own), free, &m.samples, horizon_s))
+            .collect()
     }
 
-    /// Matrix and gradient with the priors in them: session's free parameters first, then each swing's own.
+    /// Matrix and gradient with the priors in them: session's free parameters first, then each
+    /// swing's own.
     fn normal(
         &self,
         at: &Point,
@@ -146,12 +170,19 @@ impl Fitting<'_> {
         for (i, (model, slopes)) in self.models.iter().zip(slopes).enumerate() {
             let own = &at.owns[i];
             let samples = &model.samples;
-            let simulated = Simulated::new(&model.setup, &at.x, own, slopes.horizon_s, samples.duration_s)?;
+            let simulated = Simulated::new(
+                &model.setup,
+                &at.x,
+                own,
+                slopes.horizon_s,
+                samples.duration_s,
+            )?;
             let pull = slopes.gradient(&simulated, samples);
             let place = |k: usize| if k < shared { k } else { k + OWN * i };
             for k in 0..shared + OWN {
                 gradient[place(k)] += pull[k];
-                (0..shared + OWN).for_each(|l| matrix[(place(k), place(l))] += slopes.matrix[(k, l)]);
+                (0..shared + OWN)
+                    .for_each(|l| matrix[(place(k), place(l))] += slopes.matrix[(k, l)]);
             }
             for (k, (value, u)) in own.values.iter().zip(Own::prior_u()).enumerate() {
                 let at = shared + OWN * i + k;
@@ -187,14 +218,18 @@ impl Fitting<'_> {
             (Moves::Body, Some(i)) => self.layout().parameters[*i].role == Role::Unknown,
             (Moves::Own, Some(_)) => false,
         };
-        (0..free.len() + OWN * self.models.len()).filter(may).collect()
+        (0..free.len() + OWN * self.models.len())
+            .filter(may)
+            .collect()
     }
 
-    /// What holds an unknown of the body near where it is: a direction of which the swing says nothing is not worth a
-    /// long way.
+    /// What holds an unknown of the body near where it is: a direction of which the swing says
+    /// nothing is not worth a long way.
     fn hold(&self, place: usize, free: &[usize]) -> f64 {
         let parameter = free.get(place).map(|i| &self.layout().parameters[*i]);
-        parameter.filter(|p| p.role == Role::Unknown).map_or(0.0, |p| p.prior.u.powi(-2))
+        parameter
+            .filter(|p| p.role == Role::Unknown)
+            .map_or(0.0, |p| p.prior.u.powi(-2))
     }
 
     /// One accepted step; nothing gained where no step is downhill.
@@ -211,15 +246,21 @@ impl Fitting<'_> {
         let size = moving.len();
         let matrix = DMatrix::from_fn(size, size, |i, j| matrix[(moving[i], moving[j])]);
         let gradient = DVector::from_fn(size, |i, _| gradient[moving[i]]);
-        let left =
-            matrix.clone().cholesky().map_or(f64::INFINITY, |factor| gradient.dot(&factor.solve(&gradient)));
-        let mut taken = Step { left, ..Step::default() };
+        let left = matrix.clone().cholesky().map_or(f64::INFINITY, |factor| {
+            gradient.dot(&factor.solve(&gradient))
+        });
+        let mut taken = Step {
+            left,
+            ..Step::default()
+        };
         while *damping < MOST_DAMPING {
             let mut damped = matrix.clone();
             for (k, place) in moving.iter().enumerate() {
                 damped[(k, k)] = damped[(k, k)] * (1.0 + *damping) + self.hold(*place, free);
             }
-            let Some(factor) = damped.cholesky() else { break };
+            let Some(factor) = damped.cholesky() else {
+                break;
+            };
             let step = factor.solve(&gradient);
             let promised = 2.0 * gradient.dot(&step) - step.dot(&(&matrix * &step));
             taken.promised = promised;

@@ -1,13 +1,15 @@
 //! The simulation fitted to the samples of a swing.
 //!
-//! Lines in a spectrum hold for small motions; where yaw, sway and pitch act on each other (Kane and Tseng), or where a
-//! pitching hull's roll inertia enters its yaw, a swing is no sum of lines. Here the full motion of the body on its lines
-//! is fitted to the samples themselves: body and dimensions are the session's parameters with their priors, and each
-//! swing has its own start, damping, phone pose and biases. What a swing says of the session's parameters goes into the
+//! Lines in a spectrum hold for small motions; where yaw, sway and pitch act on each other (Kane
+//! and Tseng), or where a pitching hull's roll inertia enters its yaw, a swing is no sum of lines.
+//! Here the full motion of the body on its lines is fitted to the samples themselves: body and
+//! dimensions are the session's parameters with their priors, and each swing has its own start,
+//! damping, phone pose and biases. What a swing says of the session's parameters goes into the
 //! joint estimate as linear rows.
 //!
 //! # Conventions
-//! Times count from the start of the free span, by the phone's clock. The body hangs in hanging axes (level at rest).
+//! Times count from the start of the free span, by the phone's clock. The body hangs in hanging
+//! axes (level at rest).
 
 mod expected;
 mod fit;

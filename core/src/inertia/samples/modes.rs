@@ -1,4 +1,5 @@
-//! The modes of a fitted swing: small oscillations of the fitted body, with the amplitudes of its start.
+//! The modes of a fitted swing: small oscillations of the fitted body, with the amplitudes of its
+//! start.
 
 use nalgebra::{DVector, Vector6};
 
@@ -25,21 +26,29 @@ struct Motion {
     alpha_per_s: f64,
 }
 
-/// Modes of the fitted swing, strongest first; their small-amplitude periods with standard errors by this swing alone.
+/// Modes of the fitted swing, strongest first; their small-amplitude periods with standard errors
+/// by this swing alone.
 pub fn fitted_modes(model: &SwingModel, fit: &Fit) -> Result<Vec<ModeResult>> {
     let setup = &model.setup;
     let orientation = setup.swing.suspension.orientation;
     let body = swing_body(setup.layout, &fit.x, setup.swing, setup.index)?;
-    let modes = small_modes(&swing_rig(setup.layout, &fit.x, setup.swing, setup.index)?, &body)?;
+    let modes = small_modes(
+        &swing_rig(setup.layout, &fit.x, setup.swing, setup.index)?,
+        &body,
+    )?;
     let names = mode_names(&body, &modes, orientation);
     let motions = motions(model, fit, &fit.own, &body, &modes, &names)?;
     let errors = errors(model, fit, &body, &modes, &names)?;
-    let largest = motions.iter().map(|m| m.angle_rad).fold(f64::MIN_POSITIVE, f64::max);
+    let largest = motions
+        .iter()
+        .map(|m| m.angle_rad)
+        .fold(f64::MIN_POSITIVE, f64::max);
     let mut found: Vec<ModeResult> = (0..4)
         .filter_map(|k| {
             let (motion, error) = (motions[k], errors[k]);
             let relative_db = 20.0 * (motion.angle_rad / largest).log10();
-            let there = relative_db > WEAKEST_DB && motion.angle_rad > SIGNIFICANT * error.angle_rad;
+            let there =
+                relative_db > WEAKEST_DB && motion.angle_rad > SIGNIFICANT * error.angle_rad;
             let period_s = modes.period_s(k);
             let decays = motion.alpha_per_s > 0.0;
             there.then(|| ModeResult {
@@ -81,7 +90,9 @@ fn motions(
         let (displacement, rate) = displaced(&first, modes);
         let (q, speed) = (weight(&displacement), weight(&rate) / modes.omega_rad_s[k]);
         // Shapes are normalised by the body's mass, the scene's damping is per kilogram.
-        let loss: f64 = (0..6).map(|i| body.mass_kg * damping[i] * shape[i] * shape[i]).sum();
+        let loss: f64 = (0..6)
+            .map(|i| body.mass_kg * damping[i] * shape[i] * shape[i])
+            .sum();
         Motion {
             angle_rad: q.hypot(speed) * angle_of_shape(modes, k, names[k], &unit),
             phase_rad: (-speed).atan2(q),
@@ -97,10 +108,18 @@ fn displaced(moment: &Moment<f64>, modes: &SmallModes) -> (Vector6<f64>, Vector6
     let attitude = Rotation::new_normalize(nalgebra::Quaternion::new(w, x, y, z));
     let join = |a: Vec3, b: Vec3| Vector6::new(a.x, a.y, a.z, b.x, b.y, b.z);
     let turn = (attitude * rest.world_from_body.inverse()).scaled_axis();
-    (join(moment.position - rest.position_m, turn), join(moment.velocity, attitude * moment.rate))
+    (
+        join(moment.position - rest.position_m, turn),
+        join(moment.velocity, attitude * moment.rate),
+    )
 }
 
-fn mass_weighted(body: &RigidBody, modes: &SmallModes, shape: &Vector6<f64>, v: &Vector6<f64>) -> f64 {
+fn mass_weighted(
+    body: &RigidBody,
+    modes: &SmallModes,
+    shape: &Vector6<f64>,
+    v: &Vector6<f64>,
+) -> f64 {
     let turn = modes.equilibrium.pose.world_from_body.to_rotation_matrix();
     let inertia = turn.matrix() * body.inertia_kg_m2 * turn.matrix().transpose();
     let part = |v: &Vector6<f64>, i: usize| Vec3::new(v[i], v[i + 1], v[i + 2]);
@@ -123,18 +142,33 @@ fn errors(
     names: &[ModeName; 4],
 ) -> Result<[Errors; 4]> {
     let count = fit.free.len() + OWN;
-    let mut slopes = vec![[DVector::zeros(count), DVector::zeros(count), DVector::zeros(count)]; 4];
+    let mut slopes = vec![
+        [
+            DVector::zeros(count),
+            DVector::zeros(count),
+            DVector::zeros(count)
+        ];
+        4
+    ];
     for (column, i) in fit.free.iter().enumerate() {
         let step = model.setup.layout.parameters[*i].step;
         let periods = |sign: f64| {
             let mut moved = fit.x.clone();
             moved[*i] += sign * step;
-            swing_periods(model.setup.layout, &moved, model.setup.swing, model.setup.index)
+            swing_periods(
+                model.setup.layout,
+                &moved,
+                model.setup.swing,
+                model.setup.index,
+            )
         };
         let (up, down) = (periods(1.0)?, periods(-1.0)?);
         for k in 0..4 {
-            let of =
-                |all: &[(ModeName, f64)]| all.iter().find(|(n, _)| *n == names[k]).map_or(0.0, |(_, t)| *t);
+            let of = |all: &[(ModeName, f64)]| {
+                all.iter()
+                    .find(|(n, _)| *n == names[k])
+                    .map_or(0.0, |(_, t)| *t)
+            };
             slopes[k][0][column] = (of(&up) - of(&down)) / (2.0 * step);
         }
     }
@@ -149,12 +183,16 @@ fn errors(
         let (up, down) = (shifted(1.0)?, shifted(-1.0)?);
         for k in 0..4 {
             slopes[k][1][fit.free.len() + i] = (up[k].angle_rad - down[k].angle_rad) / (2.0 * STEP);
-            slopes[k][2][fit.free.len() + i] = (up[k].alpha_per_s - down[k].alpha_per_s) / (2.0 * STEP);
+            slopes[k][2][fit.free.len() + i] =
+                (up[k].alpha_per_s - down[k].alpha_per_s) / (2.0 * STEP);
         }
     }
     let covariance = model.covariance(fit);
-    let error =
-        |slope: &DVector<f64>| covariance.as_ref().map_or(f64::INFINITY, |c| slope.dot(&(c * slope)).sqrt());
+    let error = |slope: &DVector<f64>| {
+        covariance
+            .as_ref()
+            .map_or(f64::INFINITY, |c| slope.dot(&(c * slope)).sqrt())
+    };
     Ok([0, 1, 2, 3].map(|k| Errors {
         period_s: error(&slopes[k][0]),
         angle_rad: error(&slopes[k][1]),

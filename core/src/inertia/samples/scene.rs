@@ -20,7 +20,8 @@ pub const LANES: [usize; 24] = [
 /// Of these, how many belong to the session.
 pub const SHARED_LANES: usize = 11;
 
-/// Start (8), damping rates (5), phone's place (3), turn (3), biases of gyroscope and accelerometer (6), their drifts (6).
+/// Start (8), damping rates (5), phone's place (3), turn (3), biases of gyroscope and accelerometer
+/// (6), their drifts (6).
 pub const OWN: usize = 31;
 const DAMPING: usize = 8;
 pub const PLACE: usize = 13;
@@ -54,7 +55,9 @@ impl SwingSetup<'_> {
         let v = &own.values;
         let body = Body::new(1.0, &(body.inertia_kg_m2 / body.mass_kg), &body.cm_m);
         let scales = damping_scales(&body);
-        let damping: Vec<(&str, f64)> = (0..5).map(|k| (scales[k].0, v[DAMPING + k] * scales[k].1)).collect();
+        let damping: Vec<(&str, f64)> = (0..5)
+            .map(|k| (scales[k].0, v[DAMPING + k] * scales[k].1))
+            .collect();
         Ok(Scene {
             hanging: Hanging::Bifilar(axis(self.swing.suspension.orientation)),
             body,
@@ -79,12 +82,14 @@ impl SwingSetup<'_> {
         })
     }
 
-    /// The hull's centre of mass, hanging axes, m: straight below the mid-point of the suspension points.
+    /// The hull's centre of mass, hanging axes, m: straight below the mid-point of the suspension
+    /// points.
     pub fn centre_m(&self, x: &[f64]) -> Vec3 {
         Vec3::new(0.0, 0.0, -x[self.index.log_depth].exp())
     }
 
-    /// Derivatives of the scene's numbers ([`LANES`]) by the parameters at `free`: damping rates stay, and their numbers go with the body.
+    /// Derivatives of the scene's numbers ([`LANES`]) by the parameters at `free`: damping rates
+    /// stay, and their numbers go with the body.
     pub fn lane_slopes(&self, x: &[f64], own: &Own, free: &[usize]) -> Result<DMatrix<f64>> {
         let mut slopes = DMatrix::zeros(LANES.len(), free.len());
         for (column, i) in free.iter().enumerate() {
@@ -145,21 +150,28 @@ impl Own {
         const ABOUT_FACE: [usize; 8] = [0, 1, 2, 4, 5, 6, PLACE, PLACE + 1];
         let half_turn = Rotation::from_axis_angle(&Vec3::z_axis(), std::f64::consts::PI);
         let mut turned = self.clone();
-        ABOUT_FACE.iter().for_each(|i| turned.values[*i] = -turned.values[*i]);
+        ABOUT_FACE
+            .iter()
+            .for_each(|i| turned.values[*i] = -turned.values[*i]);
         turned.nominal = Rotation::new_normalize((half_turn * self.nominal).into_inner());
         turned
     }
 
     /// The turn taken into the nominal orientation.
     pub fn folded(mut self) -> Self {
-        let turn = Vec3::new(self.values[TURN], self.values[TURN + 1], self.values[TURN + 2]);
+        let turn = Vec3::new(
+            self.values[TURN],
+            self.values[TURN + 1],
+            self.values[TURN + 2],
+        );
         let turned = self.nominal * Rotation::from_scaled_axis(turn);
         self.nominal = Rotation::new_normalize(turned.into_inner());
         self.values[TURN..TURN + 3].fill(0.0);
         self
     }
 
-    /// Uncertainties of weak priors about zero: they keep the equations solvable where a swing does not show a number.
+    /// Uncertainties of weak priors about zero: they keep the equations solvable where a swing does
+    /// not show a number.
     pub fn prior_u() -> [f64; OWN] {
         let mut u = [0.0; OWN];
         u[..DAMPING].fill(3.0); // m, rad, m/s, rad/s
@@ -200,7 +212,11 @@ spacing = { value = 0.8, u = 0.0 }
     fn damping_numbers_go_with_the_body() {
         let session = read_session(SESSION, "session.toml").unwrap();
         let layout = Layout::of(&session, Quantity::exact(9.8), &[None], &[None]);
-        let setup = SwingSetup { layout: &layout, swing: &session.swings[0], index: &layout.swings[0] };
+        let setup = SwingSetup {
+            layout: &layout,
+            swing: &session.swings[0],
+            index: &layout.swings[0],
+        };
         let mut x = layout.start();
         let (k_m, rate_per_s) = (0.7f64, 0.03);
         let yaw = layout.log_gyradii[2];
@@ -208,6 +224,10 @@ spacing = { value = 0.8, u = 0.0 }
         let mut own = Own::at_rest(Rotation::identity());
         own.values[DAMPING + 4] = rate_per_s;
         let slopes = setup.lane_slopes(&x, &own, &[yaw]).unwrap();
-        assert_relative_eq!(slopes[(LANES.len() - 1, 0)], 2.0 * rate_per_s * k_m * k_m, max_relative = 1e-6);
+        assert_relative_eq!(
+            slopes[(LANES.len() - 1, 0)],
+            2.0 * rate_per_s * k_m * k_m,
+            max_relative = 1e-6
+        );
     }
 }

@@ -19,17 +19,29 @@ pub(super) struct SensorColumns {
 impl SensorColumns {
     /// Columns in s and in one unit on all axes.
     pub fn new(sensor: Sensor, time: usize, axes: [usize; 3], factor: f64) -> Self {
-        Self { sensor, time, time_factor: 1.0, axes: axes.to_vec(), factors: vec![factor; 3] }
+        Self {
+            sensor,
+            time,
+            time_factor: 1.0,
+            axes: axes.to_vec(),
+            factors: vec![factor; 3],
+        }
     }
 
-    /// Reads the samples; `NaN` in every axis at the end of a column is padding to a longer one beside it.
+    /// Reads the samples; `NaN` in every axis at the end of a column is padding to a longer one
+    /// beside it.
     pub fn read(&self, table: &Table) -> Result<RawSeries> {
-        let columns: Vec<usize> = std::iter::once(self.time).chain(self.axes.iter().copied()).collect();
+        let columns: Vec<usize> = std::iter::once(self.time)
+            .chain(self.axes.iter().copied())
+            .collect();
         let numbers = table.numbers(&columns)?;
         let places: Vec<usize> = (1..columns.len()).collect();
         let mut raw = collect(table, &numbers, self.sensor, &places)?;
         let empty = |row: usize| raw.channels.iter().all(|channel| channel[row].is_nan());
-        let length = (0..raw.t_s.len()).rev().find(|&row| !empty(row)).map_or(0, |last| last + 1);
+        let length = (0..raw.t_s.len())
+            .rev()
+            .find(|&row| !empty(row))
+            .map_or(0, |last| last + 1);
         raw.truncate(length);
         raw.t_s.iter_mut().for_each(|t| *t *= self.time_factor);
         for (channel, factor) in raw.channels.iter_mut().zip(&self.factors) {
@@ -61,11 +73,18 @@ pub(super) fn add_repair(recording: &mut Recording, repair: &Repair) {
     let sensors = [
         (Sensor::Gyroscope, recording.gyroscope.is_some()),
         (Sensor::Accelerometer, recording.accelerometer.is_some()),
-        (Sensor::LinearAccelerometer, recording.linear_accelerometer.is_some()),
+        (
+            Sensor::LinearAccelerometer,
+            recording.linear_accelerometer.is_some(),
+        ),
     ];
     for (sensor, _) in sensors.into_iter().filter(|sensor| sensor.1) {
         let text = format!("{}: {}", sensor.name(), repair.text);
-        recording.repairs.push(Repair { sensor, text, ..repair.clone() });
+        recording.repairs.push(Repair {
+            sensor,
+            text,
+            ..repair.clone()
+        });
     }
 }
 
@@ -79,12 +98,18 @@ pub(super) fn gravity_doubt(recording: &Recording) -> Option<String> {
         m if m < 0.7 => "gravity is probably already taken out (columns lx, ly, lz)",
         _ => "neither m/s2 nor g fits gravity",
     };
-    Some(format!("the mean size of the acceleration is {mean:.3} m/s2 where gravity is 9.8: {likely}"))
+    Some(format!(
+        "the mean size of the acceleration is {mean:.3} m/s2 where gravity is 9.8: {likely}"
+    ))
 }
 
 fn mean_size(recording: &Recording) -> Option<f64> {
     let triad = recording.accelerometer.as_ref()?;
     let [x, y, z] = &triad.axes;
-    let sizes = x.iter().zip(y).zip(z).map(|((x, y), z)| (x * x + y * y + z * z).sqrt());
+    let sizes = x
+        .iter()
+        .zip(y)
+        .zip(z)
+        .map(|((x, y), z)| (x * x + y * y + z * z).sqrt());
     Some(sizes.sum::<f64>() / triad.t_s.len() as f64)
 }

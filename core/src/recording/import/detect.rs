@@ -20,7 +20,8 @@ pub(super) enum Content {
     Unknown,
 }
 
-/// Every file of a source with what it holds. A file that is no table is an error when it is the only one.
+/// Every file of a source with what it holds. A file that is no table is an error when it is the
+/// only one.
 pub(super) fn contents(source: &Source) -> Result<Vec<(&str, &[u8], Content)>> {
     let alone = source.members().count() == 1;
     let mut out = Vec::new();
@@ -36,7 +37,11 @@ pub(super) fn contents(source: &Source) -> Result<Vec<(&str, &[u8], Content)>> {
 }
 
 fn content(table: &Table, name: &str) -> Content {
-    let header: Vec<String> = table.header().iter().map(|name| name.to_lowercase()).collect();
+    let header: Vec<String> = table
+        .header()
+        .iter()
+        .map(|name| name.to_lowercase())
+        .collect();
     let has = |wanted: &str| header.iter().any(|name| name == wanted);
     let starts = |wanted: &str| header.iter().any(|name| name.starts_with(wanted));
     if has("t") {

@@ -6,15 +6,22 @@ use super::{Format, ImportedData, ImportedRecording};
 use crate::Result;
 use crate::recording::samples::GateEvents;
 
-/// Reads a log with `Time` (or `Event Time`), `State at A` and `State at B`; a row of units may follow the header.
+/// Reads a log with `Time` (or `Event Time`), `State at A` and `State at B`; a row of units may
+/// follow the header.
 pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
     let table = Table::open(bytes, name)?;
     let find = |wanted: &str| table.find(|column| column.eq_ignore_ascii_case(wanted));
     let missing = |column: &str| {
-        table.malformed(Some(0), &format!("a column `{column}`"), &format!("`{}`", table.header_text()))
+        table.malformed(
+            Some(0),
+            &format!("a column `{column}`"),
+            &format!("`{}`", table.header_text()),
+        )
     };
     // `Time` carries more digits than `Event Time`.
-    let time = find("Time").or_else(|| find("Event Time")).ok_or_else(|| missing("Time"))?;
+    let time = find("Time")
+        .or_else(|| find("Event Time"))
+        .ok_or_else(|| missing("Time"))?;
     let a = find("State at A").ok_or_else(|| missing("State at A"))?;
     let b = find("State at B").ok_or_else(|| missing("State at B"))?;
     let units = usize::from(table.row_after_header_is_text(time)?);
@@ -29,7 +36,8 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
         };
         let (a, b) = (state(1)?, state(2)?);
         let t_s = numbers.cells[0][row].filter(|t| t.is_finite());
-        let t_s = t_s.ok_or_else(|| table.malformed(Some(offset), "the time of an edge", "no number"))?;
+        let t_s =
+            t_s.ok_or_else(|| table.malformed(Some(offset), "the time of an edge", "no number"))?;
         if events.t_s.last().is_some_and(|last| t_s < *last) {
             dropped += 1;
             continue;
@@ -43,8 +51,15 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
     }
     let mut notes = Vec::new();
     if dropped > 0 {
-        notes.push(format!("{dropped} edges step back in time and are left out"));
+        notes.push(format!(
+            "{dropped} edges step back in time and are left out"
+        ));
     }
     let data = ImportedData::GateEvents(events);
-    Ok(ImportedRecording { name: stem(name).to_owned(), format: Format::LightGate, data, notes })
+    Ok(ImportedRecording {
+        name: stem(name).to_owned(),
+        format: Format::LightGate,
+        data,
+        notes,
+    })
 }

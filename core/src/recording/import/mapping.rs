@@ -15,8 +15,9 @@ use crate::{Error, Result};
 /// Which column of a foreign table is which of the project's, and in which unit.
 ///
 /// # Conventions
-/// Keys are those of the project's recordings: `t`; `gx,gy,gz`; `ax,ay,az` (specific force); `lx,ly,lz` (gravity
-/// taken out); `y` (a rangefinder's track). Separator and decimal mark are found by themselves.
+/// Keys are those of the project's recordings: `t`; `gx,gy,gz`; `ax,ay,az` (specific force);
+/// `lx,ly,lz` (gravity taken out); `y` (a rangefinder's track). Separator and decimal mark are
+/// found by themselves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ColumnMapping {
     /// Foreign column by the project's name.
@@ -41,10 +42,17 @@ impl ColumnMapping {
             let bad = || Error::argument("mapping", "entries such as gx=xGyro:deg/s", entry);
             let (key, rest) = entry.split_once('=').ok_or_else(bad)?;
             let (name, unit) = rest.rsplit_once(':').ok_or_else(bad)?;
-            let column = MappedColumn { name: name.trim().to_owned(), unit: unit.trim().parse()? };
+            let column = MappedColumn {
+                name: name.trim().to_owned(),
+                unit: unit.trim().parse()?,
+            };
             let wanted = dimension(key.trim()).ok_or_else(|| unknown_key(key.trim()))?;
             if column.unit.quantity != wanted {
-                return Err(Error::argument("mapping", format!("a unit that fits `{}`", key.trim()), entry));
+                return Err(Error::argument(
+                    "mapping",
+                    format!("a unit that fits `{}`", key.trim()),
+                    entry,
+                ));
             }
             columns.insert(key.trim().to_owned(), column);
         }
@@ -53,7 +61,11 @@ impl ColumnMapping {
 }
 
 fn unknown_key(key: &str) -> Error {
-    Error::argument("mapping", "one of t, gx, gy, gz, ax, ay, az, lx, ly, lz, y", key)
+    Error::argument(
+        "mapping",
+        "one of t, gx, gy, gz, ax, ay, az, lx, ly, lz, y",
+        key,
+    )
 }
 
 fn dimension(key: &str) -> Option<Dimension> {
@@ -66,18 +78,38 @@ fn dimension(key: &str) -> Option<Dimension> {
     }
 }
 
-/// Reads a table by its mapping. A mean acceleration that contradicts its unit is an error that names the likely one.
-pub(super) fn import(bytes: &[u8], name: &str, mapping: &ColumnMapping) -> Result<ImportedRecording> {
+/// Reads a table by its mapping. A mean acceleration that contradicts its unit is an error that
+/// names the likely one.
+pub(super) fn import(
+    bytes: &[u8],
+    name: &str,
+    mapping: &ColumnMapping,
+) -> Result<ImportedRecording> {
     let table = Table::open(bytes, name)?;
     let (time, time_unit) = place(&table, mapping, "t")?;
     let columns = |sensor: Sensor, keys: &[&str]| -> Result<SensorColumns> {
-        let places = keys.iter().map(|key| place(&table, mapping, key)).collect::<Result<Vec<_>>>()?;
-        let (axes, factors) = places.into_iter().map(|(column, unit)| (column, unit.factor)).unzip();
-        Ok(SensorColumns { sensor, time, time_factor: time_unit.factor, axes, factors })
+        let places = keys
+            .iter()
+            .map(|key| place(&table, mapping, key))
+            .collect::<Result<Vec<_>>>()?;
+        let (axes, factors) = places
+            .into_iter()
+            .map(|(column, unit)| (column, unit.factor))
+            .unzip();
+        Ok(SensorColumns {
+            sensor,
+            time,
+            time_factor: time_unit.factor,
+            axes,
+            factors,
+        })
     };
     let has = |key: &&str| mapping.columns.contains_key(*key);
     let data = if has(&"y") {
-        ImportedData::Track(track(name, columns(Sensor::Displacement, &["y"])?.read(&table)?)?)
+        ImportedData::Track(track(
+            name,
+            columns(Sensor::Displacement, &["y"])?.read(&table)?,
+        )?)
     } else {
         let wanted = TRIADS.iter().filter(|triad| triad.1.iter().any(&has));
         let series = wanted
@@ -89,7 +121,12 @@ pub(super) fn import(bytes: &[u8], name: &str, mapping: &ColumnMapping) -> Resul
         }
         ImportedData::Recording(recording)
     };
-    Ok(ImportedRecording { name: stem(name).to_owned(), format: Format::Mapped, data, notes: Vec::new() })
+    Ok(ImportedRecording {
+        name: stem(name).to_owned(),
+        format: Format::Mapped,
+        data,
+        notes: Vec::new(),
+    })
 }
 
 fn place(table: &Table, mapping: &ColumnMapping, key: &str) -> Result<(usize, Unit)> {
@@ -98,7 +135,11 @@ fn place(table: &Table, mapping: &ColumnMapping, key: &str) -> Result<(usize, Un
         .get(key)
         .ok_or_else(|| Error::argument("mapping", format!("an entry for `{key}`"), "none"))?;
     if dimension(key) != Some(column.unit.quantity) {
-        return Err(Error::argument("mapping", format!("a unit that fits `{key}`"), &column.name));
+        return Err(Error::argument(
+            "mapping",
+            format!("a unit that fits `{key}`"),
+            &column.name,
+        ));
     }
     let found = table.find(|name| name == column.name).ok_or_else(|| {
         table.malformed(

@@ -3,8 +3,8 @@
 //! What is known of each format, and what is done about it, is in `README.md` beside this file.
 //!
 //! # Conventions
-//! Columns are found by header name, never by position. Results are in s, rad/s and m/s² with Android's sign (at
-//! rest, screen up: z = +9.8). Time stamps are the file's own.
+//! Columns are found by header name, never by position. Results are in s, rad/s and m/s² with
+//! Android's sign (at rest, screen up: z = +9.8). Time stamps are the file's own.
 
 mod columns;
 mod detect;
@@ -60,7 +60,8 @@ pub enum Platform {
 /// What the caller knows and the files may not say.
 #[derive(Debug, Clone, Default)]
 pub struct ImportOptions {
-    /// Columns and units of a file of no known format. Where it is given, it is used for every file.
+    /// Columns and units of a file of no known format. Where it is given, it is used for every
+    /// file.
     pub mapping: Option<ColumnMapping>,
     /// The phone's system, for Sensor Logger files that come without their metadata.
     pub platform: Option<Platform>,
@@ -103,8 +104,9 @@ pub enum ImportedData {
     GateEvents(GateEvents),
 }
 
-/// Imports exports by content. `inputs` are names and bytes; each folder of a `.zip` is one recording, and loose files of one folder
-/// that hold different sensors of one phone are one recording too.
+/// Imports exports by content. `inputs` are names and bytes; each folder of a `.zip` is one
+/// recording, and loose files of one folder that hold different sensors of one phone are one
+/// recording too.
 pub fn import_files(inputs: &[(String, Vec<u8>)], options: &ImportOptions) -> Result<Imported> {
     let mut device = BTreeMap::new();
     let mut recordings = Vec::new();
@@ -123,8 +125,9 @@ pub fn import_files(inputs: &[(String, Vec<u8>)], options: &ImportOptions) -> Re
         }
     }
     // A folder of an archive may hold nothing of use; an archive, or loose files, may not.
-    if let Some(source) =
-        barren.iter().find(|source| source.archive.is_none() || !fruitful.contains(&source.archive))
+    if let Some(source) = barren
+        .iter()
+        .find(|source| source.archive.is_none() || !fruitful.contains(&source.archive))
     {
         return Err(detect::unknown(source)?);
     }
@@ -132,11 +135,18 @@ pub fn import_files(inputs: &[(String, Vec<u8>)], options: &ImportOptions) -> Re
         .first()
         .map(|first| first.format)
         .ok_or_else(|| Error::argument("inputs", "at least one exported file", "none"))?;
-    Ok(Imported { recordings, device, source })
+    Ok(Imported {
+        recordings,
+        device,
+        source,
+    })
 }
 
 fn mapped(source: &Source, mapping: &ColumnMapping) -> Result<Vec<ImportedRecording>> {
-    source.members().map(|(name, bytes)| mapping::import(bytes, name, mapping)).collect()
+    source
+        .members()
+        .map(|(name, bytes)| mapping::import(bytes, name, mapping))
+        .collect()
 }
 
 fn recognised(
@@ -146,12 +156,21 @@ fn recognised(
 ) -> Result<Vec<ImportedRecording>> {
     let contents = detect::contents(source)?;
     let of = |wanted: Content| -> Vec<(&str, &[u8])> {
-        contents.iter().filter(|content| content.2 == wanted).map(|content| (content.0, content.1)).collect()
+        contents
+            .iter()
+            .filter(|content| content.2 == wanted)
+            .map(|content| (content.0, content.1))
+            .collect()
     };
     let mut out = Vec::new();
     for (name, bytes) in of(Content::Native) {
         let recording = super::csv::read_recording(bytes, name)?;
-        out.push(ImportedRecording::new(name, Format::Native, recording, Vec::new()));
+        out.push(ImportedRecording::new(
+            name,
+            Format::Native,
+            recording,
+            Vec::new(),
+        ));
     }
     for (name, bytes) in of(Content::LightGate) {
         out.push(light_gate::import(bytes, name)?);
@@ -177,11 +196,15 @@ fn recognised(
         device,
     )?);
     let place = |recorded: &ImportedRecording| {
-        source.members().position(|(name, _)| source::stem(name) == recorded.name)
+        source
+            .members()
+            .position(|(name, _)| source::stem(name) == recorded.name)
     };
     out.sort_by_key(place);
-    let unused: Vec<String> =
-        of(Content::Unknown).iter().map(|(name, _)| format!("`{name}` is not used")).collect();
+    let unused: Vec<String> = of(Content::Unknown)
+        .iter()
+        .map(|(name, _)| format!("`{name}` is not used"))
+        .collect();
     if let Some(last) = out.last_mut() {
         last.notes.extend(unused);
     }
@@ -191,6 +214,11 @@ fn recognised(
 impl ImportedRecording {
     fn new(file: &str, format: Format, recording: Recording, notes: Vec<String>) -> Self {
         let data = ImportedData::Recording(recording);
-        Self { name: source::stem(file).to_owned(), format, data, notes }
+        Self {
+            name: source::stem(file).to_owned(),
+            format,
+            data,
+            notes,
+        }
     }
 }

@@ -22,7 +22,8 @@ pub(super) fn recognises(table: &Table, name: &str) -> bool {
     !sensors(table, stem(name)).is_empty()
 }
 
-/// One recording from the sets of a source. Loose sets that hold the same sensor twice are recordings of their own.
+/// One recording from the sets of a source. Loose sets that hold the same sensor twice are
+/// recordings of their own.
 pub(super) fn import(
     source: &Source,
     sets: &[File],
@@ -40,21 +41,42 @@ pub(super) fn import(
     };
     let mut all = Vec::new();
     for (place, (name, bytes)) in sets.iter().enumerate() {
-        all.extend(read_set(bytes, name, &stated)?.into_iter().map(|raw| (place, raw)));
+        all.extend(
+            read_set(bytes, name, &stated)?
+                .into_iter()
+                .map(|raw| (place, raw)),
+        );
     }
     device.extend(stated);
     if repeats_a_sensor(&all) && source.archive.is_none() {
-        let of = |place: usize| all.iter().filter(|set| set.0 == place).cloned().collect::<Vec<_>>();
-        return sets.iter().enumerate().map(|(place, set)| finish(set.0, of(place), &pauses)).collect();
+        let of = |place: usize| {
+            all.iter()
+                .filter(|set| set.0 == place)
+                .cloned()
+                .collect::<Vec<_>>()
+        };
+        return sets
+            .iter()
+            .enumerate()
+            .map(|(place, set)| finish(set.0, of(place), &pauses))
+            .collect();
     }
     if all.is_empty() {
         return Ok(Vec::new());
     }
-    let name = if source.archive.is_some() { source.name.as_str() } else { sets[0].0 };
+    let name = if source.archive.is_some() {
+        source.name.as_str()
+    } else {
+        sets[0].0
+    };
     finish(name, all, &pauses).map(|recording| vec![recording])
 }
 
-fn finish(name: &str, mut series: Vec<(usize, RawSeries)>, pauses: &Pauses) -> Result<ImportedRecording> {
+fn finish(
+    name: &str,
+    mut series: Vec<(usize, RawSeries)>,
+    pauses: &Pauses,
+) -> Result<ImportedRecording> {
     let mut notes = keep_first_of_each(&mut series);
     for (_, raw) in &mut series {
         raw.t_s.iter_mut().for_each(|t| *t = pauses.wall_s(*t));
@@ -64,7 +86,12 @@ fn finish(name: &str, mut series: Vec<(usize, RawSeries)>, pauses: &Pauses) -> R
         add_repair(&mut recording, &repair);
     }
     notes.extend(gravity_doubt(&recording));
-    Ok(ImportedRecording::new(name, Format::Phyphox, recording, notes))
+    Ok(ImportedRecording::new(
+        name,
+        Format::Phyphox,
+        recording,
+        notes,
+    ))
 }
 
 fn read_set(bytes: &[u8], name: &str, device: &BTreeMap<String, String>) -> Result<Vec<RawSeries>> {
@@ -79,10 +106,11 @@ fn read_set(bytes: &[u8], name: &str, device: &BTreeMap<String, String>) -> Resu
 }
 
 fn repeats_a_sensor(series: &[(usize, RawSeries)]) -> bool {
-    series
-        .iter()
-        .enumerate()
-        .any(|(i, (_, raw))| series[..i].iter().any(|(_, other)| other.sensor == raw.sensor))
+    series.iter().enumerate().any(|(i, (_, raw))| {
+        series[..i]
+            .iter()
+            .any(|(_, other)| other.sensor == raw.sensor)
+    })
 }
 
 /// A second set of the same sensor (filtered, say) cannot be told from the first, which is kept.
@@ -94,7 +122,10 @@ fn keep_first_of_each(series: &mut Vec<(usize, RawSeries)>) -> Vec<String> {
         if new {
             seen.push(raw.sensor);
         } else {
-            notes.push(format!("{}: a second set of the same sensor is not used", raw.sensor.name()));
+            notes.push(format!(
+                "{}: a second set of the same sensor is not used",
+                raw.sensor.name()
+            ));
         }
         new
     });
@@ -111,7 +142,8 @@ fn properties(bytes: &[u8], name: &str) -> Result<BTreeMap<String, String>> {
     Ok(rows.into_iter().filter_map(pair).collect())
 }
 
-/// The range that the phone states for a sensor: `gyroscope Range`, `accelerometer Range`, `linear_acceleration Range`.
+/// The range that the phone states for a sensor: `gyroscope Range`, `accelerometer Range`,
+/// `linear_acceleration Range`.
 fn range(device: &BTreeMap<String, String>, sensor: Sensor) -> Option<f64> {
     let prefix = match sensor {
         Sensor::Gyroscope => "gyroscope",
@@ -124,5 +156,10 @@ fn range(device: &BTreeMap<String, String>, sensor: Sensor) -> Option<f64> {
         key.starts_with(prefix) && key.ends_with("range")
     };
     let stated = device.iter().find(|(key, _)| is_range(key))?.1;
-    stated.trim().replace(',', ".").parse().ok().filter(|range: &f64| range.is_finite() && *range > 0.0)
+    stated
+        .trim()
+        .replace(',', ".")
+        .parse()
+        .ok()
+        .filter(|range: &f64| range.is_finite() && *range > 0.0)
 }

@@ -7,7 +7,8 @@ use crate::Result;
 use crate::constants::STANDARD_GRAVITY_M_S2;
 use crate::recording::samples::Sensor;
 
-/// Reads `time` with `gFx…` (g), `wx…` (rad/s) and `ax…` (gravity-free, m/s²). Repeated stamps are left to the repairs.
+/// Reads `time` with `gFx…` (g), `wx…` (rad/s) and `ax…` (gravity-free, m/s²). Repeated stamps are
+/// left to the repairs.
 pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
     let table = Table::open(bytes, name)?;
     let sensors = [
@@ -17,14 +18,28 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
     ];
     let time = table
         .find(|column| column.eq_ignore_ascii_case("time"))
-        .ok_or_else(|| table.malformed(Some(0), "a column `time`", &format!("`{}`", table.header_text())))?;
+        .ok_or_else(|| {
+            table.malformed(
+                Some(0),
+                "a column `time`",
+                &format!("`{}`", table.header_text()),
+            )
+        })?;
     let mut series = Vec::new();
     for (sensor, prefix, factor) in sensors {
         if let Some(axes) = xyz(&table, |axis| format!("{prefix}{axis}")) {
-            series.push((0, SensorColumns::new(sensor, time, axes, factor).read(&table)?));
+            series.push((
+                0,
+                SensorColumns::new(sensor, time, axes, factor).read(&table)?,
+            ));
         }
     }
     let recording = assemble(name, series)?;
     let notes = gravity_doubt(&recording).into_iter().collect();
-    Ok(ImportedRecording::new(name, Format::PhysicsToolbox, recording, notes))
+    Ok(ImportedRecording::new(
+        name,
+        Format::PhysicsToolbox,
+        recording,
+        notes,
+    ))
 }

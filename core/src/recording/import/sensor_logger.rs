@@ -1,9 +1,10 @@
 //! Sensor Logger: one file per sensor, columns in the order z, y, x.
 //!
 //! # Conventions
-//! `GyroscopeUncalibrated` is preferred to `Gyroscope`, whose bias the phone re-calibrates in mid-record in steps;
-//! the analysis fits a bias itself. The accelerometer is `TotalAcceleration`, or else `Accelerometer` (gravity-free)
-//! plus `Gravity`. On iOS accelerations carry the opposite sign unless the metadata say `standardisation=true`.
+//! `GyroscopeUncalibrated` is preferred to `Gyroscope`, whose bias the phone re-calibrates in
+//! mid-record in steps; the analysis fits a bias itself. The accelerometer is `TotalAcceleration`,
+//! or else `Accelerometer` (gravity-free) plus `Gravity`. On iOS accelerations carry the opposite
+//! sign unless the metadata say `standardisation=true`.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -33,8 +34,10 @@ pub(super) fn import(
         stated.extend(read_metadata(bytes, name)?);
     }
     let (sign, mut notes) = acceleration_sign(&stated, options);
-    let by_name: BTreeMap<String, File> =
-        files.iter().map(|file| (stem(file.0).to_lowercase(), *file)).collect();
+    let by_name: BTreeMap<String, File> = files
+        .iter()
+        .map(|file| (stem(file.0).to_lowercase(), *file))
+        .collect();
     let mut series: Vec<RawSeries> = Vec::new();
     series.extend(gyroscope(&by_name, &mut notes)?);
     series.extend(acceleration(&by_name, sign, &mut notes)?);
@@ -42,11 +45,20 @@ pub(super) fn import(
         return Ok(None);
     }
     from_first_stamp(&mut series);
-    let name = if source.archive.is_some() { source.name.as_str() } else { files[0].0 };
+    let name = if source.archive.is_some() {
+        source.name.as_str()
+    } else {
+        files[0].0
+    };
     let recording = assemble(name, series.into_iter().enumerate().collect())?;
     notes.extend(gravity_doubt(&recording));
     device.extend(stated);
-    Ok(Some(ImportedRecording::new(name, Format::SensorLogger, recording, notes)))
+    Ok(Some(ImportedRecording::new(
+        name,
+        Format::SensorLogger,
+        recording,
+        notes,
+    )))
 }
 
 fn read_metadata(bytes: &[u8], name: &str) -> Result<BTreeMap<String, String>> {
@@ -56,9 +68,14 @@ fn read_metadata(bytes: &[u8], name: &str) -> Result<BTreeMap<String, String>> {
 }
 
 /// +1 for Android's sign, −1 for that of iOS, with a note where it had to be assumed.
-fn acceleration_sign(stated: &BTreeMap<String, String>, options: &ImportOptions) -> (f64, Vec<String>) {
+fn acceleration_sign(
+    stated: &BTreeMap<String, String>,
+    options: &ImportOptions,
+) -> (f64, Vec<String>) {
     let says = |key: &str, value: &str| {
-        stated.iter().any(|(k, v)| k.eq_ignore_ascii_case(key) && v.to_lowercase().contains(value))
+        stated
+            .iter()
+            .any(|(k, v)| k.eq_ignore_ascii_case(key) && v.to_lowercase().contains(value))
     };
     let stated = match (says("platform", "ios"), says("platform", "android")) {
         (true, _) => Some(Platform::Ios),
@@ -67,11 +84,13 @@ fn acceleration_sign(stated: &BTreeMap<String, String>, options: &ImportOptions)
     };
     match stated.or(options.platform) {
         Some(Platform::Ios) if says("standardisation", "true") => (1.0, Vec::new()),
-        Some(Platform::Ios) => (-1.0, vec!["accelerations have the sign of iOS and are turned".to_owned()]),
+        Some(Platform::Ios) => (
+            -1.0,
+            vec!["accelerations have the sign of iOS and are turned".to_owned()],
+        ),
         Some(Platform::Android) => (1.0, Vec::new()),
         None => {
-            let note =
-                "the files do not name the phone's system: accelerations are taken to have Android's sign";
+            let note = "the files do not name the phone's system: accelerations are taken to have Android's sign";
             (1.0, vec![note.to_owned()])
         }
     }
@@ -99,16 +118,26 @@ fn acceleration(
         notes.push(format!("accelerometer: `{}`", file.0));
         return read(file, Sensor::Accelerometer, sign).map(Some);
     }
-    let Some(file) = files.get("accelerometer") else { return Ok(None) };
+    let Some(file) = files.get("accelerometer") else {
+        return Ok(None);
+    };
     let free = read(file, Sensor::LinearAccelerometer, sign)?;
-    let Some(gravity) = files.get("gravity") else { return Ok(Some(free)) };
+    let Some(gravity) = files.get("gravity") else {
+        return Ok(Some(free));
+    };
     let total = sum(&free, &read(gravity, Sensor::Accelerometer, sign)?);
     // Where the two are not sampled together there is nothing to add without resampling.
     if 2 * total.t_s.len() < free.t_s.len() {
-        notes.push(format!("`{}` has stamps of its own and is not used", gravity.0));
+        notes.push(format!(
+            "`{}` has stamps of its own and is not used",
+            gravity.0
+        ));
         return Ok(Some(free));
     }
-    notes.push(format!("accelerometer: `{}` plus `{}` where their stamps agree", file.0, gravity.0));
+    notes.push(format!(
+        "accelerometer: `{}` plus `{}` where their stamps agree",
+        file.0, gravity.0
+    ));
     Ok(Some(total))
 }
 
@@ -118,7 +147,11 @@ fn sum(free: &RawSeries, gravity: &RawSeries) -> RawSeries {
     let mut total = RawSeries::new(Sensor::Accelerometer, 3);
     for (i, &t_s) in free.t_s.iter().enumerate() {
         if let Some(&j) = rows.get(&t_s.to_bits()) {
-            total.push(i, t_s, (0..3).map(|axis| free.channels[axis][i] + gravity.channels[axis][j]));
+            total.push(
+                i,
+                t_s,
+                (0..3).map(|axis| free.channels[axis][i] + gravity.channels[axis][j]),
+            );
         }
     }
     total
@@ -127,12 +160,18 @@ fn sum(free: &RawSeries, gravity: &RawSeries) -> RawSeries {
 fn read(file: &File, sensor: Sensor, factor: f64) -> Result<RawSeries> {
     let table = Table::open(file.1, file.0)?;
     let missing = |what: &str| {
-        table.malformed(Some(0), &format!("columns {what}"), &format!("`{}`", table.header_text()))
+        table.malformed(
+            Some(0),
+            &format!("columns {what}"),
+            &format!("`{}`", table.header_text()),
+        )
     };
     let axes = xyz(&table, str::to_owned).ok_or_else(|| missing("x, y and z"))?;
     let find = |wanted: &str| table.find(|column| column == wanted);
     let elapsed = find("seconds_elapsed");
-    let time = elapsed.or_else(|| find("time")).ok_or_else(|| missing("`seconds_elapsed` or `time`"))?;
+    let time = elapsed
+        .or_else(|| find("time"))
+        .ok_or_else(|| missing("`seconds_elapsed` or `time`"))?;
     let mut columns = SensorColumns::new(sensor, time, axes, factor);
     if elapsed.is_none() {
         // `time` is in nanoseconds since 1970.
@@ -143,8 +182,14 @@ fn read(file: &File, sensor: Sensor, factor: f64) -> Result<RawSeries> {
 
 /// Unix time is counted from the first stamp of all sensors, which keeps their clocks together.
 fn from_first_stamp(series: &mut [RawSeries]) {
-    let first = series.iter().flat_map(|raw| raw.t_s.first().copied()).fold(f64::INFINITY, f64::min);
+    let first = series
+        .iter()
+        .flat_map(|raw| raw.t_s.first().copied())
+        .fold(f64::INFINITY, f64::min);
     if first > UNIX_TIME_S && first.is_finite() {
-        series.iter_mut().flat_map(|raw| &mut raw.t_s).for_each(|t| *t -= first);
+        series
+            .iter_mut()
+            .flat_map(|raw| &mut raw.t_s)
+            .for_each(|t| *t -= first);
     }
 }

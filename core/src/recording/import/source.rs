@@ -17,7 +17,9 @@ pub(super) struct Source {
 impl Source {
     /// Names and bytes in order.
     pub fn members(&self) -> impl Iterator<Item = (&str, &[u8])> {
-        self.files.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice()))
+        self.files
+            .iter()
+            .map(|(name, bytes)| (name.as_str(), bytes.as_slice()))
     }
 }
 
@@ -31,7 +33,11 @@ pub(super) fn sources(inputs: &[(String, Vec<u8>)]) -> Result<Vec<Source>> {
             continue;
         }
         let place = *folders.entry(folder(name)).or_insert_with(|| {
-            sources.push(Source { name: name.clone(), archive: None, files: Vec::new() });
+            sources.push(Source {
+                name: name.clone(),
+                archive: None,
+                files: Vec::new(),
+            });
             sources.len() - 1
         });
         if sources[place].members().any(|(other, _)| other == name) {
@@ -58,7 +64,10 @@ fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
             found: found.to_owned(),
         })
     };
-    if names.iter().any(|member| member == "[Content_Types].xml" || member.starts_with("xl/")) {
+    if names
+        .iter()
+        .any(|member| member == "[Content_Types].xml" || member.starts_with("xl/"))
+    {
         return refused("an Excel workbook (xlsx); export as CSV");
     }
     if names.iter().any(|member| member == "session.toml") {
@@ -66,15 +75,26 @@ fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
     }
     let mut folders: BTreeMap<String, Vec<(String, Vec<u8>)>> = BTreeMap::new();
     for member in names.iter().filter(|member| is_csv(member)) {
-        folders.entry(folder(member)).or_default().push((member.clone(), store.read(member)?));
+        folders
+            .entry(folder(member))
+            .or_default()
+            .push((member.clone(), store.read(member)?));
     }
     if folders.is_empty() {
         return refused("no CSV file");
     }
     let several = folders.len() > 1;
     let source = |(folder, files): (String, Vec<(String, Vec<u8>)>)| {
-        let name = if several && !folder.is_empty() { format!("{name}/{folder}") } else { name.to_owned() };
-        Source { name, archive: Some(store.name().to_owned()), files }
+        let name = if several && !folder.is_empty() {
+            format!("{name}/{folder}")
+        } else {
+            name.to_owned()
+        };
+        Source {
+            name,
+            archive: Some(store.name().to_owned()),
+            files,
+        }
     };
     Ok(folders.into_iter().map(source).collect())
 }

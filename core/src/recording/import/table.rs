@@ -1,8 +1,8 @@
 //! Delimited tables with a header, read by column: the common ground of every recording and export.
 //!
 //! # Conventions
-//! An empty cell is `None` (no sample); `NaN` and `inf` are `Some` and left to the repairs. Lines count from 1 in
-//! the file as it stands, blank lines included.
+//! An empty cell is `None` (no sample); `NaN` and `inf` are `Some` and left to the repairs. Lines
+//! count from 1 in the file as it stands, blank lines included.
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
@@ -31,19 +31,34 @@ impl<'a> Table<'a> {
         Self::with_separator(bytes, file, b',', Some(b'.'))
     }
 
-    /// A table whose separator is read off its header and whose decimal mark off its first number that has one.
+    /// A table whose separator is read off its header and whose decimal mark off its first number
+    /// that has one.
     pub fn open(bytes: &'a [u8], file: &'a str) -> Result<Self> {
         Self::with_separator(bytes, file, separator_of(bytes), None)
     }
 
-    fn with_separator(bytes: &'a [u8], file: &'a str, separator: u8, mark: Option<u8>) -> Result<Self> {
+    fn with_separator(
+        bytes: &'a [u8],
+        file: &'a str,
+        separator: u8,
+        mark: Option<u8>,
+    ) -> Result<Self> {
         let bytes = text_bytes(bytes, file)?;
-        let mut table = Self { file, bytes, separator, mark, header: Vec::new() };
+        let mut table = Self {
+            file,
+            bytes,
+            separator,
+            mark,
+            header: Vec::new(),
+        };
         let mut record = ByteRecord::new();
         if !table.next(&mut table.reader(), &mut record)? {
             return Err(table.malformed(None, "a header and rows", "an empty file"));
         }
-        table.header = record.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect();
+        table.header = record
+            .iter()
+            .map(|cell| String::from_utf8_lossy(cell).trim().to_owned())
+            .collect();
         while table.header.last().is_some_and(String::is_empty) {
             table.header.pop();
         }
@@ -77,7 +92,10 @@ impl<'a> Table<'a> {
 
     /// The same, with `skipped` rows between header and data (units, for example).
     pub fn numbers_after(&self, columns: &[usize], skipped: usize) -> Result<Columns> {
-        let mut out = Columns { offset: Vec::new(), cells: vec![Vec::new(); columns.len()] };
+        let mut out = Columns {
+            offset: Vec::new(),
+            cells: vec![Vec::new(); columns.len()],
+        };
         let mut mark = self.mark;
         let needed = columns.iter().max().map_or(0, |last| last + 1);
         let mut short: Option<(usize, usize)> = None;
@@ -89,12 +107,19 @@ impl<'a> Table<'a> {
                 // Only the last row may be short: the app was killed while writing it.
                 short = Some((offset, record.len()));
             }
-            if record.iter().skip(self.header.len()).any(|cell| !cell.trim_ascii().is_empty()) {
+            if record
+                .iter()
+                .skip(self.header.len())
+                .any(|cell| !cell.trim_ascii().is_empty())
+            {
                 return Err(self.ragged(offset, record.len()));
             }
             for (cells, &column) in out.cells.iter_mut().zip(columns) {
                 let cell = record.get(column).unwrap_or_default();
-                cells.push(number(cell, &mut mark).map_err(|()| self.not_a_number(offset, column, cell))?);
+                cells.push(
+                    number(cell, &mut mark)
+                        .map_err(|()| self.not_a_number(offset, column, cell))?,
+                );
             }
             out.offset.push(offset);
             Ok(())
@@ -106,7 +131,12 @@ impl<'a> Table<'a> {
     pub fn texts(&self) -> Result<Vec<Vec<String>>> {
         let mut rows = Vec::new();
         self.each_row(0, |_, record| {
-            rows.push(record.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect());
+            rows.push(
+                record
+                    .iter()
+                    .map(|cell| String::from_utf8_lossy(cell).trim().to_owned())
+                    .collect(),
+            );
             Ok(())
         })?;
         Ok(rows)
@@ -116,7 +146,11 @@ impl<'a> Table<'a> {
     pub fn texts_of(&self, column: usize) -> Result<Vec<String>> {
         let mut cells = Vec::new();
         self.each_row(0, |_, record| {
-            cells.push(String::from_utf8_lossy(record.get(column).unwrap_or_default()).trim().to_owned());
+            cells.push(
+                String::from_utf8_lossy(record.get(column).unwrap_or_default())
+                    .trim()
+                    .to_owned(),
+            );
             Ok(())
         })?;
         Ok(cells)
@@ -161,13 +195,20 @@ impl<'a> Table<'a> {
     fn next(&self, reader: &mut Reader<&'a [u8]>, record: &mut ByteRecord) -> Result<bool> {
         reader
             .read_byte_record(record)
-            .map_err(|e| Error::Unreadable { file: self.file.to_owned(), reason: e.to_string() })
+            .map_err(|e| Error::Unreadable {
+                file: self.file.to_owned(),
+                reason: e.to_string(),
+            })
     }
 
     fn not_a_number(&self, offset: usize, column: usize, cell: &[u8]) -> Error {
         let name = self.header.get(column).map_or("", String::as_str);
         let found = clipped(&String::from_utf8_lossy(cell), 40);
-        self.malformed(Some(offset), &format!("a number in column `{name}`"), &format!("`{found}`"))
+        self.malformed(
+            Some(offset),
+            &format!("a number in column `{name}`"),
+            &format!("`{found}`"),
+        )
     }
 
     fn ragged(&self, offset: usize, cells: usize) -> Error {
@@ -185,12 +226,19 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Line of the row that the reader met from `offset` on; terminators before the row belong to it.
+    /// Line of the row that the reader met from `offset` on; terminators before the row belong to
+    /// it.
     pub fn line_at(&self, offset: usize) -> usize {
         let rest = self.bytes.get(offset..).unwrap_or_default();
-        let blank = rest.iter().take_while(|&&b| b == b'\r' || b == b'\n').count();
+        let blank = rest
+            .iter()
+            .take_while(|&&b| b == b'\r' || b == b'\n')
+            .count();
         let before = &self.bytes[..(offset + blank).min(self.bytes.len())];
-        let bare_returns = before.windows(2).filter(|pair| pair[0] == b'\r' && pair[1] != b'\n').count();
+        let bare_returns = before
+            .windows(2)
+            .filter(|pair| pair[0] == b'\r' && pair[1] != b'\n')
+            .count();
         1 + before.iter().filter(|&&b| b == b'\n').count() + bare_returns
     }
 }
@@ -214,16 +262,21 @@ fn text_bytes<'a>(bytes: &'a [u8], file: &str) -> Result<&'a [u8]> {
     }
 }
 
-/// The separator that the header uses outside quotes. TAB, `;` and `|` never stand in a column name.
+/// The separator that the header uses outside quotes. TAB, `;` and `|` never stand in a column
+/// name.
 fn separator_of(bytes: &[u8]) -> u8 {
     let is_end = |b: &u8| *b == b'\n' || *b == b'\r';
-    let line = bytes.split(is_end).find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+    let line = bytes
+        .split(is_end)
+        .find(|line| !line.trim_ascii().is_empty())
+        .unwrap_or_default();
     let mut quoted = false;
     let mut bare = line.iter().copied().filter(|&b| {
         quoted ^= b == b'"';
         !quoted
     });
-    bare.find(|b| matches!(b, b'\t' | b';' | b'|')).unwrap_or(b',')
+    bare.find(|b| matches!(b, b'\t' | b';' | b'|'))
+        .unwrap_or(b',')
 }
 
 /// A cell as a number. The first decimal mark met holds for the rest of the file.
@@ -239,7 +292,11 @@ fn number(cell: &[u8], mark: &mut Option<u8>) -> std::result::Result<Option<f64>
         return Err(());
     }
     let text = std::str::from_utf8(cell).map_err(|_| ())?;
-    let value = if found == Some(b',') { text.replacen(',', ".", 1).parse() } else { text.parse() };
+    let value = if found == Some(b',') {
+        text.replacen(',', ".", 1).parse()
+    } else {
+        text.parse()
+    };
     value.map(Some).map_err(|_| ())
 }
 

@@ -17,14 +17,18 @@ pub fn stamp_from_core_motion(timestamp_s: f64) -> Result<i64> {
     if stamp_ns.abs() < MOST_STAMP_NS {
         return Ok(stamp_ns as i64);
     }
-    Err(Error::argument("timestamp_s", "seconds since the phone was switched on", timestamp_s))
+    Err(Error::argument(
+        "timestamp_s",
+        "seconds since the phone was switched on",
+        timestamp_s,
+    ))
 }
 
 /// 2⁵³, 104 days: up to there a float tells whole ns apart.
 const MOST_STAMP_NS: f64 = 9_007_199_254_740_992.0;
 
-/// A unit of a mapped column: `s`, `ms`, `us`, `ns`, `rad/s`, `deg/s`, `m/s2`, `g`, `m`, `mm`, `cm`. A leading minus
-/// turns the sign (`-g` for raw iOS accelerations).
+/// A unit of a mapped column: `s`, `ms`, `us`, `ns`, `rad/s`, `deg/s`, `m/s2`, `g`, `m`, `mm`,
+/// `cm`. A leading minus turns the sign (`-g` for raw iOS accelerations).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
     /// What the unit measures.
@@ -69,7 +73,10 @@ impl FromStr for Unit {
                 ));
             }
         };
-        Ok(Self { quantity, factor: sign * factor })
+        Ok(Self {
+            quantity,
+            factor: sign * factor,
+        })
     }
 }
 

@@ -13,20 +13,34 @@ const JITTER_FRACTION: f64 = 1.0 / 20.0;
 
 /// What the accepted stamps show: gaps left as gaps, and scatter used as it stands.
 pub(super) fn gaps_and_jitter(sensor: Sensor, t_s: &[f64]) -> Vec<Repair> {
-    let Some(median) = median_interval_s(t_s) else { return Vec::new() };
+    let Some(median) = median_interval_s(t_s) else {
+        return Vec::new();
+    };
     let name = sensor.name();
     let steps = || t_s.windows(2).map(|pair| (pair[0], pair[1] - pair[0]));
     let missing = |step: f64| step > MISSING_INTERVALS * median;
     let stall = |step: f64| step > STALL_INTERVALS * median;
-    let long: Vec<(f64, f64)> = steps().filter(|&(_, step)| missing(step) && !stall(step)).collect();
+    let long: Vec<(f64, f64)> = steps()
+        .filter(|&(_, step)| missing(step) && !stall(step))
+        .collect();
     let longest: Vec<(f64, f64)> = steps().filter(|&(_, step)| stall(step)).collect();
     let mut found = Vec::new();
-    found.extend(gap_repair(RepairKind::MissingRows, sensor, &long, |n, worst| {
-        format!("{name}: rows are missing in {n}, up to {worst:.3} s long; left as gaps")
-    }));
-    found.extend(gap_repair(RepairKind::Stall, sensor, &longest, |n, worst| {
-        format!("{name}: the record stood still in {n}, up to {worst:.3} s long; left as gaps")
-    }));
+    found.extend(gap_repair(
+        RepairKind::MissingRows,
+        sensor,
+        &long,
+        |n, worst| {
+            format!("{name}: rows are missing in {n}, up to {worst:.3} s long; left as gaps")
+        },
+    ));
+    found.extend(gap_repair(
+        RepairKind::Stall,
+        sensor,
+        &longest,
+        |n, worst| {
+            format!("{name}: the record stood still in {n}, up to {worst:.3} s long; left as gaps")
+        },
+    ));
     let regular: Vec<(f64, f64)> = steps().filter(|&(_, step)| !missing(step)).collect();
     found.extend(jitter(sensor, median, &regular));
     found
@@ -41,13 +55,25 @@ fn gap_repair(
     let (first, last) = (gaps.first()?, gaps.last()?);
     let worst = gaps.iter().map(|gap| gap.1).fold(0.0, f64::max);
     let text = sentence(counted(gaps.len(), "gap"), worst);
-    Some(Repair { kind, sensor, count: gaps.len(), first_s: first.0, last_s: last.0, text })
+    Some(Repair {
+        kind,
+        sensor,
+        count: gaps.len(),
+        first_s: first.0,
+        last_s: last.0,
+        text,
+    })
 }
 
 fn jitter(sensor: Sensor, median: f64, steps: &[(f64, f64)]) -> Option<Repair> {
     let n = steps.len() as f64;
     let mean = steps.iter().map(|step| step.1).sum::<f64>() / n;
-    let sd = (steps.iter().map(|step| (step.1 - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let sd = (steps
+        .iter()
+        .map(|step| (step.1 - mean).powi(2))
+        .sum::<f64>()
+        / n)
+        .sqrt();
     if steps.len() < 2 || sd.is_nan() || sd <= JITTER_FRACTION * median {
         return None;
     }
@@ -81,21 +107,35 @@ pub(super) fn left_out(raw: &RawSeries, fates: &Fates) -> Vec<Repair> {
         RepairKind::Saturation,
         RepairKind::SecondSwing,
     ];
-    kinds.into_iter().filter_map(|kind| left_out_as(kind, raw, fates)).collect()
+    kinds
+        .into_iter()
+        .filter_map(|kind| left_out_as(kind, raw, fates))
+        .collect()
 }
 
 fn left_out_as(kind: RepairKind, raw: &RawSeries, fates: &Fates) -> Option<Repair> {
-    let rows: Vec<usize> = (0..fates.len()).filter(|&i| fates[i] == Some(kind)).collect();
+    let rows: Vec<usize> = (0..fates.len())
+        .filter(|&i| fates[i] == Some(kind))
+        .collect();
     let (first, last) = (*rows.first()?, *rows.last()?);
     let n = rows.len();
     let what = match kind {
         RepairKind::RepeatedStamp => format!("{} the stamp before", plural(n, "repeats", "repeat")),
         RepairKind::BackwardStamp => format!("{} back in time", plural(n, "steps", "step")),
-        RepairKind::NotANumber => format!("{} a value that is not a number", plural(n, "has", "have")),
+        RepairKind::NotANumber => {
+            format!("{} a value that is not a number", plural(n, "has", "have"))
+        }
         RepairKind::Saturation => format!("{} at the sensor's limit", plural(n, "is", "are")),
-        _ => format!("{} to a second recording in the same file", plural(n, "belongs", "belong")),
+        _ => format!(
+            "{} to a second recording in the same file",
+            plural(n, "belongs", "belong")
+        ),
     };
-    let text = format!("{}: {} {what}; left out", raw.sensor.name(), counted(n, "sample"));
+    let text = format!(
+        "{}: {} {what}; left out",
+        raw.sensor.name(),
+        counted(n, "sample")
+    );
     Some(Repair {
         kind,
         sensor: raw.sensor,
@@ -110,7 +150,10 @@ fn left_out_as(kind: RepairKind, raw: &RawSeries, fates: &Fates) -> Option<Repai
 fn time_near(t_s: &[f64], row: usize) -> f64 {
     let finite = |t: &&f64| t.is_finite();
     let before = t_s[..=row].iter().rev().find(finite);
-    before.or_else(|| t_s[row..].iter().find(finite)).copied().unwrap_or_default()
+    before
+        .or_else(|| t_s[row..].iter().find(finite))
+        .copied()
+        .unwrap_or_default()
 }
 
 fn counted(n: usize, what: &str) -> String {
@@ -118,5 +161,9 @@ fn counted(n: usize, what: &str) -> String {
 }
 
 fn plural(n: usize, one: &str, many: &str) -> String {
-    if n == 1 { one.to_owned() } else { many.to_owned() }
+    if n == 1 {
+        one.to_owned()
+    } else {
+        many.to_owned()
+    }
 }

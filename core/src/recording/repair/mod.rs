@@ -1,7 +1,7 @@
 //! What is wrong with a sensor's samples, and what the analysis leaves out for it.
 //!
-//! Nothing is resampled and nothing is moved: a sample is kept as it stands or left out, and every sample left out
-//! and every gap is listed. The file itself is never changed.
+//! Nothing is resampled and nothing is moved: a sample is kept as it stands or left out, and every
+//! sample left out and every gap is listed. The file itself is never changed.
 
 mod findings;
 mod saturation;
@@ -73,7 +73,9 @@ impl RawSeries {
     pub fn truncate(&mut self, length: usize) {
         self.row.truncate(length);
         self.t_s.truncate(length);
-        self.channels.iter_mut().for_each(|channel| channel.truncate(length));
+        self.channels
+            .iter_mut()
+            .for_each(|channel| channel.truncate(length));
     }
 }
 
@@ -86,19 +88,33 @@ pub(crate) enum Sampling {
     Events,
 }
 
-/// Repairs the series of one file. Where the file holds two recordings one after the other, the rows of the longer
-/// one are kept for every sensor.
-pub(crate) fn repair_file(series: Vec<RawSeries>, file: &str, sampling: Sampling) -> Result<Vec<Repaired>> {
+/// Repairs the series of one file. Where the file holds two recordings one after the other, the
+/// rows of the longer one are kept for every sensor.
+pub(crate) fn repair_file(
+    series: Vec<RawSeries>,
+    file: &str,
+    sampling: Sampling,
+) -> Result<Vec<Repaired>> {
     for raw in &series {
         refuse_reversed(raw, file)?;
     }
-    let windows: Vec<Option<Range<usize>>> = series.iter().map(|raw| window(&series, raw.table)).collect();
-    Ok(series.into_iter().zip(windows).map(|(raw, rows)| repair(raw, rows, sampling)).collect())
+    let windows: Vec<Option<Range<usize>>> = series
+        .iter()
+        .map(|raw| window(&series, raw.table))
+        .collect();
+    Ok(series
+        .into_iter()
+        .zip(windows)
+        .map(|(raw, rows)| repair(raw, rows, sampling))
+        .collect())
 }
 
 /// Rows to keep of one table, decided by its densest sensor.
 fn window(series: &[RawSeries], table: usize) -> Option<Range<usize>> {
-    let densest = series.iter().filter(|raw| raw.table == table).max_by_key(|raw| raw.t_s.len())?;
+    let densest = series
+        .iter()
+        .filter(|raw| raw.table == table)
+        .max_by_key(|raw| raw.t_s.len())?;
     stamps::longest_stretch(densest)
 }
 
@@ -119,12 +135,25 @@ fn repair(raw: RawSeries, rows: Option<Range<usize>>, sampling: Sampling) -> Rep
     saturation::judge(&raw, &mut fates);
     repairs.extend(findings::left_out(&raw, &fates));
     repairs.sort_by_key(|repair| repair.kind);
-    let channels = raw.channels.iter().map(|channel| kept(channel, &fates)).collect();
-    Repaired { t_s: kept(&raw.t_s, &fates), channels, repairs }
+    let channels = raw
+        .channels
+        .iter()
+        .map(|channel| kept(channel, &fates))
+        .collect();
+    Repaired {
+        t_s: kept(&raw.t_s, &fates),
+        channels,
+        repairs,
+    }
 }
 
 fn kept(values: &[f64], fates: &Fates) -> Vec<f64> {
-    values.iter().zip(fates).filter(|(_, fate)| fate.is_none()).map(|(value, _)| *value).collect()
+    values
+        .iter()
+        .zip(fates)
+        .filter(|(_, fate)| fate.is_none())
+        .map(|(value, _)| *value)
+        .collect()
 }
 
 /// A file that runs backwards as a whole is a mistake of whoever wrote it, not damage.
@@ -137,6 +166,10 @@ fn refuse_reversed(raw: &RawSeries, file: &str) -> Result<()> {
         file: file.to_owned(),
         line: None,
         expected: "time that runs forwards".to_owned(),
-        found: format!("{back} of {} steps of the {} backwards", raw.t_s.len() - 1, raw.sensor.name()),
+        found: format!(
+            "{back} of {} steps of the {} backwards",
+            raw.t_s.len() - 1,
+            raw.sensor.name()
+        ),
     })
 }

@@ -1,9 +1,9 @@
 //! Samples at the limit of a sensor's range.
 //!
-//! A stated range decides by itself. Without one, a channel is taken as clipped where it stays at exactly its extreme
-//! value for several samples, several times over, and comes and goes in steps that are large against the
-//! sensor's resolution: a slow signal of coarse resolution rests at its peaks too, but one step below is where it
-//! comes from.
+//! A stated range decides by itself. Without one, a channel is taken as clipped where it stays at
+//! exactly its extreme value for several samples, several times over, and comes and goes in steps
+//! that are large against the sensor's resolution: a slow signal of coarse resolution rests at its
+//! peaks too, but one step below is where it comes from.
 
 use super::{Fates, RawSeries};
 use crate::recording::samples::RepairKind;
@@ -16,7 +16,8 @@ pub(crate) const RUNS: usize = 2;
 pub(crate) const CUT_STEPS: f64 = 3.0;
 /// Limits of a sensor are alike on both sides to this part of the range.
 const SYMMETRY: f64 = 0.98;
-/// A sample above this part of a stated range is at its limit: 2000 °/s are stated, 1999.9 °/s written.
+/// A sample above this part of a stated range is at its limit: 2000 °/s are stated, 1999.9 °/s
+/// written.
 pub(crate) const STATED_RANGE: f64 = 0.999;
 
 /// Marks the samples that are at a limit.
@@ -55,8 +56,16 @@ fn observed_limits(values: &[f64]) -> (f64, f64) {
     if runs < RUNS || !cut || held_runs(values, size) > runs {
         return (f64::NEG_INFINITY, f64::INFINITY);
     }
-    let low = if is_extreme(lowest) && lowest < 0.0 { lowest } else { f64::NEG_INFINITY };
-    let high = if is_extreme(highest) && highest > 0.0 { highest } else { f64::INFINITY };
+    let low = if is_extreme(lowest) && lowest < 0.0 {
+        lowest
+    } else {
+        f64::NEG_INFINITY
+    };
+    let high = if is_extreme(highest) && highest > 0.0 {
+        highest
+    } else {
+        f64::INFINITY
+    };
     (low, high)
 }
 
@@ -65,11 +74,17 @@ fn runs_at(values: &[f64], extreme: f64, steps: &mut Vec<f64>) -> usize {
     let mut runs = 0;
     let mut start = 0;
     while start < values.len() {
-        let length = values[start..].iter().take_while(|&&v| v == extreme).count();
+        let length = values[start..]
+            .iter()
+            .take_while(|&&v| v == extreme)
+            .count();
         if length >= RUN_SAMPLES {
             runs += 1;
             let neighbours = [start.checked_sub(1), Some(start + length)];
-            let outside = neighbours.into_iter().flatten().filter_map(|i| values.get(i));
+            let outside = neighbours
+                .into_iter()
+                .flatten()
+                .filter_map(|i| values.get(i));
             steps.extend(outside.map(|v| (v - extreme).abs()));
         }
         start += length.max(1);
@@ -80,12 +95,17 @@ fn runs_at(values: &[f64], extreme: f64, steps: &mut Vec<f64>) -> usize {
 /// Runs short of the extremes, which only a channel shows that holds its value over several rows.
 fn held_runs(values: &[f64], size: f64) -> usize {
     let inside = |v: f64| v.abs() >= 0.5 * size && v.abs() < SYMMETRY * size;
-    values.chunk_by(|a, b| a == b).filter(|run| run.len() >= RUN_SAMPLES && inside(run[0])).count()
+    values
+        .chunk_by(|a, b| a == b)
+        .filter(|run| run.len() >= RUN_SAMPLES && inside(run[0]))
+        .count()
 }
 
-/// The smallest step between neighbouring samples that a converter of 16 bits can make over ±`size`; anything
-/// smaller is rounding.
+/// The smallest step between neighbouring samples that a converter of 16 bits can make over
+/// ±`size`; anything smaller is rounding.
 fn resolution(values: &[f64], size: f64) -> f64 {
     let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-    steps.filter(|step| *step > 1e-5 * size).fold(f64::INFINITY, f64::min)
+    steps
+        .filter(|step| *step > 1e-5 * size)
+        .fold(f64::INFINITY, f64::min)
 }

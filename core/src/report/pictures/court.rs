@@ -1,4 +1,5 @@
-//! The consistency court as dots and whiskers: how far each implied figure lies from the stated one.
+//! The consistency court as dots and whiskers: how far each implied figure lies from the stated
+//! one.
 
 use super::Figure;
 use crate::inertia::Claim;
@@ -7,9 +8,11 @@ use crate::report::digits::sigmas;
 use crate::report::markup::Markup;
 use crate::report::words;
 
-/// Rows shown; all that are flagged are among them, for the claims come with the largest difference first.
+/// Rows shown; all that are flagged are among them, for the claims come with the largest difference
+/// first.
 pub(in crate::report) const MOST_ROWS: usize = 14;
-/// Where the axis ends, standard uncertainties; what lies beyond is drawn as an arrow with its figure.
+/// Where the axis ends, standard uncertainties; what lies beyond is drawn as an arrow with its
+/// figure.
 const END_SIGMA: f64 = 6.0;
 const ROW: f64 = 42.0;
 const TOP: f64 = 2.0;
@@ -54,34 +57,81 @@ fn draw_axis(out: &mut Markup, bottom: f64) {
         text(out, x, bottom + 16.0, "middle", colour::MUTED, &label);
     }
     let label = "implied − stated, standard uncertainties";
-    text(out, place(0.0), bottom + 32.0, "middle", colour::MUTED, label);
+    text(
+        out,
+        place(0.0),
+        bottom + 32.0,
+        "middle",
+        colour::MUTED,
+        label,
+    );
 }
 
 /// The lane in which a dot moves: grey where it agrees, a line where the report speaks up.
 fn draw_lane(out: &mut Markup, y: f64) {
     let (top, bottom) = (y - 8.0, y + 8.0);
     line(out, (LEFT, y), (RIGHT, y), colour::GRID, 1.0);
-    rectangle(out, (place(-2.0), top), (place(2.0) - place(-2.0), bottom - top), "#e9edf1");
-    line(out, (place(0.0), top), (place(0.0), bottom), colour::MUTED, 1.0);
+    rectangle(
+        out,
+        (place(-2.0), top),
+        (place(2.0) - place(-2.0), bottom - top),
+        "#e9edf1",
+    );
+    line(
+        out,
+        (place(0.0), top),
+        (place(0.0), bottom),
+        colour::MUTED,
+        1.0,
+    );
     for sigma in [-3.0, 3.0] {
-        dashed(out, (place(sigma), top), (place(sigma), bottom), colour::FLAG, 0.8, "3 3");
+        dashed(
+            out,
+            (place(sigma), top),
+            (place(sigma), bottom),
+            colour::FLAG,
+            0.8,
+            "3 3",
+        );
     }
 }
 
 fn draw_row(out: &mut Markup, claim: &Claim, top: f64) {
-    let fill = if claim.flagged { colour::FLAG } else { colour::MODEL };
-    let sigma = if claim.sigma.is_finite() { claim.sigma.abs() } else { 0.0 };
-    let signed = if claim.implied < claim.stated { -sigma } else { sigma };
+    let fill = if claim.flagged {
+        colour::FLAG
+    } else {
+        colour::MODEL
+    };
+    let sigma = if claim.sigma.is_finite() {
+        claim.sigma.abs()
+    } else {
+        0.0
+    };
+    let signed = if claim.implied < claim.stated {
+        -sigma
+    } else {
+        sigma
+    };
     let y = top + 27.0;
     draw_lane(out, y);
     text(out, LEFT, top + 13.0, "start", colour::INK, &label(claim));
-    let figure = if claim.sigma.is_finite() { format!("{} σ", sigmas(sigma)) } else { "–".into() };
+    let figure = if claim.sigma.is_finite() {
+        format!("{} σ", sigmas(sigma))
+    } else {
+        "–".into()
+    };
     text(out, WIDTH - 4.0, y + 4.0, "end", fill, &figure);
     if sigma > END_SIGMA {
         draw_arrow(out, signed.signum(), y, fill);
         return;
     }
-    line(out, (place(signed - 1.0), y), (place(signed + 1.0), y), fill, 1.6);
+    line(
+        out,
+        (place(signed - 1.0), y),
+        (place(signed + 1.0), y),
+        fill,
+        1.6,
+    );
     dot(out, place(signed), y, 4.0, fill);
 }
 
@@ -91,11 +141,18 @@ fn draw_arrow(out: &mut Markup, side: f64, y: f64, fill: &str) {
     let back = tip - side * 9.0;
     line(out, (tip - side * 26.0, y), (back, y), fill, 1.6);
     let corners = [(tip, y), (back, y - 5.0), (back, y + 5.0)];
-    let points: Vec<String> = corners.iter().map(|(x, y)| format!("{},{}", number(*x), number(*y))).collect();
+    let points: Vec<String> = corners
+        .iter()
+        .map(|(x, y)| format!("{},{}", number(*x), number(*y)))
+        .collect();
     out.empty("polygon", &[("points", &points.join(" ")), ("fill", fill)]);
 }
 
 fn label(claim: &Claim) -> String {
-    let whole = format!("{} · {}", words::sentence_case(&words::claim_name(&claim.claim)), claim.from);
+    let whole = format!(
+        "{} · {}",
+        words::sentence_case(&words::claim_name(&claim.claim)),
+        claim.from
+    );
     chart::shortened(&whole, WIDTH - LEFT)
 }

@@ -1,9 +1,10 @@
-//! The hull's inertia as a picture (Fig. 1 of the paper): the homogeneous ellipsoid that would swing as the hull does, and
-//! the inertia ellipsoid, each from the side, from above and from astern.
+//! The hull's inertia as a picture (Fig. 1 of the paper): the homogeneous ellipsoid that would
+//! swing as the hull does, and the inertia ellipsoid, each from the side, from above and from
+//! astern.
 //!
 //! # Conventions
-//! The side view is from starboard, bow to the right; the plan has port upwards; from astern port is left. A positive
-//! ψ lifts the bow end of the principal x axis.
+//! The side view is from starboard, bow to the right; the plan has port upwards; from astern port
+//! is left. A positive ψ lifts the bow end of the principal x axis.
 
 use std::collections::BTreeMap;
 
@@ -27,8 +28,13 @@ struct Known {
 
 /// The two pictures; none where a gyradius is missing.
 pub(in crate::report) fn ellipsoids(quantities: &BTreeMap<String, QuantityResult>) -> Vec<Figure> {
-    let Some(known) = known(quantities) else { return vec![] };
-    [mass_equivalent(&known), inertia(&known)].into_iter().flatten().collect()
+    let Some(known) = known(quantities) else {
+        return vec![];
+    };
+    [mass_equivalent(&known), inertia(&known)]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// Why there is no picture.
@@ -38,12 +44,20 @@ pub(in crate::report) fn no_ellipsoid_reason(
     if known(quantities).is_some() {
         return None;
     }
-    let missing: Vec<&str> = [("k_roll_m", "roll"), ("k_pitch_m", "pitch"), ("k_yaw_m", "yaw")]
-        .iter()
-        .filter(|(key, _)| scalar(quantities, key).is_none())
-        .map(|(_, name)| *name)
-        .collect();
-    let plural = if missing.len() == 1 { "gyradius is" } else { "gyradii are" };
+    let missing: Vec<&str> = [
+        ("k_roll_m", "roll"),
+        ("k_pitch_m", "pitch"),
+        ("k_yaw_m", "yaw"),
+    ]
+    .iter()
+    .filter(|(key, _)| scalar(quantities, key).is_none())
+    .map(|(_, name)| *name)
+    .collect();
+    let plural = if missing.len() == 1 {
+        "gyradius is"
+    } else {
+        "gyradii are"
+    };
     Some(format!(
         "An ellipsoid is drawn where the roll, pitch and yaw gyradii are all known; here the {} {plural} not.",
         missing.join(" and ")
@@ -51,22 +65,40 @@ pub(in crate::report) fn no_ellipsoid_reason(
 }
 
 fn scalar(quantities: &BTreeMap<String, QuantityResult>, key: &str) -> Option<f64> {
-    quantities.get(key)?.value.as_f64().filter(|value| value.is_finite())
+    quantities
+        .get(key)?
+        .value
+        .as_f64()
+        .filter(|value| value.is_finite())
 }
 
 fn known(quantities: &BTreeMap<String, QuantityResult>) -> Option<Known> {
     let principal = quantities.get("principal_gyradii_m").and_then(|q| {
-        let values: Vec<f64> = q.value.as_array()?.iter().filter_map(|v| v.as_f64()).collect();
+        let values: Vec<f64> = q
+            .value
+            .as_array()?
+            .iter()
+            .filter_map(|v| v.as_f64())
+            .collect();
         <[f64; 3]>::try_from(values).ok()
     });
     let single = |key| scalar(quantities, key);
-    let about_hull = || Some([single("k_roll_m")?, single("k_pitch_m")?, single("k_yaw_m")?]);
+    let about_hull = || {
+        Some([
+            single("k_roll_m")?,
+            single("k_pitch_m")?,
+            single("k_yaw_m")?,
+        ])
+    };
     let gyradii_m = principal.or_else(about_hull)?;
-    gyradii_m.iter().all(|k| k.is_finite() && *k > 0.0).then_some(Known {
-        gyradii_m,
-        psi_rad: single("psi_deg").map(f64::to_radians),
-        depth_m: single("cm_depth_m"),
-    })
+    gyradii_m
+        .iter()
+        .all(|k| k.is_finite() && *k > 0.0)
+        .then_some(Known {
+            gyradii_m,
+            psi_rad: single("psi_deg").map(f64::to_radians),
+            depth_m: single("cm_depth_m"),
+        })
 }
 
 /// Semi-axes after Fig. 1: a² = 5/2 (k_y² + k_z² − k_x²) and so on around.
@@ -77,9 +109,20 @@ fn mass_equivalent(known: &Known) -> Option<Figure> {
         "A homogeneous ellipsoid of the hull's mass with these semi-axes (along x {a} m, y {b} m, z {c} m) has the hull's \
          inertia.{}{}",
         axes_note(known),
-        if known.depth_m.is_some() { " The open circle is the line of the suspension points." } else { "" }
+        if known.depth_m.is_some() {
+            " The open circle is the line of the suspension points."
+        } else {
+            ""
+        }
     );
-    Some(figure("ellipsoid-mass", "Mass-equivalent ellipsoid", caption, semi_axes, known, known.depth_m))
+    Some(figure(
+        "ellipsoid-mass",
+        "Mass-equivalent ellipsoid",
+        caption,
+        semi_axes,
+        known,
+        known.depth_m,
+    ))
 }
 
 /// Semi-axes 1/k: the distance to the surface along an axis is one over the gyradius about it.
@@ -91,7 +134,14 @@ fn inertia(known: &Known) -> Option<Figure> {
          y {b}, z {c} per metre).{}",
         axes_note(known)
     );
-    Some(figure("ellipsoid-inertia", "Inertia ellipsoid", caption, semi_axes, known, None))
+    Some(figure(
+        "ellipsoid-inertia",
+        "Inertia ellipsoid",
+        caption,
+        semi_axes,
+        known,
+        None,
+    ))
 }
 
 fn axes_note(known: &Known) -> &'static str {
@@ -132,14 +182,24 @@ impl Views {
         let (sin, cos) = psi.sin_cos();
         let half = [(a * cos).hypot(c * sin), b, (a * sin).hypot(c * cos)];
         let up = suspension_above.map_or(half[2], |depth| depth.max(half[2]));
-        let wide = (WIDTH - 2.0 * MARGIN - GAP) / (2.0 * (half[0] + half[1])).max(f64::MIN_POSITIVE);
+        let wide =
+            (WIDTH - 2.0 * MARGIN - GAP) / (2.0 * (half[0] + half[1])).max(f64::MIN_POSITIVE);
         let high = TALLEST / (2.0 * half[1] + half[2] + up).max(f64::MIN_POSITIVE);
-        Self { semi_axes, psi, half, suspension_above, scale: wide.min(high) }
+        Self {
+            semi_axes,
+            psi,
+            half,
+            suspension_above,
+            scale: wide.min(high),
+        }
     }
 
     /// The suspension points may lie above the ellipsoid.
     fn above(&self) -> f64 {
-        self.scale * self.suspension_above.map_or(self.half[2], |depth| depth.max(self.half[2]))
+        self.scale
+            * self
+                .suspension_above
+                .map_or(self.half[2], |depth| depth.max(self.half[2]))
     }
 
     fn px(&self, i: usize) -> f64 {
@@ -155,7 +215,10 @@ impl Views {
     }
 
     fn side(&self) -> (f64, f64) {
-        (self.plan().0, MARGIN + 2.0 * self.px(1) + GAP + MARGIN + self.above())
+        (
+            self.plan().0,
+            MARGIN + 2.0 * self.px(1) + GAP + MARGIN + self.above(),
+        )
     }
 
     fn astern(&self) -> (f64, f64) {
@@ -178,7 +241,14 @@ impl Views {
     }
 
     /// An ellipse with its axes, the hull's dashed where they differ.
-    fn draw_view(&self, out: &mut Markup, (cx, cy): (f64, f64), (rx, ry): (f64, f64), turn: f64, name: &str) {
+    fn draw_view(
+        &self,
+        out: &mut Markup,
+        (cx, cy): (f64, f64),
+        (rx, ry): (f64, f64),
+        turn: f64,
+        name: &str,
+    ) {
         let degrees = -turn.to_degrees();
         let turned = format!("rotate({} {} {})", number(degrees), number(cx), number(cy));
         let attributes = [
@@ -197,14 +267,35 @@ impl Views {
             dashed(out, (cx - rx, cy), (cx + rx, cy), colour::MUTED, 0.8, "4 3");
             dashed(out, (cx, cy - ry), (cx, cy + ry), colour::MUTED, 0.8, "4 3");
         }
-        line(out, (cx - rx * cos, cy + rx * sin), (cx + rx * cos, cy - rx * sin), colour::MODEL, 0.8);
-        line(out, (cx - ry * sin, cy - ry * cos), (cx + ry * sin, cy + ry * cos), colour::MODEL, 0.8);
+        line(
+            out,
+            (cx - rx * cos, cy + rx * sin),
+            (cx + rx * cos, cy - rx * sin),
+            colour::MODEL,
+            0.8,
+        );
+        line(
+            out,
+            (cx - ry * sin, cy - ry * cos),
+            (cx + ry * sin, cy + ry * cos),
+            colour::MODEL,
+            0.8,
+        );
         dot(out, cx, cy, 2.6, colour::INK);
-        text(out, cx, cy + ry.max(rx * sin.abs()) + 16.0, "middle", colour::MUTED, name);
+        text(
+            out,
+            cx,
+            cy + ry.max(rx * sin.abs()) + 16.0,
+            "middle",
+            colour::MUTED,
+            name,
+        );
     }
 
     fn draw_suspension(&self, out: &mut Markup) {
-        let Some(depth) = self.suspension_above else { return };
+        let Some(depth) = self.suspension_above else {
+            return;
+        };
         for (cx, cy) in [self.side(), self.astern()] {
             let y = cy - self.scale * depth;
             dashed(out, (cx, cy), (cx, y), colour::SECOND, 0.8, "2 2");

@@ -15,14 +15,23 @@ pub(in crate::report) fn learned_force(force: &LearnedForce) -> Option<Figure> {
         "yaw" | "turn" => ["angle, rad", "turn rate, rad/s", "time, s"],
         _ => ["displacement, m", "velocity, m/s", "time, s"],
     };
-    let columns: Vec<(Vec<f64>, &'static str)> =
-        (0..3).map(column).zip(labels).filter(|(x, _)| varies(x)).collect();
+    let columns: Vec<(Vec<f64>, &'static str)> = (0..3)
+        .map(column)
+        .zip(labels)
+        .filter(|(x, _)| varies(x))
+        .collect();
     if columns.is_empty() {
         return None;
     }
-    let heading = format!("{}, {}", words::force(&force.coordinate), words::unit_text(&force.unit));
-    let panels: Vec<Panel> =
-        columns.iter().map(|(x, x_label)| panel(heading.clone(), x_label, [x, &f, &u])).collect();
+    let heading = format!(
+        "{}, {}",
+        words::force(&force.coordinate),
+        words::unit_text(&force.unit)
+    );
+    let panels: Vec<Panel> = columns
+        .iter()
+        .map(|(x, x_label)| panel(heading.clone(), x_label, [x, &f, &u]))
+        .collect();
     let title = "The force that is missing".to_string();
     let caption = "Learned inside the simulation from the samples, with one standard uncertainty.";
     let svg = stacked(&title, &panels);
@@ -37,7 +46,12 @@ fn panel<'a>(heading: String, x_label: &'static str, [x, y, u]: [&'a [f64]; 3]) 
         x_range: None,
         log_y: false,
         height: 100.0,
-        marks: vec![Mark::Points { x, y, u, colour: colour::MODEL }],
+        marks: vec![Mark::Points {
+            x,
+            y,
+            u,
+            colour: colour::MODEL,
+        }],
     }
 }
 

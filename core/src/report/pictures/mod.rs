@@ -33,7 +33,15 @@ pub struct Figure {
 
 impl Figure {
     fn new(id: &str, title: String, caption: String, svg: String) -> Self {
-        let id = id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
-        Self { id, title, caption, svg }
+        let id = id
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+            .collect();
+        Self {
+            id,
+            title,
+            caption,
+            svg,
+        }
     }
 }

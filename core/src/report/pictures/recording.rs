@@ -1,4 +1,5 @@
-//! A recording: the fit over the data with the residual below on its own scale, and the spectrum with its modes named.
+//! A recording: the fit over the data with the residual below on its own scale, and the spectrum
+//! with its modes named.
 
 use super::Figure;
 use crate::report::chart::{Mark, Panel, colour, stacked};
@@ -13,7 +14,12 @@ pub(in crate::report) fn fits(recording: &RecordingFigureData) -> Vec<Figure> {
     let fit = |(i, trace): (usize, &Trace)| {
         let title = format!("{}: {}", recording.id, trace.label);
         let svg = stacked(&title, &panels(trace));
-        Figure::new(&format!("{}-fit-{}", recording.id, i + 1), title, caption(trace), svg)
+        Figure::new(
+            &format!("{}-fit-{}", recording.id, i + 1),
+            title,
+            caption(trace),
+            svg,
+        )
     };
     recording.traces.iter().enumerate().map(fit).collect()
 }
@@ -26,9 +32,17 @@ fn panels(trace: &Trace) -> Vec<Panel<'_>> {
         x_range: None,
         log_y: false,
         height,
-        marks: vec![line(measured, colour::MEASURED, 2.6), line(model, colour::MODEL, 0.9)],
+        marks: vec![
+            line(measured, colour::MEASURED, 2.6),
+            line(model, colour::MODEL, 0.9),
+        ],
     };
-    let whole = overlaid(&format!("whole record, {}", trace.unit), &trace.measured, &trace.model, 130.0);
+    let whole = overlaid(
+        &format!("whole record, {}", trace.unit),
+        &trace.measured,
+        &trace.model,
+        130.0,
+    );
     let residual = Panel {
         heading: format!("what the fit leaves, {}", trace.unit),
         legend: vec![],
@@ -48,13 +62,22 @@ fn panels(trace: &Trace) -> Vec<Panel<'_>> {
 }
 
 fn line<'a>(curve: &'a Curve, colour: &'static str, width: f64) -> Mark<'a> {
-    Mark::Line { x: &curve.x, y: &curve.y, colour, width }
+    Mark::Line {
+        x: &curve.x,
+        y: &curve.y,
+        colour,
+        width,
+    }
 }
 
 fn caption(trace: &Trace) -> String {
     let text = "Damped oscillations, shared by all channels, over the data; below, what they leave, on its own scale.";
     match trace.noise.filter(|noise| noise.is_finite()) {
-        Some(noise) => format!("{text} Noise of one sample: {} {}.", significant(noise, 2), trace.unit),
+        Some(noise) => format!(
+            "{text} Noise of one sample: {} {}.",
+            significant(noise, 2),
+            trace.unit
+        ),
         None => text.into(),
     }
 }
@@ -69,7 +92,13 @@ pub(in crate::report) fn spectrum(recording: &RecordingFigureData) -> Option<Fig
         marks.push(line(residual, colour::MEASURED, 1.0));
         legend.push((colour::MEASURED, "residual"));
     }
-    marks.push(Mark::Names { x: data.peaks.iter().map(|peak| (peak.freq_hz, peak.name.clone())).collect() });
+    marks.push(Mark::Names {
+        x: data
+            .peaks
+            .iter()
+            .map(|peak| (peak.freq_hz, peak.name.clone()))
+            .collect(),
+    });
     let panel = Panel {
         heading: format!("amplitude, {}", data.unit),
         legend,
@@ -83,13 +112,33 @@ pub(in crate::report) fn spectrum(recording: &RecordingFigureData) -> Option<Fig
                    that the fit found."
         .to_string();
     let svg = stacked(&title, &[panel]);
-    Some(Figure::new(&format!("{}-spectrum", recording.id), title, caption, svg))
+    Some(Figure::new(
+        &format!("{}-spectrum", recording.id),
+        title,
+        caption,
+        svg,
+    ))
 }
 
 /// From zero to some way beyond the last named line, within what was recorded.
 fn range_hz(data: &SpectrumFigureData) -> Option<[f64; 2]> {
-    let top = data.amplitude.x.iter().copied().filter(|f| f.is_finite()).fold(0.0, f64::max);
-    let last = data.peaks.iter().map(|peak| peak.freq_hz).filter(|f| f.is_finite()).fold(0.0, f64::max);
-    let wanted = if last > 0.0 { top.min(BEYOND_LAST_PEAK * last) } else { top };
+    let top = data
+        .amplitude
+        .x
+        .iter()
+        .copied()
+        .filter(|f| f.is_finite())
+        .fold(0.0, f64::max);
+    let last = data
+        .peaks
+        .iter()
+        .map(|peak| peak.freq_hz)
+        .filter(|f| f.is_finite())
+        .fold(0.0, f64::max);
+    let wanted = if last > 0.0 {
+        top.min(BEYOND_LAST_PEAK * last)
+    } else {
+        top
+    };
     (wanted > 0.0).then_some([0.0, wanted])
 }

@@ -13,7 +13,11 @@ const CLOSE_UP_CYCLES: usize = 4;
 
 /// One picture for each swing that was fitted.
 pub(in crate::report) fn against_simulations(traces: &[SwingTrace]) -> Vec<Figure> {
-    traces.iter().enumerate().map(|(i, trace)| picture(i, trace)).collect()
+    traces
+        .iter()
+        .enumerate()
+        .map(|(i, trace)| picture(i, trace))
+        .collect()
 }
 
 fn picture(i: usize, trace: &SwingTrace) -> Figure {
@@ -26,7 +30,12 @@ fn picture(i: usize, trace: &SwingTrace) -> Figure {
         significant(trace.noise, 2),
         trace.unit
     );
-    Figure::new(&format!("critique-{}-{}", i + 1, trace.swing), title, caption, svg)
+    Figure::new(
+        &format!("critique-{}-{}", i + 1, trace.swing),
+        title,
+        caption,
+        svg,
+    )
 }
 
 /// Curves to draw.
@@ -62,30 +71,52 @@ impl Curves {
         let unit = &self.unit;
         let mut panels = vec![
             overlaid(format!("whole record, {unit}"), &self.whole),
-            residual("left by the base simulation, noise", &self.before, &self.band, colour::SECOND),
+            residual(
+                "left by the base simulation, noise",
+                &self.before,
+                &self.band,
+                colour::SECOND,
+            ),
         ];
         // Where nothing was missing there is but one simulation.
         if self.whole[1] != self.whole[2] {
-            panels.push(residual("left by the extended one, noise", &self.after, &self.band, colour::MODEL));
+            panels.push(residual(
+                "left by the extended one, noise",
+                &self.after,
+                &self.band,
+                colour::MODEL,
+            ));
         }
         if let Some(last) = panels.last_mut() {
             last.x_label = "time, s";
         }
         let close_up = overlaid(format!("where the base is worst, {unit}"), &self.close_up);
-        panels.push(Panel { x_label: "time, s", ..close_up });
+        panels.push(Panel {
+            x_label: "time, s",
+            ..close_up
+        });
         panels
     }
 }
 
 /// A curve as a line.
 fn line<'a>(curve: &'a Curve, colour: &'static str, width: f64) -> Mark<'a> {
-    Mark::Line { x: &curve.x, y: &curve.y, colour, width }
+    Mark::Line {
+        x: &curve.x,
+        y: &curve.y,
+        colour,
+        width,
+    }
 }
 
 fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3]) -> Panel<'_> {
     Panel {
         heading,
-        legend: vec![(colour::MEASURED, "measured"), (colour::SECOND, "base"), (colour::MODEL, "extended")],
+        legend: vec![
+            (colour::MEASURED, "measured"),
+            (colour::SECOND, "base"),
+            (colour::MODEL, "extended"),
+        ],
         x_label: "",
         x_range: None,
         log_y: false,
@@ -98,7 +129,12 @@ fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3]) -> Panel<'
     }
 }
 
-fn residual<'a>(heading: &str, curve: &'a Curve, band: &'a [Curve; 2], colour: &'static str) -> Panel<'a> {
+fn residual<'a>(
+    heading: &str,
+    curve: &'a Curve,
+    band: &'a [Curve; 2],
+    colour: &'static str,
+) -> Panel<'a> {
     Panel {
         heading: heading.into(),
         legend: vec![],
@@ -121,8 +157,12 @@ fn part(samples: &[f64], from: usize, to: usize) -> &[f64] {
 }
 
 fn over_noise(trace: &SwingTrace, simulated: &[f64]) -> Curve {
-    let left: Vec<f64> =
-        trace.measured.iter().zip(simulated).map(|(y, model)| (y - model) / trace.noise).collect();
+    let left: Vec<f64> = trace
+        .measured
+        .iter()
+        .zip(simulated)
+        .map(|(y, model)| (y - model) / trace.noise)
+        .collect();
     thinned(&trace.t_s, &left)
 }
 
@@ -132,16 +172,22 @@ fn worst(trace: &SwingTrace) -> (usize, usize) {
     let length = (CLOSE_UP_CYCLES * samples / cycles(&trace.base).max(1)).clamp(1, samples.max(1));
     let misfit = |from: &usize| -> f64 {
         let range = *from..(from + length).min(samples);
-        range.map(|i| (trace.measured[i] - trace.base.get(i).unwrap_or(&f64::NAN)).powi(2)).sum()
+        range
+            .map(|i| (trace.measured[i] - trace.base.get(i).unwrap_or(&f64::NAN)).powi(2))
+            .sum()
     };
     let last = samples.saturating_sub(length);
     let starts = (0..=last).step_by(length);
-    let from = starts.max_by(|a, b| misfit(a).total_cmp(&misfit(b))).unwrap_or(0);
+    let from = starts
+        .max_by(|a, b| misfit(a).total_cmp(&misfit(b)))
+        .unwrap_or(0);
     (from, from + length)
 }
 
 /// Cycles of a curve about its mean.
 fn cycles(y: &[f64]) -> usize {
     let mean = y.iter().sum::<f64>() / y.len().max(1) as f64;
-    y.windows(2).filter(|pair| pair[0] < mean && pair[1] >= mean).count()
+    y.windows(2)
+        .filter(|pair| pair[0] < mean && pair[1] >= mean)
+        .count()
 }

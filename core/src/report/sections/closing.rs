@@ -12,7 +12,10 @@ const TERMS: [(&str, &str); 9] = [
         "Gyradius k",
         "The distance at which the whole mass would have to stand from the axis to have the same moment of inertia: I = M k². Axes pass through the centre of mass.",
     ),
-    ("Depth l₂", "Height of the suspension points above the centre of mass."),
+    (
+        "Depth l₂",
+        "Height of the suspension points above the centre of mass.",
+    ),
     (
         "ψ",
         "Angle from the hull's x axis up to the principal x axis, positive bow up. A millimetre in a gyradius turns it by some tenths of a degree: it means nothing without its interval.",

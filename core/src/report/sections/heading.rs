@@ -6,7 +6,11 @@ use crate::report::source::ReportSource;
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     out.within("header", &[], |out| {
-        out.element("p", &[("class", "kind")], "Inertia of a hull by suspension: measurement report");
+        out.element(
+            "p",
+            &[("class", "kind")],
+            "Inertia of a hull by suspension: measurement report",
+        );
         out.element("h1", &[], title(source));
         facts(source, out);
         signing(source, out);
@@ -16,7 +20,10 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
 /// The title, or what stands for it.
 pub(in crate::report) fn title(source: &ReportSource) -> &str {
     let names = [&source.measurement.title, &source.body.name];
-    names.into_iter().find(|name| !name.trim().is_empty()).map_or("Measurement", |name| name)
+    names
+        .into_iter()
+        .find(|name| !name.trim().is_empty())
+        .map_or("Measurement", |name| name)
 }
 
 fn facts(source: &ReportSource, out: &mut Markup) {
@@ -33,14 +40,21 @@ fn facts(source: &ReportSource, out: &mut Markup) {
     }
     let count = source.measurement.swings.len();
     facts.push(("Swings", count.to_string()));
-    let line: Vec<String> = facts.into_iter().map(|(name, value)| format!("{name}: {value}")).collect();
+    let line: Vec<String> = facts
+        .into_iter()
+        .map(|(name, value)| format!("{name}: {value}"))
+        .collect();
     out.element("p", &[("class", "facts")], &line.join(" · "));
 }
 
 /// Blanks to sign; a table, so that it prints as lines.
 fn signing(source: &ReportSource, out: &mut Markup) {
     let date = source.measured_on.as_deref().unwrap_or("");
-    let blanks = [["Measured by", ""], ["Date and place", date], ["Signature", ""]];
+    let blanks = [
+        ["Measured by", ""],
+        ["Date and place", date],
+        ["Signature", ""],
+    ];
     out.within("table", &[("class", "sign")], |out| {
         out.within("tbody", &[], |out| {
             for [name, value] in blanks {

@@ -1,7 +1,10 @@
-//! How the result was got, in plain language: swings, equations, the joint estimate, single routes beside it.
+//! How the result was got, in plain language: swings, equations, the joint estimate, single routes
+//! beside it.
 
 use crate::inertia::{Measurement, Route, SwingResult};
-use crate::report::digits::{NOTHING, interval, joined, rounded, signed, significant, with_u, with_unit};
+use crate::report::digits::{
+    NOTHING, interval, joined, rounded, signed, significant, with_u, with_unit,
+};
 use crate::report::markup::Markup;
 use crate::report::source::{ReportSource, StatedFigure};
 use crate::report::table::{list, table};
@@ -23,7 +26,12 @@ fn swings(measurement: &Measurement, out: &mut Markup) {
                 shared by all channels, their number decided from the data; each oscillation was named by the shape \
                 of the motion.";
     out.element("p", &[], text);
-    let simulated: Vec<&str> = measurement.swings.iter().filter(|s| s.simulated).map(|s| &*s.id).collect();
+    let simulated: Vec<&str> = measurement
+        .swings
+        .iter()
+        .filter(|s| s.simulated)
+        .map(|s| &*s.id)
+        .collect();
     if !simulated.is_empty() {
         let text = format!(
             "Then the full motion of the hull on its lines was simulated and fitted to the samples themselves, all of these \
@@ -32,17 +40,31 @@ fn swings(measurement: &Measurement, out: &mut Markup) {
         );
         out.element("p", &[], &text);
     }
-    list(out, "", &measurement.swings.iter().map(swing_sentence).collect::<Vec<_>>());
+    list(
+        out,
+        "",
+        &measurement
+            .swings
+            .iter()
+            .map(swing_sentence)
+            .collect::<Vec<_>>(),
+    );
 }
 
 fn swing_sentence(swing: &SwingResult) -> String {
-    let span = swing
-        .span_s
-        .map_or(String::new(), |[start, end]| format!(" ({} s of free swing)", significant(end - start, 3)));
+    let span = swing.span_s.map_or(String::new(), |[start, end]| {
+        format!(" ({} s of free swing)", significant(end - start, 3))
+    });
     let modes: Vec<String> = swing
         .modes
         .iter()
-        .map(|m| format!("{} {} s", words::mode_text(m.mode), with_u(m.period_s, m.period_se_s)))
+        .map(|m| {
+            format!(
+                "{} {} s",
+                words::mode_text(m.mode),
+                with_u(m.period_s, m.period_se_s)
+            )
+        })
         .collect();
     if modes.is_empty() {
         return format!("{}{span}: no period was found.", swing.id);
@@ -60,11 +82,23 @@ fn stated(stated: &[StatedFigure], out: &mut Markup) {
         let value = with_unit(figure.value, &figure.unit);
         vec![
             words::sentence_case(&figure.what),
-            if uncertain { value } else { format!("{value} (as exact)") },
-            if figure.applies_to.is_empty() { "all".into() } else { figure.applies_to.join(", ") },
+            if uncertain {
+                value
+            } else {
+                format!("{value} (as exact)")
+            },
+            if figure.applies_to.is_empty() {
+                "all".into()
+            } else {
+                figure.applies_to.join(", ")
+            },
         ]
     };
-    table(out, &["Figure", "Stated ± u", "For"], &stated.iter().map(row).collect::<Vec<_>>());
+    table(
+        out,
+        &["Figure", "Stated ± u", "For"],
+        &stated.iter().map(row).collect::<Vec<_>>(),
+    );
 }
 
 fn estimate(measurement: &Measurement, out: &mut Markup) {
@@ -91,16 +125,32 @@ fn routes(measurement: &Measurement, out: &mut Markup) {
     let text = "Each route uses few of the figures and the equations of the paper whose numbers stand beside it. Routes \
                 are shown as a check; they take no further part.";
     out.element("p", &[], text);
-    let mut rows: Vec<(usize, Vec<String>)> =
-        all.iter().map(|(key, route)| (words::rank(key), route_row(measurement, key, route))).collect();
+    let mut rows: Vec<(usize, Vec<String>)> = all
+        .iter()
+        .map(|(key, route)| (words::rank(key), route_row(measurement, key, route)))
+        .collect();
     rows.sort_by_key(|(rank, _)| *rank);
     let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, row)| row).collect();
-    table(out, &["Quantity", "Route", "Value ± u", "Less joint", "Equation", "From"], &rows);
+    table(
+        out,
+        &[
+            "Quantity",
+            "Route",
+            "Value ± u",
+            "Less joint",
+            "Equation",
+            "From",
+        ],
+        &rows,
+    );
 }
 
 fn route_row(measurement: &Measurement, key: &str, route: &Route) -> Vec<String> {
     let unit = words::unit_of(key);
-    let joint = measurement.quantities.get(key).and_then(|q| q.value.as_f64());
+    let joint = measurement
+        .quantities
+        .get(key)
+        .and_then(|q| q.value.as_f64());
     let difference = joint.map_or(NOTHING.into(), |joint| {
         let difference = route.value - joint;
         signed(difference, &rounded(difference, route.u))

@@ -47,7 +47,11 @@ pub(super) fn court(source: &ReportSource, out: &mut Markup) {
 fn verdict(count: usize, flagged: usize) -> String {
     let compared = format!(
         "Every stated dimension was held against what the swings imply, and every route against every other: {count} {}.",
-        if count == 1 { "comparison" } else { "comparisons" }
+        if count == 1 {
+            "comparison"
+        } else {
+            "comparisons"
+        }
     );
     match flagged {
         0 => format!("{compared} None differs by more than three standard uncertainties."),
@@ -58,7 +62,11 @@ fn verdict(count: usize, flagged: usize) -> String {
 
 fn row(claim: &Claim) -> Vec<String> {
     let unit = words::claim_unit(&claim.claim);
-    let flag = if claim.flagged { " – contradiction" } else { "" };
+    let flag = if claim.flagged {
+        " – contradiction"
+    } else {
+        ""
+    };
     let sigma = match claim.sigma_range {
         None => format!("{} σ", sigmas(claim.sigma)),
         Some([least, most]) => {

@@ -33,9 +33,15 @@ fn quantities(headline: &Headline, out: &mut Markup) {
     out.within("div", &[("class", "scroll")], |out| {
         out.within("table", &[("class", "result")], |out| {
             out.raw("<thead><tr><th>Quantity</th><th>Value ± u</th><th>95 % interval</th>");
-            out.raw(if headline.replaced.is_empty() { "" } else { "<th>Base simulation</th>" });
+            out.raw(if headline.replaced.is_empty() {
+                ""
+            } else {
+                "<th>Base simulation</th>"
+            });
             out.raw("</tr></thead>");
-            out.within("tbody", &[], |out| keys.iter().for_each(|key| quantity(out, key, headline)));
+            out.within("tbody", &[], |out| {
+                keys.iter().for_each(|key| quantity(out, key, headline))
+            });
         });
     });
     let note = "u is one standard uncertainty: every input and what inputs share is counted. The interval holds the true \
@@ -51,7 +57,10 @@ fn quantities(headline: &Headline, out: &mut Markup) {
 /// Numbers and triples; a tensor has a table of its own.
 fn is_listed(quantity: &QuantityResult) -> bool {
     quantity.value.is_number()
-        || quantity.value.as_array().is_some_and(|list| list.iter().all(Value::is_number))
+        || quantity
+            .value
+            .as_array()
+            .is_some_and(|list| list.iter().all(Value::is_number))
 }
 
 fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
@@ -69,10 +78,15 @@ fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
         });
         out.element("td", &[("class", "value")], &value_text(key, quantity));
         let u = quantity.u.as_f64().unwrap_or(0.0);
-        let bounds = quantity.interval_95.map_or(String::new(), |bounds| interval(bounds, u));
+        let bounds = quantity
+            .interval_95
+            .map_or(String::new(), |bounds| interval(bounds, u));
         out.element("td", &[("class", "interval")], &bounds);
         if !headline.replaced.is_empty() {
-            let base = headline.replaced.get(key).map_or(String::new(), |base| value_text(key, base));
+            let base = headline
+                .replaced
+                .get(key)
+                .map_or(String::new(), |base| value_text(key, base));
             out.element("td", &[("class", "base")], &base);
         }
     });
@@ -86,16 +100,32 @@ fn triple(out: &mut Markup, key: &str, headline: &Headline) {
         words::quantity_name(key)
     };
     let base = headline.replaced.get(key).map(pairs).unwrap_or_default();
-    let values = pairs(&headline.quantities[key]).into_iter().zip(["x", "y", "z"]);
+    let values = pairs(&headline.quantities[key])
+        .into_iter()
+        .zip(["x", "y", "z"]);
     for (i, ((value, u), axis)) in values.enumerate() {
         out.within("tr", &[], |out| {
             out.element("th", &[], &format!("{name} {axis}"));
-            out.element("td", &[("class", "value")], &joined(&with_u(value, u), words::unit_of(key)));
+            out.element(
+                "td",
+                &[("class", "value")],
+                &joined(&with_u(value, u), words::unit_of(key)),
+            );
             let half = COVERAGE_95 * u;
-            out.element("td", &[("class", "interval")], &interval([value - half, value + half], u));
+            out.element(
+                "td",
+                &[("class", "interval")],
+                &interval([value - half, value + half], u),
+            );
             if !headline.replaced.is_empty() {
-                let base = base.get(i).map_or(String::new(), |(value, u)| with_u(*value, *u));
-                out.element("td", &[("class", "base")], &joined(&base, words::unit_of(key)));
+                let base = base
+                    .get(i)
+                    .map_or(String::new(), |(value, u)| with_u(*value, *u));
+                out.element(
+                    "td",
+                    &[("class", "base")],
+                    &joined(&base, words::unit_of(key)),
+                );
             }
         });
     }
@@ -113,7 +143,10 @@ fn symbol(out: &mut Markup, symbol: &str) {
 }
 
 fn value_text(key: &str, quantity: &QuantityResult) -> String {
-    let pairs: Vec<String> = pairs(quantity).into_iter().map(|(value, u)| with_u(value, u)).collect();
+    let pairs: Vec<String> = pairs(quantity)
+        .into_iter()
+        .map(|(value, u)| with_u(value, u))
+        .collect();
     joined(&pairs.join(", "), words::unit_of(key))
 }
 
@@ -162,7 +195,9 @@ fn verdict_text(headline: &Headline, verdict: &Verdict) -> String {
         words::quantity_name(&verdict.quantity).to_lowercase(),
         significant(verdict.limit, 6)
     );
-    let found = value.map_or(String::new(), |(v, u)| format!(", measured {} {unit}", with_u(v, u)));
+    let found = value.map_or(String::new(), |(v, u)| {
+        format!(", measured {} {unit}", with_u(v, u))
+    });
     let explained = match &*verdict.verdict {
         "pass" | "fail" => "",
         _ => " The limit lies within the guard band: neither can be stated with confidence.",
@@ -176,7 +211,9 @@ fn verdict_text(headline: &Headline, verdict: &Verdict) -> String {
 
 /// The tensor about the centre of mass, and the correlations of the scalars.
 fn tensor(headline: &Headline, out: &mut Markup) {
-    let Some(inertia) = headline.quantities.get("inertia_kg_m2") else { return };
+    let Some(inertia) = headline.quantities.get("inertia_kg_m2") else {
+        return;
+    };
     let (values, us) = (flat(&inertia.value), flat(&inertia.u));
     if values.len() != 9 {
         return;
@@ -190,13 +227,18 @@ fn tensor(headline: &Headline, out: &mut Markup) {
             std::iter::once(axis.to_string()).chain(cells).collect()
         })
         .collect();
-    out.element("h3", &[], "Inertia about the centre of mass, hull axes, kg m²");
+    out.element(
+        "h3",
+        &[],
+        "Inertia about the centre of mass, hull axes, kg m²",
+    );
     matrix(out, &["", "x", "y", "z"], &rows);
     if !headline.replaced.is_empty() && !headline.replaced.contains_key("inertia_kg_m2") {
         out.element("p", &[("class", "note")], "By the base simulation.");
     }
     if inertia.method.contains("taken as principal") {
-        let text = "The products of inertia were not measured: the hull's axes are taken as principal.";
+        let text =
+            "The products of inertia were not measured: the hull's axes are taken as principal.";
         out.element("p", &[("class", "note")], text);
     }
 }
@@ -208,7 +250,10 @@ fn warnings(source: &ReportSource, out: &mut Markup) {
     }
     out.within("div", &[("class", "warnings")], |out| {
         out.element("h3", &[], "To be read with the result");
-        let sentences: Vec<String> = warnings.iter().map(|text| words::sentence_case(text)).collect();
+        let sentences: Vec<String> = warnings
+            .iter()
+            .map(|text| words::sentence_case(text))
+            .collect();
         list(out, "", &sentences);
     });
 }

@@ -18,8 +18,16 @@ impl Label {
         let lower = words.trim().to_lowercase();
         let last = lower.rsplit(' ').next().unwrap_or_default();
         let axis = ["x", "y", "z"].iter().position(|axis| *axis == last);
-        let what = if axis.is_some() { lower[..lower.len() - 1].trim_end() } else { &lower };
-        Self { what: what.to_owned(), axis, unit: unit_of_header(unit.trim().trim_end_matches(')')) }
+        let what = if axis.is_some() {
+            lower[..lower.len() - 1].trim_end()
+        } else {
+            &lower
+        };
+        Self {
+            what: what.to_owned(),
+            axis,
+            unit: unit_of_header(unit.trim().trim_end_matches(')')),
+        }
     }
 
     fn time_factor(&self) -> Option<f64> {
@@ -27,7 +35,8 @@ impl Label {
         (self.what == "time").then_some(unit.factor)
     }
 
-    /// The sensor this is an axis of; composed experiments name the axis alone, and the set names the sensor.
+    /// The sensor this is an axis of; composed experiments name the axis alone, and the set names
+    /// the sensor.
     fn sensor(&self, set: &str) -> Option<Sensor> {
         let set = set.to_lowercase();
         let free = |text: &str| text.contains("linear") || text.contains("without g");
@@ -39,7 +48,9 @@ impl Label {
             ("acceleration" | "accelerometer" | "", Dimension::Acceleration) if free(&set) => {
                 Some(Sensor::LinearAccelerometer)
             }
-            ("acceleration" | "accelerometer", Dimension::Acceleration) => Some(Sensor::Accelerometer),
+            ("acceleration" | "accelerometer", Dimension::Acceleration) => {
+                Some(Sensor::Accelerometer)
+            }
             ("", Dimension::Acceleration) if set.contains("accel") => Some(Sensor::Accelerometer),
             _ => None,
         }
@@ -58,8 +69,19 @@ impl Met {
     fn complete(self) -> Option<SensorColumns> {
         let axes: Vec<(usize, f64)> = self.axes.into_iter().collect::<Option<_>>()?;
         let (axes, factors) = axes.into_iter().unzip();
-        let Met { sensor, time, time_factor, .. } = self;
-        Some(SensorColumns { sensor, time, time_factor, axes, factors })
+        let Met {
+            sensor,
+            time,
+            time_factor,
+            ..
+        } = self;
+        Some(SensorColumns {
+            sensor,
+            time,
+            time_factor,
+            axes,
+            factors,
+        })
     }
 }
 
@@ -78,10 +100,18 @@ pub(super) fn sensors(table: &Table, set: &str) -> Vec<SensorColumns> {
         else {
             continue;
         };
-        let place = found.iter().position(|met| met.sensor == sensor).unwrap_or_else(|| {
-            found.push(Met { sensor, time, time_factor, axes: [None; 3] });
-            found.len() - 1
-        });
+        let place = found
+            .iter()
+            .position(|met| met.sensor == sensor)
+            .unwrap_or_else(|| {
+                found.push(Met {
+                    sensor,
+                    time,
+                    time_factor,
+                    axes: [None; 3],
+                });
+                found.len() - 1
+            });
         found[place].axes[axis].get_or_insert((column, unit.factor));
     }
     found.into_iter().filter_map(Met::complete).collect()

@@ -15,13 +15,15 @@ impl Pauses {
     pub fn read(bytes: &[u8], name: &str) -> Result<Self> {
         let table = Table::open(bytes, name)?;
         let column = |wanted: &str| {
-            table.find(|column| column.to_lowercase() == wanted).ok_or_else(|| {
-                table.malformed(
-                    Some(0),
-                    &format!("a column `{wanted}`"),
-                    &format!("`{}`", table.header_text()),
-                )
-            })
+            table
+                .find(|column| column.to_lowercase() == wanted)
+                .ok_or_else(|| {
+                    table.malformed(
+                        Some(0),
+                        &format!("a column `{wanted}`"),
+                        &format!("`{}`", table.header_text()),
+                    )
+                })
         };
         let numbers = table.numbers(&[column("experiment time")?, column("system time")?])?;
         let events = table.texts_of(column("event")?)?;
@@ -29,7 +31,9 @@ impl Pauses {
         let mut pauses = Vec::new();
         for (row, event) in events.iter().enumerate() {
             let cell = |column: usize| numbers.cells[column].get(row).copied().flatten();
-            let (Some(experiment_s), Some(system_s)) = (cell(0), cell(1)) else { continue };
+            let (Some(experiment_s), Some(system_s)) = (cell(0), cell(1)) else {
+                continue;
+            };
             match event.to_uppercase().as_str() {
                 "PAUSE" => paused = Some(system_s),
                 "START" => {
@@ -44,7 +48,8 @@ impl Pauses {
         Ok(Self { pauses })
     }
 
-    /// Experiment time with the pauses before it put back. A sample at the very stamp of a pause came before it.
+    /// Experiment time with the pauses before it put back. A sample at the very stamp of a pause
+    /// came before it.
     pub fn wall_s(&self, experiment_s: f64) -> f64 {
         let before = self.pauses.iter().filter(|pause| pause.0 < experiment_s);
         experiment_s + before.map(|pause| pause.1).sum::<f64>()
@@ -55,7 +60,11 @@ impl Pauses {
         let (first, last) = (self.pauses.first()?, self.pauses.last()?);
         let total: f64 = self.pauses.iter().map(|pause| pause.1).sum();
         let count = self.pauses.len();
-        let times = if count == 1 { "once".to_owned() } else { format!("{count} times") };
+        let times = if count == 1 {
+            "once".to_owned()
+        } else {
+            format!("{count} times")
+        };
         Some(Repair {
             kind: RepairKind::Pause,
             sensor: Sensor::Gyroscope,
