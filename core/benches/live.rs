@@ -3,7 +3,7 @@
 #![allow(missing_docs)]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use gyradius_core::live::{Live, LiveOptions};
+use gyradius_core::online::{Live, LiveOptions};
 use gyradius_core::recorder::{Header, Reader, Stream, Writer};
 use gyradius_core::recording::Sensor;
 

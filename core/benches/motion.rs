@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use gyradius_core::constants::STANDARD_GRAVITY_M_S2;
-use gyradius_core::dynamics::{
+use gyradius_core::mechanics::{
     Damping, ModalPart, Rig, RigidBody, Sampling, SuspensionAxis, initial_state, simulate,
     small_modes,
 };

@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use gyradius_core::inertia::{MeasureOptions, analyse, measure_recording};
-use gyradius_core::intake::{Loaded, load_any};
+use gyradius_core::identification::{MeasureOptions, analyse, measure_recording};
+use gyradius_core::import::{Loaded, load_any};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut words = std::env::args().skip(1);

@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use gyradius_core::Error;
-use gyradius_core::critique::{self, Critique, Progress, SwingTrace};
+use gyradius_core::diagnosis::{self, Critique, Progress, SwingTrace};
 use numpy::{PyArray1, ToPyArray};
 use pyo3::prelude::*;
 
@@ -25,7 +25,7 @@ type Trace<'py> = (String, String, String, f64, Vec<Bound<'py, PyArray1<f64>>>);
 #[pyclass(frozen, module = "gyradius._core")]
 pub struct Criticism {
     /// As the core made it.
-    pub inner: critique::Criticism,
+    pub inner: diagnosis::Criticism,
 }
 
 #[pymethods]
@@ -38,7 +38,7 @@ impl Criticism {
             let traces = serde_json::from_str(traces)
                 .map_err(|error| Error::argument("traces", "its JSON", error))?;
             Ok(Self {
-                inner: critique::Criticism { critique, traces },
+                inner: diagnosis::Criticism { critique, traces },
             })
         })
     }
@@ -68,7 +68,13 @@ fn trace<'py>(py: Python<'py>, trace: &SwingTrace) -> Trace<'py> {
     } = trace;
     let columns = [&trace.t_s, &trace.measured, &trace.base, &trace.extended];
     let arrays = columns.map(|column| column.to_pyarray(py)).into();
-    (swing.clone(), channel.clone(), unit.clone(), *noise, arrays)
+    (
+        swing.clone(),
+        channel.english.clone(),
+        unit.clone(),
+        *noise,
+        arrays,
+    )
 }
 
 /// Runs work on a thread of its own while this one tells Python how far it is and heeds signals.

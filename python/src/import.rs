@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::intake::{ImportRequest, import_session};
+use gyradius_core::import::{ImportRequest, import_session};
 use gyradius_core::recording::import::Platform;
 use gyradius_core::recording::{Orientation, Overwrite, Quantity, Suspension, SuspensionKind};
 use gyradius_core::{Error, Result};

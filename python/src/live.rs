@@ -1,7 +1,6 @@
 //! The live estimator as Python feeds it.
 
-use gyradius_core::live::{self, LiveOptions};
-use gyradius_core::procedure::Text;
+use gyradius_core::online::{self, LiveOptions};
 use gyradius_core::recording::Sensor;
 use gyradius_core::{Error, Result};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
@@ -13,7 +12,7 @@ use crate::measurement::as_json;
 /// What is known while a hull swings, from the samples so far.
 #[pyclass(module = "gyradius._core")]
 pub struct Live {
-    inner: live::Live,
+    inner: online::Live,
 }
 
 #[pymethods]
@@ -32,7 +31,7 @@ impl Live {
             gyroscope_full_scale_rad_s: gyroscope_full_scale,
             accelerometer_full_scale_m_s2: accelerometer_full_scale,
         };
-        detached(py, || live::Live::new(options)).map(|inner| Self { inner })
+        detached(py, || online::Live::new(options)).map(|inner| Self { inner })
     }
 
     /// Takes samples of `gyroscope` (rad/s) or `accelerometer` (m/s²): stamps in ns, and a row of
@@ -71,7 +70,7 @@ impl Live {
             .estimate()
             .advice
             .iter()
-            .map(|advice| Text::from(advice).english)
+            .map(|advice| advice.message().english)
             .collect()
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use gyradius_core::Error;
-use gyradius_core::inertia::{Analysis, Evidence};
-use gyradius_core::intake::Loaded;
+use gyradius_core::identification::{Analysis, Evidence};
+use gyradius_core::import::Loaded;
 use gyradius_core::report::{self, ReportSource};
 use gyradius_core::signal::{ChannelGroup, model, spectrum};
 use numpy::{IntoPyArray, PyArray1, PyArray2};

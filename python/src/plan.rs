@@ -1,6 +1,6 @@
 //! Plans as Python holds them.
 
-use gyradius_core::plan::{self, Request};
+use gyradius_core::planning::{self, Request};
 use pyo3::prelude::*;
 
 use crate::errors::detached;
@@ -9,12 +9,12 @@ use crate::measurement::as_json;
 /// What to do, and what it is expected to give.
 #[pyclass(frozen, module = "gyradius._core")]
 pub struct Plan {
-    inner: plan::Plan,
+    inner: planning::Plan,
 }
 
 impl Plan {
     /// A plan of the core.
-    pub fn new(inner: plan::Plan) -> Self {
+    pub fn new(inner: planning::Plan) -> Self {
         Self { inner }
     }
 }
@@ -28,17 +28,17 @@ impl Plan {
 
     /// The `session.toml` that its swings will fill.
     fn session_toml(&self, py: Python<'_>) -> PyResult<String> {
-        detached(py, || Ok(plan::session_toml(&self.inner)))
+        detached(py, || Ok(planning::session_toml(&self.inner)))
     }
 
     /// The rig file that rehearses it.
     fn rig_toml(&self, py: Python<'_>) -> PyResult<String> {
-        detached(py, || plan::rig_toml(&self.inner))
+        detached(py, || planning::rig_toml(&self.inner))
     }
 }
 
 /// The plan for a hull of which rough figures are known; the request is JSON.
 #[pyfunction]
 pub fn plan_swings(py: Python<'_>, request: &str) -> PyResult<Plan> {
-    detached(py, || plan::plan(&Request::from_json(request)?)).map(Plan::new)
+    detached(py, || planning::plan(&Request::from_json(request)?)).map(Plan::new)
 }

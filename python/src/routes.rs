@@ -1,6 +1,6 @@
 //! The paper's routes one by one.
 
-use gyradius_core::inertia::routes::catalogue::{Numbers, catalogue, evaluate};
+use gyradius_core::identification::routes::catalogue::{Numbers, catalogue, evaluate};
 use pyo3::prelude::*;
 
 use crate::errors::detached;

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use gyradius_core::Result;
-use gyradius_core::critique::{Progress, criticise};
-use gyradius_core::inertia::{Analysis, MeasureOptions, analyse, measure_recording};
-use gyradius_core::intake::{Loaded, load_any};
-use gyradius_core::plan::{Request, plan_on, plan_to_tell_apart};
+use gyradius_core::diagnosis::{Progress, criticise};
+use gyradius_core::identification::{Analysis, MeasureOptions, analyse, measure_recording};
+use gyradius_core::import::{Loaded, load_any};
+use gyradius_core::planning::{Request, plan_on, plan_to_tell_apart};
 use pyo3::prelude::*;
 
 use crate::critique::{Criticism, watched};

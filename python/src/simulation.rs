@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::dynamics::Moment;
-use gyradius_core::practice::{self, RigFile, Simulated, Variation};
+use gyradius_core::mechanics::Moment;
 use gyradius_core::recording::Overwrite;
+use gyradius_core::simulator::{self, RigFile, Simulated, Variation};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, ToPyArray};
 use pyo3::prelude::*;
 
@@ -21,8 +21,8 @@ pub struct Rig {
 #[pyo3(signature = (path, text=None))]
 pub fn read_rig(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Rig> {
     let read = || match text {
-        Some(text) => practice::read_rig(&text, &path.display().to_string()),
-        None => practice::read_rig_file(&path),
+        Some(text) => simulator::read_rig(&text, &path.display().to_string()),
+        None => simulator::read_rig_file(&path),
     };
     detached(py, read).map(|inner| Rig { inner })
 }
@@ -74,8 +74,8 @@ impl Rig {
             Overwrite::Refuse
         };
         detached(py, || {
-            practice::save_practised(
-                &practice::practise(&self.inner, seed)?,
+            simulator::save_practised(
+                &simulator::practise(&self.inner, seed)?,
                 folder,
                 truth_file,
                 overwrite,

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use gyradius_core::inertia::{self, Measurement};
-use gyradius_core::intake::Loaded;
+use gyradius_core::identification::{self, Measurement};
+use gyradius_core::import::Loaded;
 use gyradius_core::report::{self, Figure, RecordingFigureData, ReportSource};
 
 use crate::as_json;
@@ -14,13 +14,13 @@ use crate::work::{Listener, announced};
 /// The result of a session or a bare recording.
 #[derive(Debug, uniffi::Object)]
 pub struct Analysis {
-    inner: inertia::Analysis,
+    inner: identification::Analysis,
     loaded: Arc<Loaded>,
 }
 
 impl Analysis {
     /// An analysis of the core, and what was analysed.
-    pub fn new(inner: inertia::Analysis, loaded: Arc<Loaded>) -> Arc<Self> {
+    pub fn new(inner: identification::Analysis, loaded: Arc<Loaded>) -> Arc<Self> {
         Arc::new(Self { inner, loaded })
     }
 

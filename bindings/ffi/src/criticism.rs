@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use gyradius_core::critique::{self, Critique, SwingTrace};
+use gyradius_core::diagnosis::{self, Critique, SwingTrace};
 use gyradius_core::procedure::{self, keep_criticism};
 use gyradius_core::report::{Curve, thinned};
 
@@ -15,10 +15,8 @@ use crate::error::Result;
 pub struct ComparedSwing {
     /// The swing.
     pub swing: String,
-    /// The channel, in words.
-    pub channel: String,
-    /// The same for every language.
-    pub said: Sentence,
+    /// The channel.
+    pub channel: Sentence,
     /// Unit of the readings.
     pub unit: String,
     /// Standard deviation of the noise.
@@ -36,7 +34,6 @@ impl From<&SwingTrace> for ComparedSwing {
         let SwingTrace {
             swing,
             channel,
-            said,
             unit,
             noise,
             t_s,
@@ -45,12 +42,10 @@ impl From<&SwingTrace> for ComparedSwing {
             extended,
         } = trace;
         let [measured, base, extended] = [measured, base, extended].map(|y| thinned(t_s, y));
-        let (swing, channel, said, unit) =
-            (swing.clone(), channel.clone(), said.clone(), unit.clone());
+        let (swing, channel, unit) = (swing.clone(), channel.clone(), unit.clone());
         Self {
             swing,
             channel,
-            said,
             unit,
             noise: *noise,
             measured,
@@ -63,17 +58,17 @@ impl From<&SwingTrace> for ComparedSwing {
 /// A criticism.
 #[derive(Debug, uniffi::Object)]
 pub struct Criticism {
-    inner: critique::Criticism,
+    inner: diagnosis::Criticism,
 }
 
 impl Criticism {
     /// A criticism of the core.
-    pub fn new(inner: critique::Criticism) -> Arc<Self> {
+    pub fn new(inner: diagnosis::Criticism) -> Arc<Self> {
         Arc::new(Self { inner })
     }
 
     /// The core's own.
-    pub fn inner(&self) -> &critique::Criticism {
+    pub fn inner(&self) -> &diagnosis::Criticism {
         &self.inner
     }
 }
@@ -83,8 +78,8 @@ impl Criticism {
     /// A criticism from its `gyradius-critique/1` text, for a report; it has no traces.
     #[uniffi::constructor]
     pub fn from_json(text: &str) -> Result<Arc<Self>> {
-        let critique = critique::Critique::from_json(text)?;
-        Ok(Self::new(critique::Criticism {
+        let critique = diagnosis::Critique::from_json(text)?;
+        Ok(Self::new(diagnosis::Criticism {
             critique,
             traces: Vec::new(),
         }))

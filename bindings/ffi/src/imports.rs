@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gyradius_core::intake::{ImportRequest, import_session};
+use gyradius_core::import::{ImportRequest, import_session};
 use gyradius_core::recording::import::{Platform, from_core_motion, stamp_from_core_motion};
 use gyradius_core::recording::{Overwrite, Quantity, Suspension};
 

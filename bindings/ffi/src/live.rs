@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, Mutex};
 
-use gyradius_core::live::{Advice, Estimate, Live, LiveOptions};
-use gyradius_core::procedure::Text;
+use gyradius_core::message::Message;
+use gyradius_core::online::{Advice, Estimate, Live, LiveOptions};
 use gyradius_core::recording::Sensor;
 
 use crate::error::Result;
@@ -56,6 +56,6 @@ impl LiveEstimator {
 
 /// The sentence of a piece of advice, with its key and what it names.
 #[uniffi::export]
-pub fn live_sentence(advice: &Advice) -> Text {
-    advice.into()
+pub fn live_sentence(advice: &Advice) -> Message {
+    advice.message()
 }

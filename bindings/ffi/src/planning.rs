@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use gyradius_core::plan::{self, BOAT_TYPES, Means, Request};
+use gyradius_core::planning::{self, BOAT_TYPES, Means, Request};
 use gyradius_core::procedure::Task;
 
 use crate::as_json;
@@ -12,12 +12,12 @@ use crate::work::{Listener, announced};
 /// What to do, and what it is expected to give.
 #[derive(Debug, uniffi::Object)]
 pub struct Plan {
-    inner: plan::Plan,
+    inner: planning::Plan,
 }
 
 impl Plan {
     /// A plan of the core.
-    pub fn new(inner: plan::Plan) -> Arc<Self> {
+    pub fn new(inner: planning::Plan) -> Arc<Self> {
         Arc::new(Self { inner })
     }
 }
@@ -27,11 +27,11 @@ impl Plan {
     /// The plan for a hull of which rough figures are known: seconds.
     #[uniffi::constructor]
     pub fn make_blocking(request: Request, listener: Listener) -> Result<Arc<Self>> {
-        announced(&listener, "planning", || plan::plan(&request)).map(Self::new)
+        announced(&listener, "planning", || planning::plan(&request)).map(Self::new)
     }
 
     /// The plan.
-    pub fn result(&self) -> plan::Plan {
+    pub fn result(&self) -> planning::Plan {
         self.inner.clone()
     }
 
@@ -42,12 +42,12 @@ impl Plan {
 
     /// The `session.toml` that its swings will fill.
     pub fn session_toml(&self) -> String {
-        plan::session_toml(&self.inner)
+        planning::session_toml(&self.inner)
     }
 
     /// The rig file that rehearses it.
     pub fn rig_toml(&self) -> Result<String> {
-        Ok(plan::rig_toml(&self.inner)?)
+        Ok(planning::rig_toml(&self.inner)?)
     }
 
     /// What a procedure that follows the plan starts from: its steps, mass and gravity.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use gyradius_core::inertia::routes::catalogue;
+use gyradius_core::identification::routes::catalogue;
 
 use crate::as_json;
 use crate::error::Result;

@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use gyradius_core::critique::criticise;
-use gyradius_core::inertia::{MeasureOptions, analyse_watched, measure_recording};
-use gyradius_core::intake::{Loaded, load_any};
-use gyradius_core::plan::{Request, plan_on, plan_to_tell_apart};
+use gyradius_core::diagnosis::criticise;
+use gyradius_core::identification::{MeasureOptions, analyse_watched, measure_recording};
+use gyradius_core::import::{Loaded, load_any};
+use gyradius_core::planning::{Request, plan_on, plan_to_tell_apart};
 use gyradius_core::recording::write_session;
 
 use crate::analysis::Analysis;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use gyradius_core::dynamics::{Moment, Slack};
-use gyradius_core::practice::{self, RigFile, Simulated, Variation};
+use gyradius_core::mechanics::{Moment, Slack};
 use gyradius_core::recording::Overwrite;
+use gyradius_core::simulator::{self, RigFile, Simulated, Variation};
 
 use crate::block;
 use crate::data::{Count, NamedNumber};
@@ -41,7 +41,7 @@ impl Rig {
     #[uniffi::constructor]
     pub fn read(path: &str) -> Result<Arc<Self>> {
         Ok(Arc::new(Self {
-            inner: practice::read_rig_file(path)?,
+            inner: simulator::read_rig_file(path)?,
         }))
     }
 
@@ -49,7 +49,7 @@ impl Rig {
     #[uniffi::constructor]
     pub fn parse(text: &str, name: &str) -> Result<Arc<Self>> {
         Ok(Arc::new(Self {
-            inner: practice::read_rig(text, name)?,
+            inner: simulator::read_rig(text, name)?,
         }))
     }
 
@@ -92,8 +92,8 @@ impl Rig {
         overwrite: Overwrite,
     ) -> Result<()> {
         aside(|| {
-            practice::save_practised(
-                &practice::practise(&self.inner, seed)?,
+            simulator::save_practised(
+                &simulator::practise(&self.inner, seed)?,
                 folder,
                 truth_file,
                 overwrite,

@@ -1,7 +1,7 @@
 //! Any text: an error or a rig whose session survives writing and reading.
 #![no_main]
 
-use gyradius_core::practice::read_rig;
+use gyradius_core::simulator::read_rig;
 use gyradius_core::recording::{read_session, write_session};
 use libfuzzer_sys::fuzz_target;
 

@@ -19,7 +19,7 @@ struct PhaseView: View {
     if let judgement = state.judgement { JudgementBody(judgement: judgement) }
     if let result = state.result {
       Quantities(quantities: result.quantities)
-      ForEach(result.warningsSaid, id: \.self) { Advice(text: spoken($0)) }
+      ForEach(result.warnings, id: \.self) { Advice(text: spoken($0)) }
     }
   }
 }
@@ -35,7 +35,7 @@ struct DetailsView: View {
     if state.phase == .hang, let tilt = state.tilt { TiltFigures(tilt: tilt) }
     if let critique = state.critique {
       SectionHead(title: Words.criticism)
-      CritiqueStatus(status: critique.status, said: critique.said)
+      CritiqueStatus(status: critique.status, message: critique.message)
     }
     if state.result != nil, let measurable = app.measurable {
       NavigationLink(Words.wholeResult, value: measurable).frame(minHeight: 44)

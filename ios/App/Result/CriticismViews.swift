@@ -24,7 +24,7 @@ struct CriticisedView: View {
 /// A status of the criticism in plain words; one that is not known yet reads as unexplained.
 struct CritiqueStatus: View {
   let status: String
-  let said: Sentence
+  let message: Sentence
 
   var body: some View {
     switch status {
@@ -33,7 +33,7 @@ struct CritiqueStatus: View {
     case "ambiguous": Advice(text: Words.statusAmbiguous)
     default: Advice(text: Words.statusUnexplained, tone: .wrong)
     }
-    Text(spoken(said))
+    Text(spoken(message))
   }
 }
 
@@ -47,8 +47,8 @@ private struct CritiqueBody: View {
   private static let leastShiftM = 0.00005
 
   var body: some View {
-    CritiqueStatus(status: critique.verdict.status, said: critique.verdict.said)
-    ForEach(critique.warningsSaid, id: \.self) { Advice(text: spoken($0)) }
+    CritiqueStatus(status: critique.verdict.status, message: critique.verdict.message)
+    ForEach(critique.warnings, id: \.self) { Advice(text: spoken($0)) }
     residuals
     if !critique.causes.isEmpty {
       Fold(Words.causes, isOpenAtFirst: true) {
@@ -59,10 +59,10 @@ private struct CritiqueBody: View {
     if let next = critique.verdict.nextSwing {
       SectionHead(title: Words.nextSwing)
       Motions(excited: next.excited)
-      Text(spoken(next.said))
+      Text(spoken(next.message))
     }
     if !critique.discrepancies.isEmpty {
-      Fold(Words.discrepancies) { ForEach(critique.discrepancies, id: \.self) { Text(spoken($0.said)) } }
+      Fold(Words.discrepancies) { ForEach(critique.discrepancies, id: \.self) { Text(spoken($0.message)) } }
     }
   }
 
@@ -87,7 +87,7 @@ private struct CauseView: View {
     VStack(alignment: .leading) {
       Text(Words.causeProbability(causeName(one.id), 100 * one.probability)).font(.headline)
       ProgressView(value: one.probability).accessibilityHidden(true)
-      Text(spoken(one.said))
+      Text(spoken(one.message))
     }
     .accessibilityElement(children: .combine)
   }
@@ -101,7 +101,7 @@ private struct ComparedView: View {
 
   var body: some View {
     SectionHead(title: Words.comparedSwing(idName(one.swing)))
-    Text(spoken(one.said))
+    Text(spoken(one.channel))
     CurvePlot(
       says: Words.comparedSays, unit: one.unit,
       drawn: [

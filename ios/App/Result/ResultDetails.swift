@@ -25,7 +25,7 @@ struct ResultDetails: View {
     }
     Fold(Words.consistency) {
       ForEach(result.consistency, id: \.self) { claim in
-        if claim.flagged { Advice(text: spoken(claim.said)) } else { Text(spoken(claim.said)) }
+        if claim.flagged { Advice(text: spoken(claim.message)) } else { Text(spoken(claim.message)) }
       }
     }
     Fold(Words.budget) {
@@ -72,6 +72,6 @@ private struct SwingLines: View {
       let period = withUncertainty(mode.periodS, mode.periodSeS)
       Text("\(mode.mode.word): \(Words.secondsU(period.value, period.u))").monospacedDigit()
     }
-    ForEach(one.warningsSaid, id: \.self) { Text(spoken($0)) }
+    ForEach(one.warnings, id: \.self) { Text(spoken($0)) }
   }
 }

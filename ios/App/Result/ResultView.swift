@@ -57,7 +57,7 @@ private struct MeasuredView: View {
   var body: some View {
     ForEach(result.verdicts, id: \.self) { VerdictView(one: $0) }
     Quantities(quantities: result.quantities)
-    ForEach(result.warningsSaid, id: \.self) { Advice(text: spoken($0)) }
+    ForEach(result.warnings, id: \.self) { Advice(text: spoken($0)) }
     Fold(Words.classLimits) {
       LimitsForm(limits: $limits)
       // Where the last one was taken away, too, there is something to judge anew.

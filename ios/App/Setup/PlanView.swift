@@ -49,7 +49,7 @@ private struct Hung: View {
 
   var body: some View {
     Text(Words.framePoints(one.framePoints, one.swings.map(idName).joined(separator: ", "))).font(.headline)
-    Text(spoken(one.said))
+    Text(spoken(one.message))
     FrameSketch(points: one.framePoints)
   }
 }

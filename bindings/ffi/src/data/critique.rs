@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use gyradius_core::critique::{
+use gyradius_core::diagnosis::{
     CauseResult, CauseVerdict, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterResult,
 };
@@ -73,9 +73,7 @@ pub struct Critique {
     /// The missing force as the data show it, where no known cause accounts for them.
     pub learned: Option<LearnedForce>,
     /// What a reader must know.
-    pub warnings: Vec<String>,
-    /// The same for every language.
-    pub warnings_said: Vec<Sentence>,
+    pub warnings: Vec<Sentence>,
 }
 
 /// A simulation fitted to the session.
@@ -103,9 +101,7 @@ pub struct Discrepancy {
     /// Its significance in standard deviations.
     pub sigma: f64,
     /// In words.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
 }
 
 /// A cause that was tried.
@@ -120,9 +116,7 @@ pub struct CauseResult {
     /// Its parameters, in units of the rig.
     pub parameters: ParametersByName,
     /// What it is and how strong, in words.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
     /// Whether the extended model has it.
     pub taken: bool,
 }
@@ -150,9 +144,7 @@ pub struct CauseVerdict {
     /// The swing that would tell them apart.
     pub next_swing: Option<NextSwing>,
     /// In words.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
 }
 
 /// A swing worth making.
@@ -175,9 +167,7 @@ pub struct NextSwing {
     /// How far the predictions of the causes in doubt then differ, standard deviations.
     pub sigma: f64,
     /// In words.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
 }
 
 /// What the extension gained.

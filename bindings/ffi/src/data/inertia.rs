@@ -1,6 +1,6 @@
 //! Plain data of the room `inertia`: the result of a measurement.
 
-use gyradius_core::inertia::{
+use gyradius_core::identification::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
     Verdict,
 };
@@ -106,9 +106,7 @@ pub struct InertiaResult {
     /// Verdicts against class limits, where asked for.
     pub verdicts: Vec<Verdict>,
     /// What a reader must know.
-    pub warnings: Vec<String>,
-    /// The same for every language.
-    pub warnings_said: Vec<Sentence>,
+    pub warnings: Vec<Sentence>,
 }
 
 /// One swing's modes.
@@ -123,9 +121,7 @@ pub struct SwingResult {
     /// Repairs of the recording.
     pub repairs: Vec<Repair>,
     /// What a reader must know of this swing.
-    pub warnings: Vec<String>,
-    /// The same for every language.
-    pub warnings_said: Vec<Sentence>,
+    pub warnings: Vec<Sentence>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
@@ -239,9 +235,7 @@ pub struct Claim {
     /// True above the threshold at which the report speaks up.
     pub flagged: bool,
     /// A sentence for the report.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
     /// Routes: how many pairs of swings stand behind this one, which differs most.
     pub pairs: Count,
     /// Routes: the smallest and the largest difference among those pairs, standard uncertainties.

@@ -1,6 +1,6 @@
 //! Plain data of the room `live`: what the operator is told while the hull swings.
 
-use gyradius_core::live::{
+use gyradius_core::online::{
     Advice, Estimate, Gap, GapList, Line, LineKind, SensorState, SwingState, TimeLeft,
 };
 use gyradius_core::recording::Sensor;

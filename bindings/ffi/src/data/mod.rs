@@ -19,8 +19,8 @@ pub mod sentence;
 
 use std::collections::{BTreeMap, HashMap};
 
-use gyradius_core::inertia::{BudgetLine, QuantityResult, Route};
-use gyradius_core::plan::PredictedQuantity;
+use gyradius_core::identification::{BudgetLine, QuantityResult, Route};
+use gyradius_core::planning::PredictedQuantity;
 use gyradius_core::recording::ModeName;
 
 /// A number of things.

@@ -1,7 +1,7 @@
 //! Plain data of the room `plan`: what is asked of the planner, and what it advises.
 
-use gyradius_core::critique::NextSwing;
-use gyradius_core::plan::{
+use gyradius_core::diagnosis::NextSwing;
+use gyradius_core::planning::{
     Beat, HangingAdvice, Hull, Means, Optima, Plan, PlannedIncline, PlannedSwing,
     PredictedQuantity, PredictedSwing, Request, RoughHull, Step, Warning, WarningKind,
 };
@@ -204,9 +204,7 @@ pub struct HangingAdvice {
     /// The swings made on it.
     pub swings: Vec<String>,
     /// In words.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
 }
 
 /// What a planned swing will show.

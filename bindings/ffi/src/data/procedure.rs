@@ -326,9 +326,7 @@ pub struct ResultView {
     /// The joint estimate by quantity.
     pub quantities: QuantitiesByName,
     /// What a reader must know.
-    pub warnings: Vec<String>,
-    /// The same for every language.
-    pub warnings_said: Vec<Sentence>,
+    pub warnings: Vec<Sentence>,
 }
 
 /// What the criticism says in short.
@@ -337,9 +335,7 @@ pub struct CritiqueView {
     /// `adequate`, `explained`, `ambiguous` or `unexplained`.
     pub status: String,
     /// In words.
-    pub text: String,
-    /// The same for every language.
-    pub said: Sentence,
+    pub message: Sentence,
     /// How many causes these swings cannot tell apart; 0 where none is in doubt.
     pub causes: Count,
     /// The figures by the simulation with the causes that were found in it.

@@ -1,6 +1,6 @@
 //! Plain data of the room `procedure`: what sensors and recordings say.
 
-use gyradius_core::live::{GapList, SwingState};
+use gyradius_core::online::{GapList, SwingState};
 use gyradius_core::procedure::{
     Against, InclineReading, Judgement, Moving, Recommend, RecordingView, Rest, RestView,
     SensorRest, Tilt,

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use gyradius_core::procedure::{Argument, Text};
+use gyradius_core::message::{Argument, Message};
 
-/// A sentence: its key, what it names, and the English of both. SwiftUI has a `Text` of its own.
-pub type Sentence = Text;
+/// A sentence: its key, what it names, and the English of both. The core calls it a message.
+pub type Sentence = Message;
 
 /// A sentence: its key, what it names, and the English of both.
 #[uniffi::remote(Record)]
@@ -43,7 +43,7 @@ pub enum SentenceArgument {
         /// The id.
         id: String,
     },
-    /// Text as it stands: a file, a reason.
+    /// Message as it stands: a file, a reason.
     Plain {
         /// The text.
         text: String,

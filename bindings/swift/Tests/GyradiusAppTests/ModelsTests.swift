@@ -120,8 +120,8 @@ import Testing
     #expect(model.criticism.error == nil && model.criticism.share == nil)
     let made = try #require(model.criticism.critique)
     #expect(made.format == "gyradius-critique/1")
-    let german = sentenceIn(sentence: made.verdict.said, language: .german)
-    #expect(german != made.verdict.text && german.contains("Widersprüche"))
+    let german = sentenceIn(sentence: made.verdict.message, language: .german)
+    #expect(german != made.verdict.message.english && german.contains("Widersprüche"))
     // It is there when the session is opened again.
     let again = ResultModel()
     await again.open(measurable)

@@ -72,7 +72,7 @@ import Testing
     let wantedU = try #require(yaw.wantedU)
     #expect(abs(wantedU - 0.005 * yaw.value) < 1e-12)
     #expect(try yaw.isReached == (#require(yaw.u) <= wantedU))
-    let hung = try #require(plan.suspensions.first).said
+    let hung = try #require(plan.suspensions.first).message
     #expect(sentenceIn(sentence: hung, language: .german).hasPrefix("Waagerecht, zwei Leinen von "))
   }
 
@@ -100,9 +100,9 @@ import Testing
   @Test func aResultIsToldInGerman() async throws {
     let result = try await Self.boatPark.value.result()
     let claim = try #require(result.consistency.first { $0.claim == "line_length" })
-    #expect(claim.text == sentenceIn(sentence: claim.said, language: .english))
-    #expect(sentenceIn(sentence: claim.said, language: .german).hasPrefix("Leinenlänge: angegeben "))
-    #expect(result.warnings == result.warningsSaid.map { sentenceIn(sentence: $0, language: .english) })
+    #expect(claim.message.english == sentenceIn(sentence: claim.message, language: .english))
+    #expect(sentenceIn(sentence: claim.message, language: .german).hasPrefix("Leinenlänge: angegeben "))
+    #expect(result.warnings.map(\.english) == result.warnings.map { sentenceIn(sentence: $0, language: .english) })
     #expect(inputIn(label: "spacing", language: .german) == "Abstand der Leinen")
   }
 
@@ -112,7 +112,7 @@ import Testing
     #expect(Set(texts.map(\.name)).count == texts.count)
     #expect(texts.allSatisfy { !$0.name.isEmpty && !$0.text.isEmpty })
     #expect(
-      ["", "live.", "plan.", "inertia.", "critique."].allSatisfy { room in texts.contains { $0.name.hasPrefix(room) } })
+      ["", "live-", "plan-", "inertia-", "critique-"].allSatisfy { room in texts.contains { $0.name.hasPrefix(room) } })
     #expect(libraryVersion() == "0.1.0")
   }
 }

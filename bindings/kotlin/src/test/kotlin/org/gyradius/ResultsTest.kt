@@ -68,7 +68,7 @@ class ResultsTest {
         val yaw = plan.quantities.first { it.name == "k_yaw_m" }.quantity
         assertEquals(0.005 * yaw.value, yaw.wantedU!!, 1e-12)
         assertEquals(yaw.isReached, yaw.u!! <= yaw.wantedU)
-        assertTrue(sentenceIn(plan.suspensions.first().said, Language.GERMAN).startsWith("Waagerecht, zwei Leinen von "))
+        assertTrue(sentenceIn(plan.suspensions.first().message, Language.GERMAN).startsWith("Waagerecht, zwei Leinen von "))
     }
 
     @Test
@@ -96,9 +96,9 @@ class ResultsTest {
     fun `a result is told in German`() = runBlocking {
         val result = boatPark.result()
         val claim = result.consistency.first { it.claim == "line_length" }
-        assertEquals(claim.text, sentenceIn(claim.said, Language.ENGLISH))
-        assertTrue(sentenceIn(claim.said, Language.GERMAN).startsWith("Leinenlänge: angegeben "))
-        assertEquals(result.warnings, result.warningsSaid.map { sentenceIn(it, Language.ENGLISH) })
+        assertEquals(claim.message.english, sentenceIn(claim.message, Language.ENGLISH))
+        assertTrue(sentenceIn(claim.message, Language.GERMAN).startsWith("Leinenlänge: angegeben "))
+        assertEquals(result.warnings.map { it.english }, result.warnings.map { sentenceIn(it, Language.ENGLISH) })
         assertEquals("Abstand der Leinen", inputIn("spacing", Language.GERMAN))
     }
 
@@ -108,7 +108,7 @@ class ResultsTest {
         assertEquals(texts.map { it.name }, german.map { it.name })
         assertEquals(texts.size, texts.map { it.name }.toSet().size)
         assertTrue(texts.all { it.name.isNotEmpty() && it.text.isNotEmpty() })
-        assertTrue(listOf("", "live.", "plan.", "inertia.", "critique.").all { room -> texts.any { it.name.startsWith(room) } })
+        assertTrue(listOf("", "live-", "plan-", "inertia-", "critique-").all { room -> texts.any { it.name.startsWith(room) } })
         assertEquals("0.1.0", libraryVersion())
     }
 

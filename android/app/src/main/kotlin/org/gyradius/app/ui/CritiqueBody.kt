@@ -24,14 +24,14 @@ import org.gyradius.app.R
 fun CritiqueBody(critique: Critique, compared: List<ComparedSwing>) {
     SectionHead(stringResource(R.string.criticism))
     Advice(stringResource(statusOf(critique.verdict.status)), toneOf(critique.verdict.status))
-    Text(spoken(critique.verdict.said), style = MaterialTheme.typography.bodyLarge)
-    critique.warningsSaid.forEach { Advice(spoken(it)) }
+    Text(spoken(critique.verdict.message), style = MaterialTheme.typography.bodyLarge)
+    critique.warnings.forEach { Advice(spoken(it)) }
     Residuals(critique)
     if (critique.causes.isNotEmpty()) Fold(R.string.causes, isOpenAtFirst = true) { critique.causes.take(MOST_CAUSES).forEach { Cause(it) } }
     compared.forEach { Compared(it) }
     critique.verdict.nextSwing?.let { Next(it) }
     if (critique.discrepancies.isNotEmpty()) {
-        Fold(R.string.discrepancies) { critique.discrepancies.forEach { Text(spoken(it.said), style = MaterialTheme.typography.bodyLarge) } }
+        Fold(R.string.discrepancies) { critique.discrepancies.forEach { Text(spoken(it.message), style = MaterialTheme.typography.bodyLarge) } }
     }
 }
 
@@ -53,14 +53,14 @@ private fun Cause(one: CauseResult) {
         Text(stringResource(R.string.cause_probability, causeName(one.id), 100 * one.probability), style = MaterialTheme.typography.titleMedium)
         val share = one.probability.toFloat()
         LinearProgressIndicator({ share }, Modifier.fillMaxWidth().height(8.dp).clearAndSetSemantics {})
-        Text(spoken(one.said), style = MaterialTheme.typography.bodyLarge)
+        Text(spoken(one.message), style = MaterialTheme.typography.bodyLarge)
     }
 }
 
 @Composable
 private fun Compared(one: ComparedSwing) {
     SectionHead(stringResource(R.string.compared_swing, idName(one.swing)))
-    Text(spoken(one.said), style = MaterialTheme.typography.bodyLarge)
+    Text(spoken(one.channel), style = MaterialTheme.typography.bodyLarge)
     val drawn = listOf(
         Drawn(R.string.curve_measured, one.measured),
         Drawn(R.string.curve_base, one.base, isThin = true),
@@ -73,7 +73,7 @@ private fun Compared(one: ComparedSwing) {
 private fun Next(swing: NextSwing) {
     SectionHead(stringResource(R.string.next_swing))
     Motions(swing.excited)
-    Text(spoken(swing.said), style = MaterialTheme.typography.bodyLarge)
+    Text(spoken(swing.message), style = MaterialTheme.typography.bodyLarge)
 }
 
 /** A status of the criticism in plain words; one that is not known yet reads as unexplained. */

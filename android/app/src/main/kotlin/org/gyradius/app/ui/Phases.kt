@@ -46,7 +46,7 @@ fun Details(shown: Shown, state: ProcedureState, deeds: Deeds) {
     state.critique?.let {
         SectionHead(stringResource(R.string.criticism))
         Advice(stringResource(statusOf(it.status)), toneOf(it.status))
-        Text(spoken(it.said), style = MaterialTheme.typography.bodyLarge)
+        Text(spoken(it.message), style = MaterialTheme.typography.bodyLarge)
     }
     if (state.result != null) WideButton(stringResource(R.string.whole_result), isMain = state.phase == ProcedurePhase.DONE, onClick = deeds.openResult)
 }

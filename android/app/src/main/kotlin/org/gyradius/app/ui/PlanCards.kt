@@ -64,7 +64,7 @@ private fun Hung(one: HangingAdvice) {
     Panel(Tone.INFO) {
         val points = stringResource(R.string.frame_points, one.framePoints, one.swings.map { idName(it) }.joinToString())
         Text(points, style = MaterialTheme.typography.titleMedium)
-        Text(spoken(one.said), style = MaterialTheme.typography.bodyLarge)
+        Text(spoken(one.message), style = MaterialTheme.typography.bodyLarge)
     }
     FrameSketch(one.framePoints)
 }

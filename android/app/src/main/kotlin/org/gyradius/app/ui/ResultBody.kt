@@ -19,7 +19,7 @@ import org.gyradius.unitOf
 @Composable
 fun ResultSummary(result: ResultView) {
     Quantities(result.quantities)
-    result.warningsSaid.forEach { Advice(spoken(it)) }
+    result.warnings.forEach { Advice(spoken(it)) }
 }
 
 /** The same of any result. */
@@ -58,7 +58,7 @@ private fun IntervalLine(one: NamedQuantity) {
 
 @Composable
 private fun ClaimLine(one: Claim) {
-    if (one.flagged) Advice(spoken(one.said)) else Text(spoken(one.said), style = MaterialTheme.typography.bodyLarge)
+    if (one.flagged) Advice(spoken(one.message)) else Text(spoken(one.message), style = MaterialTheme.typography.bodyLarge)
 }
 
 @Composable
@@ -78,7 +78,7 @@ private fun SwingLine(one: SwingResult) {
         val (value, u) = withUncertainty(mode.periodS, mode.periodSeS)
         Text("${stringResource(wordOf(mode.mode))}: ${stringResource(R.string.seconds_u, value, u)}", style = MaterialTheme.typography.bodyLarge)
     }
-    one.warningsSaid.forEach { Text(spoken(it), style = MaterialTheme.typography.bodyLarge) }
+    one.warnings.forEach { Text(spoken(it), style = MaterialTheme.typography.bodyLarge) }
 }
 
 /** The three numbers of a quantity, where it has them. */

@@ -39,7 +39,7 @@ private fun Measured(shown: ResultShown, deeds: ResultDeeds) {
     val result = shown.result ?: return
     result.verdicts.forEach { VerdictCard(it) }
     Quantities(result.quantities)
-    result.warningsSaid.forEach { Advice(spoken(it)) }
+    result.warnings.forEach { Advice(spoken(it)) }
     WideButton(stringResource(R.string.report_share), onClick = deeds.share)
     WideButton(stringResource(R.string.report_print), isMain = false, onClick = deeds.print)
     Fold(R.string.class_limits) { Judge(shown.limits, deeds.judge) }

@@ -1,0 +1,47 @@
+//! Languages in which messages are written.
+
+use serde::{Deserialize, Serialize};
+
+/// A language of the messages that an operator reads or hears.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Language {
+    /// As everywhere else.
+    English,
+    /// With decimal commas.
+    German,
+}
+
+impl Language {
+    /// Every one of them.
+    pub const ALL: [Self; 2] = [Self::English, Self::German];
+
+    /// Numbers that are written with decimal points and hyphens, as the language writes them.
+    pub fn number(self, written: &str) -> String {
+        let signed = written.split(' ').map(minus).collect::<Vec<_>>().join(" ");
+        match self {
+            Self::English => signed,
+            Self::German => signed.replace('.', ","),
+        }
+    }
+
+    /// The word between the last two of a list.
+    pub fn and(self) -> &'static str {
+        match self {
+            Self::English => " and ",
+            Self::German => " und ",
+        }
+    }
+}
+
+/// A minus sign as long as a plus, not a hyphen; none before a zero.
+pub fn minus(number: &str) -> String {
+    match number
+        .strip_prefix('-')
+        .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.into(),
+        Some(rest) => format!("−{rest}"),
+        None => number.into(),
+    }
+}

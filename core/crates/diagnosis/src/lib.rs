@@ -1,0 +1,204 @@
+//! What the simulation gets wrong, why, and what fixing it gains.
+//!
+//! May know `recording`, `signal`, `modes`, `dynamics`, `inertia`.
+
+mod base;
+mod by_periods;
+mod causes;
+mod closed_form;
+mod doubt;
+mod evidence;
+mod findings;
+mod fitting;
+mod learned;
+mod linear;
+mod look;
+mod moments;
+mod next_swing;
+mod one_motion;
+mod point;
+mod quantities;
+mod result;
+mod search;
+mod seen;
+mod shape;
+mod tell_apart;
+mod traces;
+mod trial;
+mod verdict;
+mod white;
+mod words;
+
+pub use by_periods::criticise_periods;
+pub use result::{
+    CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult,
+    NextSwing, ParameterResult, Progress, SwingTrace,
+};
+pub use tell_apart::tell_apart;
+pub use words::cause_name;
+
+use std::collections::BTreeMap;
+
+use gyradius_base::error::Result;
+use gyradius_base::message::Message;
+use gyradius_base::progress::tell;
+use gyradius_identification::measure::{Prepared, prepare, title};
+use gyradius_identification::{MeasureOptions, QuantityResult, analyse};
+use gyradius_recording::{LoadedData, LoadedSession, Quantity};
+
+use base::{Base, by_periods};
+use doubt::widen;
+use findings::findings;
+use learned::learned;
+use next_swing::{Explained, next_swing};
+use point::Model;
+use quantities::quantities;
+use search::{Found, search};
+use traces::traces;
+use trial::Tried;
+
+/// Name and version of the result's format.
+pub const FORMAT: &str = "gyradius-critique/1";
+
+/// Criticises a session.
+pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
+    tell(progress, 0.0, "reading the swings")?;
+    let by_periods_alone =
+        || criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+    if !loaded
+        .data
+        .iter()
+        .any(|data| matches!(data.data, LoadedData::Recording(_)))
+    {
+        return by_periods_alone();
+    }
+    let mut prepared = prepare(loaded)?;
+    let x = by_periods(&mut prepared);
+    tell(progress, 0.05, "fitting each swing")?;
+    let Prepared {
+        works,
+        system,
+        inclines,
+        warnings,
+    } = prepared;
+    let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
+        let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, progress)?;
+        return turning.map_or_else(by_periods_alone, Ok);
+    };
+    tell(progress, 0.15, "fitting all swings together")?;
+    let model = Model::of(&base);
+    let Ok(fitted) = model.precise().fit_from_afar(&start) else {
+        let mut judged = by_periods_alone()?;
+        judged.critique.warn(words::message("no_fit", []));
+        return Ok(judged);
+    };
+    let found = search(model.clone(), start, fitted, progress)?;
+    tell(progress, 0.9, "judging by samples held out")?;
+    conclude(loaded, &model, &found, &inclines, warnings)
+}
+
+fn conclude(
+    loaded: &LoadedSession,
+    base: &Model,
+    found: &Found,
+    inclines: &[Option<Quantity>],
+    warnings: Vec<Message>,
+) -> Result<Criticism> {
+    let (before, rows) = Found::held_out(base, &found.base)?;
+    let after = match found.model.causes[..] {
+        [] => before,
+        _ => Found::held_out(&found.model, &found.fitted)?.0,
+    };
+    let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
+    let baseline = ModelResult {
+        rms_over_noise: Some(found.base.rms()),
+        heldout_rms_over_noise: Some(rms(before)),
+        quantities: quantities(base, found.base.at(), found.base_left.inflation(), inclines)?,
+    };
+    let mut extended = ModelResult {
+        rms_over_noise: Some(found.fitted.rms()),
+        heldout_rms_over_noise: Some(rms(after)),
+        quantities: quantities(
+            &found.model,
+            found.fitted.at(),
+            found.left.inflation(),
+            inclines,
+        )?,
+    };
+    let otherwise = found.otherwise(inclines);
+    widen(&mut extended.quantities, &otherwise);
+    let next = found
+        .rivals()
+        .first()
+        .filter(|_| !found.is_unexplained())
+        .and_then(|t| would_tell(found, t));
+    let gain = gain((before, after), rows, &baseline, &extended);
+    let critique = Critique {
+        format: FORMAT.into(),
+        title: title(&loaded.session),
+        discrepancies: findings(base, &found.base, &found.base_left)?,
+        causes: found.causes(),
+        verdict: CauseVerdict {
+            next_swing: next,
+            ..found.verdict()
+        },
+        baseline,
+        extended,
+        gain,
+        learned: learned(found, rms(after)),
+        warnings,
+    };
+    Ok(Criticism {
+        critique,
+        traces: traces(base, found)?,
+    })
+}
+
+/// The swing that would tell the cause taken last from a rival.
+fn would_tell(found: &Found, rival: &Tried) -> Option<NextSwing> {
+    let other = Model {
+        causes: rival.causes.clone(),
+        ..found.model.clone()
+    };
+    next_swing(
+        &Explained {
+            model: &found.model,
+            point: &found.fitted.point,
+            id: found.model.causes.last()?.id,
+        },
+        &Explained {
+            model: &other,
+            point: &rival.fitted.point,
+            id: rival.cause.id,
+        },
+    )
+}
+
+/// What the extended model gains: χ² of so many samples held out before and after, and how the
+/// figures moved.
+fn gain(
+    (before, after): (f64, f64),
+    rows: usize,
+    baseline: &ModelResult,
+    extended: &ModelResult,
+) -> Gain {
+    let shifts = shifts(&baseline.quantities, &extended.quantities);
+    Gain {
+        heldout_rms_ratio: Some((before / after).sqrt()),
+        log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
+        k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
+        shifts,
+    }
+}
+
+/// Changes of every quantity that both models give as a number.
+fn shifts(
+    before: &BTreeMap<String, QuantityResult>,
+    after: &BTreeMap<String, QuantityResult>,
+) -> BTreeMap<String, f64> {
+    let change = |(name, new): (&String, &QuantityResult)| {
+        let old = before.get(name)?.value.as_f64()?;
+        Some((name.clone(), new.value.as_f64()? - old))
+    };
+    after.iter().filter_map(change).collect()
+}

@@ -1,0 +1,464 @@
+//! A point in the space of everything that is fitted, and the experiment that it describes.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use gyradius_base::error::Result;
+use gyradius_base::frames::{Rotation, Vec3, world_from_hull_pitched};
+use gyradius_identification::samples::Own;
+use gyradius_mechanics::effects::EffectValues;
+use gyradius_mechanics::sensors;
+use gyradius_mechanics::{Experiment, Fineness, Phone};
+
+use super::base::{Base, Swung};
+use super::result::ParameterResult;
+
+/// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and
+/// accelerometer (6).
+pub const OWN: usize = 19;
+/// Where the damping rates begin.
+pub const DAMPING: usize = 8;
+/// Where the biases begin.
+pub const BIAS: usize = 13;
+
+/// Where a phone sits, hull axes.
+#[derive(Debug, Clone)]
+pub struct Mount {
+    /// From the hull's centre of mass, m: the suspension points move along the deck where a hull
+    /// hangs tilted.
+    pub place: Vec3,
+    pub hull_from_phone: Rotation,
+}
+
+impl Mount {
+    /// Shifted, and turned in its own axes. Its place turns with it: swings in yaw do not tell
+    /// where a phone's top points, and do tell how far it lies from the centre of mass, and along
+    /// which of its axes.
+    pub fn moved(&self, shift: Vec3, turn: Vec3) -> Self {
+        let turned = self.hull_from_phone * Rotation::from_scaled_axis(turn);
+        Self {
+            place: turned * self.hull_from_phone.inverse() * self.place + shift,
+            hull_from_phone: Rotation::new_normalize(turned.into_inner()),
+        }
+    }
+}
+
+/// Values of everything that is fitted.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// The session's parameters, as in its layout.
+    pub x: Vec<f64>,
+    pub mounts: Vec<Mount>,
+    /// Parameters of each cause: those of the session, then those of each swing.
+    pub causes: Vec<Vec<f64>>,
+    pub owns: Vec<[f64; OWN]>,
+}
+
+/// One parameter of a cause, in a unit in which everyday strengths are alike.
+#[derive(Debug, Clone)]
+pub struct CauseParameter {
+    pub name: &'static str,
+    /// Unit of the rig, and how much of it is one of the parameter; logarithms are reported as what
+    /// they are of.
+    pub unit: &'static str,
+    pub factor: f64,
+    /// Where its zero is, in that unit: a time in the samples begins when they do.
+    pub zero: f64,
+    pub is_log: bool,
+    /// Mean and standard deviation of its prior; the first look begins at the mean.
+    pub prior: (f64, f64),
+    /// Step for numerical derivatives, small against the prior.
+    pub step: f64,
+    /// The effect is in proportion to it: the first look fits it. Others are held at the mean
+    /// there.
+    pub is_strength: bool,
+    /// Each swing has its own.
+    pub of_swing: bool,
+    /// There is none below or above these.
+    pub limits: (f64, f64),
+}
+
+impl CauseParameter {
+    /// A value as it is told, in its unit.
+    pub fn told(&self, value: f64) -> f64 {
+        if self.is_log {
+            value.exp()
+        } else {
+            value * self.factor + self.zero
+        }
+    }
+
+    /// The same with its standard uncertainty.
+    pub fn result(&self, value: f64, u: f64) -> ParameterResult {
+        let told = self.told(value);
+        let scale = if self.is_log { told } else { self.factor };
+        ParameterResult {
+            value: told,
+            u: u * scale,
+            unit: self.unit.into(),
+        }
+    }
+}
+
+/// Where any value has a meaning.
+pub const NO_LIMITS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
+/// Puts a cause of given parameters (the session's, then the swing's own) into the experiment of a
+/// swing.
+pub type Put = Arc<dyn Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync>;
+
+/// Something that the base simulation leaves out.
+#[derive(Clone)]
+pub struct Cause {
+    /// Name in the contract.
+    pub id: &'static str,
+    pub parameters: Vec<CauseParameter>,
+    pub put: Put,
+    /// Whether only the phone's readings change, not the motion.
+    pub on_phone: bool,
+    /// Whether its law has a kink.
+    pub kinked: bool,
+    /// Whether it makes the motion stiff, so that a simulation takes long, or has no meaning below
+    /// zero: first looks step to one side.
+    pub stiff: bool,
+    /// Whether derivatives by everything else are taken without it, since with it they take long
+    /// and differ little.
+    pub apart: bool,
+    /// Strengths below zero have no physical meaning.
+    pub one_sided: bool,
+    /// Which of the shapes without a name it is, if one.
+    pub form: Form,
+    /// What a first look sees in its place, where its own parameters are no strengths.
+    pub look: Option<Arc<LookAlike>>,
+}
+
+/// What a cause is beside its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A law with a name.
+    Law,
+    /// A learned force over a coordinate (see the effect `learned_force`).
+    Force(usize),
+    /// A knock in a swing.
+    Knock(usize),
+    /// A line that gives way in a swing.
+    LineSlip(usize),
+    /// A phone that slips in a swing.
+    PhoneSlip(usize),
+    /// Another thing that moves inside the hull, beside one that was taken before.
+    Second,
+    /// What a wind that was taken before does beside blowing steadily: part of that cause.
+    Gust,
+}
+
+impl Form {
+    /// The swing in which it happens, where it happens at a moment.
+    pub fn swing(self) -> Option<usize> {
+        match self {
+            Form::Knock(swing) | Form::LineSlip(swing) | Form::PhoneSlip(swing) => Some(swing),
+            _ => None,
+        }
+    }
+}
+
+/// A linear form of a cause: strengths without regard to how they hang together, and what comes
+/// nearest to them of all that the cause can be; none where nothing does.
+pub struct LookAlike {
+    pub cause: Cause,
+    pub nearest: FindNearest,
+}
+
+pub type FindNearest = Box<dyn Fn(&Seen) -> Option<Nearest> + Send + Sync>;
+
+/// Strengths that a first look saw, with what the data say of them beside everything that is
+/// fitted: information and score.
+pub struct Seen {
+    pub strengths: DVector<f64>,
+    pub information: DMatrix<f64>,
+    pub score: DVector<f64>,
+}
+
+impl Seen {
+    /// How far to go along strengths, not backwards, and what that gains of the logarithm of the
+    /// likelihood.
+    pub fn along(&self, way: &DVector<f64>) -> (f64, f64) {
+        let pull = self.score.dot(way).max(0.0);
+        let amount = pull / way.dot(&(&self.information * way));
+        (amount, 0.5 * pull * amount)
+    }
+}
+
+/// What a cause can be that is nearest to strengths that were seen: its own strengths, and its
+/// parameters (not a number: where they begin).
+pub struct Nearest {
+    pub strengths: DVector<f64>,
+    pub parameters: Vec<f64>,
+}
+
+impl Cause {
+    /// How many values its parameters have in a session of so many swings.
+    pub fn size(&self, swings: usize) -> usize {
+        self.parameters
+            .iter()
+            .map(|p| if p.of_swing { swings } else { 1 })
+            .sum()
+    }
+
+    /// Its parameters value by value, each with the swing that it belongs to.
+    pub fn expanded(&self, swings: usize) -> Vec<(&CauseParameter, Option<usize>)> {
+        let of_session = self
+            .parameters
+            .iter()
+            .filter(|p| !p.of_swing)
+            .map(|p| (p, None));
+        let of_swing = (0..swings).flat_map(|s| {
+            self.parameters
+                .iter()
+                .filter(|p| p.of_swing)
+                .map(move |p| (p, Some(s)))
+        });
+        of_session.chain(of_swing).collect()
+    }
+
+    /// Limits of its parameters, value by value; those of strengths that cannot be below zero among
+    /// them.
+    pub fn limits(&self, swings: usize) -> Vec<(f64, f64)> {
+        let above_zero = |p: &CauseParameter| self.one_sided && p.is_strength;
+        let of = |p: &CauseParameter| {
+            if above_zero(p) {
+                (0.0, p.limits.1)
+            } else {
+                p.limits
+            }
+        };
+        self.expanded(swings)
+            .into_iter()
+            .map(|(p, _)| of(p))
+            .collect()
+    }
+
+    /// Where its priors have their mean.
+    pub fn start(&self, swings: usize) -> Vec<f64> {
+        self.expanded(swings)
+            .iter()
+            .map(|(p, _)| p.prior.0)
+            .collect()
+    }
+
+    /// What concerns a swing.
+    fn of_swing(&self, values: &[f64], swings: usize, swing: usize) -> Vec<f64> {
+        let expanded = self.expanded(swings);
+        let concerns = |own: &Option<usize>| own.is_none_or(|s| s == swing);
+        expanded
+            .iter()
+            .zip(values)
+            .filter(|((_, own), _)| concerns(own))
+            .map(|(_, v)| *v)
+            .collect()
+    }
+}
+
+/// The base simulation with causes in it.
+#[derive(Clone)]
+pub struct Model<'a> {
+    pub base: &'a Base<'a>,
+    pub causes: Vec<Cause>,
+    /// Which stretches of the recordings count.
+    pub part: Part,
+    /// One of many that are fitted side by side.
+    pub of_many: bool,
+    /// Near the best fit: derivatives by causes are taken over short steps, and of motions as fine
+    /// as those that are compared.
+    pub fine: bool,
+}
+
+/// Which samples count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Part {
+    All,
+    Fitted,
+    HeldOut,
+    /// The first so many seconds.
+    First(f64),
+}
+
+/// A recording is cut into so many stretches …
+const STRETCHES: f64 = 12.0;
+/// … of which the second of every three is held out.
+const OUT_OF: usize = 3;
+/// What fast parts of an effect were doing before the recording began is not known: so much is not
+/// compared, s.
+pub const SETTLING_S: f64 = 0.5;
+
+/// Place of the first time that is compared.
+pub fn first_settled(t_s: &[f64]) -> usize {
+    t_s.partition_point(|t| *t < SETTLING_S)
+}
+
+impl Part {
+    /// Whether a time of a record so long counts.
+    pub fn has(self, t_s: f64, duration_s: f64) -> bool {
+        let stretch = (STRETCHES * t_s / duration_s) as usize;
+        let held_out = stretch % OUT_OF == 1;
+        t_s >= SETTLING_S
+            && match self {
+                Part::All => true,
+                Part::Fitted => !held_out,
+                Part::HeldOut => held_out,
+                Part::First(horizon_s) => t_s < horizon_s,
+            }
+    }
+}
+
+impl<'a> Model<'a> {
+    /// The base simulation, for all of the recordings.
+    pub fn of(base: &'a Base<'a>) -> Self {
+        Self {
+            base,
+            causes: vec![],
+            part: Part::All,
+            of_many: false,
+            fine: false,
+        }
+    }
+}
+
+impl Model<'_> {
+    /// The same model, as it is fitted near its best.
+    pub fn precise(&self) -> Self {
+        Self {
+            fine: true,
+            ..self.clone()
+        }
+    }
+
+    pub fn swing(&self, s: usize) -> &Swung<'_> {
+        &self.base.swings[s]
+    }
+
+    /// What the phone's clock shows of a true second in a swing.
+    pub fn clock(&self, point: &Point, s: usize) -> Result<f64> {
+        Ok(1.0 + self.experiment(point, s)?.sensors[0].values[0])
+    }
+
+    /// The causes that have a name of their own: gusts belong to their wind.
+    pub fn named(&self) -> impl Iterator<Item = &Cause> {
+        self.causes.iter().filter(|cause| cause.form != Form::Gust)
+    }
+
+    /// The same model with another cause.
+    pub fn with(&self, cause: &Cause) -> Self {
+        let mut model = self.clone();
+        model.causes.push(cause.clone());
+        model
+    }
+
+    /// The model and its point without those of the first so many causes that derivatives are taken
+    /// apart from.
+    pub fn pliant(&self, point: &Point, count: usize) -> (Self, Point) {
+        let all = self.causes.iter().zip(&point.causes).enumerate();
+        let stays = all.filter(|(k, (cause, _))| *k >= count || !cause.apart);
+        let (causes, values) = stays
+            .map(|(_, (cause, values))| (cause.clone(), values.clone()))
+            .unzip();
+        (
+            Self {
+                causes,
+                ..self.clone()
+            },
+            Point {
+                causes: values,
+                ..point.clone()
+            },
+        )
+    }
+
+    /// The same model, its derivatives taken of all at once.
+    pub fn whole(&self) -> Self {
+        let mut model = self.clone();
+        model
+            .causes
+            .iter_mut()
+            .for_each(|cause| cause.apart = false);
+        model
+    }
+
+    pub fn fineness(&self) -> Fineness {
+        let kinked = self.causes.iter().any(|c| c.kinked);
+        if kinked {
+            Fineness::OF_KINKED_FITS
+        } else {
+            Fineness::OF_FITS
+        }
+    }
+
+    /// The same for derivatives that lead on the way: those of smooth motions over longer steps. (A
+    /// step over a kink differs more from its neighbours than a motion does from that of shorter
+    /// steps.)
+    pub fn fineness_of_slopes(&self) -> Fineness {
+        let fineness = self.fineness();
+        let is_smooth = fineness == Fineness::OF_FITS;
+        if is_smooth && !self.fine {
+            Fineness::OF_SLOPES_OF_FITS
+        } else {
+            fineness
+        }
+    }
+
+    /// The experiment of a swing.
+    pub fn experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
+        let mut experiment = self.plain_experiment(point, s)?;
+        for (cause, values) in self.causes.iter().zip(&point.causes) {
+            (cause.put)(
+                &cause.of_swing(values, self.base.swings.len(), s),
+                s,
+                &mut experiment,
+            )?;
+        }
+        Ok(experiment)
+    }
+
+    /// The same without any cause.
+    pub fn plain_experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
+        let swung = self.swing(s);
+        let own = self.own(point, s);
+        let pitch = world_from_hull_pitched(point.x[swung.setup.index.pitch_deg].to_radians());
+        let mount = &point.mounts[swung.mount];
+        let place = swung.setup.centre_m(&point.x) + pitch * mount.place;
+        let v = &point.owns[s];
+        let phone = Phone {
+            position_x_m: place.x,
+            position_y_m: place.y,
+            position_z_m: place.z,
+            gyro_bias_x_rad_s: v[BIAS],
+            gyro_bias_y_rad_s: v[BIAS + 1],
+            gyro_bias_z_rad_s: v[BIAS + 2],
+            acc_bias_x_m_s2: v[BIAS + 3],
+            acc_bias_y_m_s2: v[BIAS + 4],
+            acc_bias_z_m_s2: v[BIAS + 5],
+            ..Phone::default()
+        };
+        let clock = self.base.layout().clock_error(&point.x, swung.setup.index);
+        Ok(Experiment {
+            scene: swung.setup.scene(&point.x, &own)?,
+            hull_from_phone: Rotation::new_normalize((pitch * mount.hull_from_phone).into_inner()),
+            phone,
+            // The clock comes first: `clock` and a cause of the catalogue rely on it.
+            sensors: vec![sensor("clock_scale", &[("error", clock)])?],
+            held_s: 0.0,
+        })
+    }
+
+    /// Start and damping of a swing as its scene is made from them.
+    pub fn own(&self, point: &Point, s: usize) -> Own {
+        let mut own = Own::at_rest(Rotation::identity());
+        own.values[..BIAS].copy_from_slice(&point.owns[s][..BIAS]);
+        own
+    }
+}
+
+/// A sensor's effect with the numbers given, the others zero.
+pub fn sensor(id: &str, given: &[(&str, f64)]) -> Result<EffectValues> {
+    EffectValues::of(&sensors::catalogue(), id, given)
+}

@@ -1,0 +1,251 @@
+//! What the criticism of a session says: what `critique --json` writes (`gyradius-critique/1`).
+//!
+//! Fields that the contract names are spelled as there; what is added is additional keys only.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use gyradius_base::error::{Error, Result};
+use gyradius_base::message::Message;
+use gyradius_base::message::channel_and_said;
+use gyradius_base::message::text_and_said;
+use gyradius_base::message::warnings_and_said;
+use gyradius_identification::QuantityResult;
+use gyradius_recording::Excitation;
+
+/// The criticism of a session.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Critique {
+    /// `gyradius-critique/1`.
+    pub format: String,
+    /// The session's title.
+    pub title: String,
+    /// The simulation without any cause.
+    pub baseline: ModelResult,
+    /// What it gets wrong, the most significant first.
+    pub discrepancies: Vec<Discrepancy>,
+    /// Causes that were tried in full, the most probable first. `unknown` among them is what no
+    /// known cause accounts for.
+    pub causes: Vec<CauseResult>,
+    /// What follows.
+    pub verdict: CauseVerdict,
+    /// The simulation with the verdict's causes in it.
+    pub extended: ModelResult,
+    /// What that gained.
+    pub gain: Gain,
+    /// The missing force as the data show it, where no known cause accounts for them.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub learned: Option<LearnedForce>,
+    /// What a reader must know.
+    #[serde(flatten, with = "warnings_and_said")]
+    pub warnings: Vec<Message>,
+}
+
+impl Critique {
+    /// One thing more that a reader must know.
+    pub(super) fn warn(&mut self, message: Message) {
+        self.warnings.push(message);
+    }
+
+    /// A criticism from its `gyradius-critique/1` text.
+    pub fn from_json(text: &str) -> Result<Self> {
+        serde_json::from_str(text).map_err(|error| Error::argument("critique", "its JSON", error))
+    }
+}
+
+/// A simulation fitted to the session.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ModelResult {
+    /// Residual over noise of the samples that it was fitted to: 1 where nothing is left.
+    pub rms_over_noise: Option<f64>,
+    /// The same of samples that took no part in the fit.
+    pub heldout_rms_over_noise: Option<f64>,
+    /// The body by this simulation.
+    pub quantities: BTreeMap<String, QuantityResult>,
+}
+
+/// One thing that the base simulation gets wrong.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Discrepancy {
+    /// The swing; empty for what shows between swings.
+    pub swing: String,
+    /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time`,
+    /// `residual_vs_phase`, `line_in_spectrum`, `across_the_axis`, `saturated`, `between_swings`,
+    /// `dimension`.
+    pub what: String,
+    /// How large it is.
+    pub size: f64,
+    /// Unit of the size.
+    pub unit: String,
+    /// Its significance in standard deviations.
+    pub sigma: f64,
+    /// In words.
+    #[serde(flatten, with = "text_and_said")]
+    pub message: Message,
+}
+
+impl Discrepancy {
+    /// One of a swing: what it is, its size with the unit, its significance, and in words.
+    pub(super) fn of(
+        swing: &str,
+        what: &str,
+        (size, unit): (f64, &str),
+        sigma: f64,
+        message: Message,
+    ) -> Self {
+        Self {
+            swing: swing.into(),
+            what: what.into(),
+            size,
+            unit: unit.into(),
+            sigma,
+            message,
+        }
+    }
+}
+
+impl NextSwing {
+    /// With its words.
+    pub(super) fn told(self, message: Message) -> Self {
+        Self { message, ..self }
+    }
+}
+
+/// A cause that was tried.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CauseResult {
+    /// Its name in the contract.
+    pub id: String,
+    /// Of the causes tried in its place, that it is this one.
+    pub probability: f64,
+    /// Logarithm (natural) of the evidence with it over that without.
+    pub log_evidence_gain: f64,
+    /// Its parameters, in units of the rig.
+    pub parameters: BTreeMap<String, ParameterResult>,
+    /// What it is and how strong, in words.
+    #[serde(flatten, with = "text_and_said")]
+    pub message: Message,
+    /// Whether the extended model has it.
+    #[serde(default)]
+    pub taken: bool,
+}
+
+/// A fitted parameter.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ParameterResult {
+    /// Value.
+    pub value: f64,
+    /// Its standard uncertainty.
+    pub u: f64,
+    /// Unit.
+    pub unit: String,
+}
+
+/// What follows from it all.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct CauseVerdict {
+    /// `adequate`, `explained`, `ambiguous` or `unexplained`.
+    pub status: String,
+    /// Causes named.
+    pub causes: Vec<String>,
+    /// Causes that these data cannot tell from those.
+    pub indistinguishable_from: Vec<String>,
+    /// The swing that would tell them apart.
+    pub next_swing: Option<NextSwing>,
+    /// In words.
+    #[serde(flatten, with = "text_and_said")]
+    pub message: Message,
+}
+
+/// A swing worth making.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NextSwing {
+    /// The swing of the session that it hangs like but for what is told here.
+    #[serde(default)]
+    pub like: String,
+    /// Length of the lines, m.
+    pub line_length_m: f64,
+    /// Spacing of the lines, m.
+    pub spacing_m: f64,
+    /// What to set going.
+    pub excited: Vec<Excitation>,
+    /// Angle of the release, degrees.
+    pub amplitude_deg: f64,
+    /// Length of the recording, s.
+    pub duration_s: f64,
+    /// Bow-up angle, degrees.
+    pub hull_pitch_deg: f64,
+    /// How far the predictions of the causes in doubt then differ, standard deviations.
+    pub sigma: f64,
+    /// In words.
+    #[serde(flatten, with = "text_and_said")]
+    pub message: Message,
+}
+
+/// What the extension gained.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Gain {
+    /// Held-out residual of the base simulation over that of the extended one.
+    pub heldout_rms_ratio: Option<f64>,
+    /// Gain of the logarithm (natural) of the density of held-out samples, each.
+    pub log_score_per_sample: Option<f64>,
+    /// Change of the yaw gyradius, m.
+    pub k_yaw_shift_m: Option<f64>,
+    /// Change of every quantity that both models give.
+    #[serde(default)]
+    pub shifts: BTreeMap<String, f64>,
+}
+
+/// A generalised force learned from the data inside the simulation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LearnedForce {
+    /// `yaw`, `turn` (pitch or roll), `across` or `along`.
+    pub coordinate: String,
+    /// Unit of the force.
+    pub unit: String,
+    /// The force at places, rates and times: rows of position, rate, time, force, its standard
+    /// uncertainty.
+    pub points: Vec<[f64; 5]>,
+    /// The simplest closed form that does as well.
+    pub equation: String,
+    /// The same in words.
+    pub text: String,
+    /// Held-out residual over noise with the force in the simulation.
+    pub heldout_rms_over_noise: Option<f64>,
+    /// The same with the closed form.
+    pub closed_heldout_rms_over_noise: Option<f64>,
+}
+
+/// A criticism and what its pictures are drawn from.
+#[derive(Debug, Clone, Default)]
+pub struct Criticism {
+    /// The result.
+    pub critique: Critique,
+    /// One for each swing that was fitted.
+    pub traces: Vec<SwingTrace>,
+}
+
+/// Samples of a swing's most telling channel against both simulations.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SwingTrace {
+    /// The swing.
+    pub swing: String,
+    /// The channel, in words.
+    #[serde(flatten, with = "channel_and_said")]
+    pub channel: Message,
+    /// Unit of the readings.
+    pub unit: String,
+    /// Standard deviation of the noise.
+    pub noise: f64,
+    /// Times from the start of the analysed part, s.
+    pub t_s: Vec<f64>,
+    /// Measured.
+    pub measured: Vec<f64>,
+    /// By the base simulation.
+    pub base: Vec<f64>,
+    /// By the extended one.
+    pub extended: Vec<f64>,
+}
+
+pub use gyradius_base::progress::Progress;

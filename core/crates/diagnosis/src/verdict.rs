@@ -1,0 +1,443 @@
+//! From what the search found to what is said.
+
+use std::collections::BTreeMap;
+
+use gyradius_recording::{RepairKind, Sensor};
+
+use super::base::Base;
+use super::causes::UNKNOWN;
+use super::fitting::Fitted;
+use super::point::{Cause, Form};
+use super::result::{CauseResult, CauseVerdict, ParameterResult};
+use super::search::{Found, Round};
+use super::trial::Tried;
+use super::words;
+use gyradius_base::message::{Argument, Message};
+
+/// Causes within this of the best, natural logarithm of the evidence, are not told from it: odds of
+/// 100 to 1.
+pub const NOT_TOLD: f64 = 4.6;
+/// Two causes at once happen. Where more are needed together, each for what the others leave, one
+/// that is not known is likelier.
+pub const MOST_NAMED: usize = 2;
+/// Gusts are irregular: a few tones account for most of them, not for all: what is left is held
+/// against what showed before, or against the χ² that wind and tones took, much of which need not
+/// show in any one band.
+const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
+/// A model that leaves more than this, in noises, explains no session, however much it took: what
+/// is held out must come within it.
+const MOST_LEFT_RMS: f64 = 1.1;
+/// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is
+/// quadratic.
+const EXPONENT_U: f64 = 0.2;
+const EXPONENT_NEAR: f64 = 3.0;
+
+impl Found<'_> {
+    /// Whether structure remains that nothing accounts for, or nothing but many causes together.
+    pub fn is_unexplained(&self) -> bool {
+        let many = self.model.named().count() > MOST_NAMED;
+        let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
+        let gusts = self
+            .model
+            .causes
+            .iter()
+            .any(|cause| cause.form == Form::Gust);
+        let explained = self
+            .base_left
+            .excess()
+            .max(self.base.cost - self.fitted.cost);
+        let of_gusts = gusts && self.left.excess() <= LEFT_SHARE_OF_GUSTS * explained;
+        let is_little = of_gusts || self.left.is_next_to_nothing(&self.base_left);
+        many || unnamed || !is_little || self.fitted.rms() > MOST_LEFT_RMS
+    }
+
+    /// The round in which the last cause was taken.
+    pub fn decisive(&self) -> Option<&Round> {
+        self.rounds.iter().rev().find(|round| round.taken)
+    }
+
+    /// Causes that do as well as the last one taken, best first.
+    pub fn rivals(&self) -> Vec<&Tried> {
+        let Some(round) = self.decisive() else {
+            return vec![];
+        };
+        let Some(best) = round.tried.first() else {
+            return vec![];
+        };
+        // Where structure remains, evidence counts for less: in proportion to what is left.
+        let allowed = NOT_TOLD.max(0.02 * best.left.excess());
+        let near = |t: &&Tried| best.gain - t.gain < allowed && t.cause.id != UNKNOWN;
+        let special =
+            |t: &&Tried| are_one_drag([best.cause.id, t.cause.id], |k| parameters([best, t][k]));
+        round.tried[1..]
+            .iter()
+            .filter(near)
+            .filter(|t| !special(t))
+            .collect()
+    }
+
+    pub fn verdict(&self) -> CauseVerdict {
+        let mut named: Vec<String> = self.model.named().map(|cause| cause.id.into()).collect();
+        named.extend(saturation(self.model.base).map(|cause| cause.id));
+        let rivals: Vec<String> = self.rivals().iter().map(|t| t.cause.id.into()).collect();
+        judged(named, rivals, self.is_unexplained())
+    }
+
+    /// Every cause of the rounds with its probability in its round; those taken first.
+    pub fn causes(&self) -> Vec<CauseResult> {
+        // Those taken have the values that they have beside all others.
+        let place = |t: &Tried| {
+            self.model
+                .causes
+                .iter()
+                .position(|c| (c.id, c.form) == (t.cause.id, t.cause.form))
+        };
+        let of_taken =
+            |t: &Tried| place(t).map(|k| parameters_of(&self.model.causes, &self.fitted, k));
+        let results = |round: &Round| -> Vec<CauseResult> {
+            let is_taken = |n: usize| round.taken && n == 0;
+            let found = |(n, t): (usize, &Tried)| {
+                let of_taken = is_taken(n).then(|| of_taken(t)).flatten();
+                result(
+                    t.cause.id,
+                    t.gain,
+                    of_taken.unwrap_or_else(|| parameters(t)),
+                )
+            };
+            round.tried.iter().enumerate().map(found).collect()
+        };
+        let rounds = self
+            .rounds
+            .iter()
+            .map(|round| (round.taken, results(round)));
+        let left = self.is_unexplained().then(|| self.left.excess());
+        ranked(rounds, left, saturation(self.model.base))
+    }
+}
+
+/// The verdict from the names of the causes taken, of those that do as well as the last of them,
+/// and whether structure remains.
+pub fn judged(mut causes: Vec<String>, rivals: Vec<String>, unexplained: bool) -> CauseVerdict {
+    let status = match (unexplained, causes.is_empty(), rivals.is_empty()) {
+        (true, ..) => "unexplained",
+        (false, true, _) => "adequate",
+        (false, false, true) => "explained",
+        (false, false, false) => "ambiguous",
+    };
+    if unexplained && !causes.iter().any(|id| id == UNKNOWN) {
+        causes.push(UNKNOWN.into());
+    }
+    let indistinguishable_from = if status == "ambiguous" {
+        rivals
+    } else {
+        vec![]
+    };
+    let mut verdict = CauseVerdict {
+        status: status.into(),
+        causes,
+        indistinguishable_from,
+        ..Default::default()
+    };
+    verdict.message = in_words(&verdict);
+    verdict
+}
+
+/// A cause that was tried, not ranked yet.
+pub fn result(id: &str, gain: f64, parameters: BTreeMap<String, ParameterResult>) -> CauseResult {
+    CauseResult {
+        id: id.into(),
+        probability: 1.0,
+        log_evidence_gain: gain,
+        parameters,
+        message: words::message("cause", [("cause", named(id))]),
+        taken: false,
+    }
+}
+
+/// Every cause of the rounds (whether their first was taken; what was tried, the best first) with
+/// its probability in its round, what is left unexplained (χ²) and what shows by itself beside
+/// them; those taken first.
+pub fn ranked(
+    rounds: impl Iterator<Item = (bool, Vec<CauseResult>)>,
+    unexplained: Option<f64>,
+    by_itself: Option<CauseResult>,
+) -> Vec<CauseResult> {
+    let mut list: Vec<CauseResult> = Vec::new();
+    for (first_taken, mut tried) in rounds {
+        // A power law that comes out as the quadratic drag before it is that drag, and shares no
+        // probability with it.
+        if let Some(drag) = tried
+            .first()
+            .filter(|first| first.id == "quadratic_drag")
+            .cloned()
+        {
+            tried
+                .retain(|t| !are_one_drag([&drag.id, &t.id], |k| [&drag, t][k].parameters.clone()));
+        }
+        // The first need not be the one that gains most: where much is left, what was learned
+        // without a name comes first.
+        let most = tried
+            .iter()
+            .map(|t| t.log_evidence_gain)
+            .fold(0.0, f64::max);
+        let odds = |gain: f64| (gain - most).exp();
+        let all: f64 = odds(0.0) + tried.iter().map(|t| odds(t.log_evidence_gain)).sum::<f64>();
+        for (n, tried) in tried.into_iter().enumerate() {
+            let taken = first_taken && n == 0;
+            if taken || list.iter().all(|known| known.id != tried.id) {
+                list.retain(|known| known.id != tried.id);
+                let probability = odds(tried.log_evidence_gain) / all;
+                list.push(CauseResult {
+                    probability,
+                    taken,
+                    ..tried
+                });
+            }
+        }
+    }
+    if let Some(excess) = unexplained.filter(|_| list.iter().all(|c| c.id != UNKNOWN)) {
+        list.push(result(UNKNOWN, 0.5 * excess, BTreeMap::new()));
+    }
+    list.extend(by_itself);
+    list.sort_by(|a, b| {
+        b.taken
+            .cmp(&a.taken)
+            .then(b.probability.total_cmp(&a.probability))
+    });
+    list
+}
+
+/// A verdict as a sentence.
+fn in_words(verdict: &CauseVerdict) -> Message {
+    let all = |ids: &[&String], join: &str| {
+        words::row(ids.iter().map(|id| named(id)).collect(), join, join)
+    };
+    let known: Vec<&String> = verdict.causes.iter().filter(|id| *id != UNKNOWN).collect();
+    let causes = || ("causes", all(&known, "and_also"));
+    match &*verdict.status {
+        "adequate" => words::message("adequate", []),
+        "explained" => words::message("explained", [causes()]),
+        "ambiguous" => {
+            let others: Vec<&String> = verdict.indistinguishable_from.iter().collect();
+            words::message("ambiguous", [causes(), ("others", all(&others, "or_also"))])
+        }
+        _ if known.is_empty() => words::message("unexplained", []),
+        _ if known.len() > MOST_NAMED => words::message(
+            "many",
+            [("count", words::number(known.len() as f64, 0)), causes()],
+        ),
+        _ => words::message("remains", [causes()]),
+    }
+}
+
+/// What a cause is, as a part of a sentence.
+fn named(id: &str) -> Argument {
+    words::word(&format!("cause.{id}"))
+}
+
+/// Fewer readings at a sensor's limit than this are no matter.
+const LEAST_SATURATED: usize = 10;
+
+/// Readings at the end of a sensor's range show it by themselves: they were left out, and nothing
+/// needs to be fitted. Each of them, exactly alike as they are, counts for one nat at least.
+pub fn saturation(base: &Base) -> Option<CauseResult> {
+    let mut limits = BTreeMap::new();
+    let mut count = 0;
+    for swung in &base.swings {
+        for repair in swung
+            .evidence
+            .repairs
+            .iter()
+            .filter(|r| r.kind == RepairKind::Saturation)
+        {
+            count += repair.count;
+            let (name, unit, k) = match repair.sensor {
+                Sensor::Gyroscope => ("gyro_rad_s", "rad/s", 0),
+                _ => ("acc_m_s2", "m/s^2", 1),
+            };
+            let largest = swung.samples.streams[k]
+                .values
+                .iter()
+                .map(|v| v.amax())
+                .fold(0.0, f64::max);
+            let noise = swung.samples.streams[k].noise.max();
+            let known: &mut ParameterResult =
+                limits.entry(name.to_string()).or_insert(ParameterResult {
+                    value: largest,
+                    u: noise,
+                    unit: unit.into(),
+                });
+            known.value = known.value.max(largest);
+        }
+    }
+    (count >= LEAST_SATURATED).then(|| CauseResult {
+        taken: true,
+        ..result("saturation", count as f64, limits)
+    })
+}
+
+/// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause.
+/// `parameters` are those of the first or the second of the two.
+pub fn are_one_drag(
+    ids: [&str; 2],
+    parameters: impl Fn(usize) -> BTreeMap<String, ParameterResult>,
+) -> bool {
+    let Some(power) = ids.iter().position(|id| *id == "power_law_damping") else {
+        return false;
+    };
+    if !ids.contains(&"quadratic_drag") {
+        return false;
+    }
+    let is_one =
+        |e: &ParameterResult| e.u < EXPONENT_U && (e.value - 1.0).abs() < EXPONENT_NEAR * e.u;
+    let found = parameters(power);
+    found
+        .iter()
+        .filter(|(name, _)| name.starts_with("exponent"))
+        .all(|(_, e)| is_one(e))
+}
+
+/// What a cause that was tried is called, and what it gained: the logarithm of the evidence.
+pub trait Ranked {
+    fn id(&self) -> &'static str;
+    fn gain(&self) -> f64;
+}
+
+impl Ranked for Tried {
+    fn id(&self) -> &'static str {
+        self.cause.id
+    }
+
+    fn gain(&self) -> f64 {
+        self.gain
+    }
+}
+
+/// Puts the quadratic drag before a power law that comes out as it and gains next to nothing more:
+/// of two names for one thing the simpler stands. `tried` comes and goes with the best first.
+pub fn simplest_first<T: Ranked>(
+    tried: &mut [T],
+    parameters: impl Fn(&T) -> BTreeMap<String, ParameterResult>,
+) {
+    let Some(best) = tried.first() else { return };
+    let is_simpler = |t: &T| {
+        t.id() == "quadratic_drag"
+            && best.gain() - t.gain() < NOT_TOLD
+            && are_one_drag([best.id(), t.id()], |k| parameters([best, t][k]))
+    };
+    if let Some(place) = tried.iter().position(is_simpler) {
+        tried[..=place].rotate_right(1);
+    }
+}
+
+/// Parameters of the cause that was tried.
+pub fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
+    parameters_of(
+        &tried.causes,
+        &tried.fitted,
+        tried.causes.len().saturating_sub(1),
+    )
+}
+
+/// Parameters of one of the causes of a fitted model, in units of the rig.
+fn parameters_of(
+    causes: &[Cause],
+    fitted: &Fitted,
+    number: usize,
+) -> BTreeMap<String, ParameterResult> {
+    let Some((cause, values)) = causes.get(number).zip(fitted.point.causes.get(number)) else {
+        return BTreeMap::new();
+    };
+    let swings = fitted.point.owns.len();
+    let behind: usize = causes[number..]
+        .iter()
+        .map(|cause| cause.size(swings))
+        .sum();
+    let first = fitted.place_of_last(behind);
+    let covariance = fitted.covariance();
+    let mut found = BTreeMap::new();
+    for (k, (parameter, own)) in cause.expanded(swings).into_iter().enumerate() {
+        let u = covariance
+            .as_ref()
+            .map_or(f64::INFINITY, |c| c[(first + k, first + k)].max(0.0).sqrt());
+        let name = own.map_or(parameter.name.into(), |s| {
+            format!("{}_{}", parameter.name, s + 1)
+        });
+        found.insert(name, parameter.result(values[k], u));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Drag(&'static str, f64);
+
+    impl Ranked for Drag {
+        fn id(&self) -> &'static str {
+            self.0
+        }
+
+        fn gain(&self) -> f64 {
+            self.1
+        }
+    }
+
+    /// Which of a power law of an exponent, with its uncertainty and its gain, and a quadratic drag
+    /// that gained 100 stands first.
+    fn first(exponent: f64, u: f64, gain: f64) -> &'static str {
+        let mut tried = vec![
+            Drag("power_law_damping", gain),
+            Drag("wind", 99.9),
+            Drag("quadratic_drag", 100.0),
+        ];
+        tried.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let found = ParameterResult {
+            value: exponent,
+            u,
+            unit: "1".into(),
+        };
+        simplest_first(&mut tried, |_| {
+            BTreeMap::from([("exponent".to_owned(), found.clone())])
+        });
+        tried[0].0
+    }
+
+    #[test]
+    fn a_power_law_that_is_the_quadratic_drag_is_called_so() {
+        assert_eq!(first(1.1, 0.1, 100.5), "quadratic_drag");
+        assert_eq!(first(1.1, 0.1, 99.0), "quadratic_drag");
+        // Another exponent, one that is hardly known, and far more evidence.
+        assert_eq!(first(0.5, 0.1, 100.5), "power_law_damping");
+        assert_eq!(first(1.1, 0.5, 100.5), "power_law_damping");
+        assert_eq!(first(1.1, 0.1, 110.0), "power_law_damping");
+    }
+
+    #[test]
+    fn a_power_law_that_is_the_quadratic_drag_takes_no_probability_from_it() {
+        let ranking = |exponent: f64| {
+            let found = ParameterResult {
+                value: exponent,
+                u: 0.1,
+                unit: "1".into(),
+            };
+            let of_power = BTreeMap::from([("exponent".to_owned(), found)]);
+            let tried = vec![
+                result("quadratic_drag", 100.0, BTreeMap::new()),
+                result("power_law_damping", 100.0, of_power),
+                result("wind", 60.0, BTreeMap::new()),
+            ];
+            let ranked = ranked([(true, tried)].into_iter(), None, None);
+            let ids: Vec<String> = ranked.iter().map(|cause| cause.id.clone()).collect();
+            (ids, ranked[0].probability)
+        };
+        let (ids, probability) = ranking(1.1);
+        assert_eq!(ids, ["quadratic_drag", "wind"]);
+        assert!(probability > 0.999);
+        // Another law that does as well halves it.
+        let (ids, probability) = ranking(0.5);
+        assert_eq!(ids, ["quadratic_drag", "power_law_damping", "wind"]);
+        assert!((probability - 0.5).abs() < 1e-3);
+    }
+}

@@ -1,0 +1,291 @@
+//! The criticism of swings that a gyroscope alone saw.
+//!
+//! Synthetic swings are drawn afresh and integrated here, by the rule of Runge and Kutta, not by
+//! the code under test.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+
+use crate::told::told_in_every_language;
+use gyradius_diagnosis::{Critique, criticise};
+use gyradius_recording::import::{ColumnMapping, ImportOptions, ImportedData, import_files};
+use gyradius_recording::{
+    Body, Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording,
+    Session, Site, Suspension, SuspensionKind, Swing, SwingData, Triad,
+};
+use gyradius_test_support::rng;
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+/// What brakes a drawn pendulum, as shares of critical damping at its fastest rate.
+#[derive(Debug, Clone, Copy)]
+struct Brakes {
+    linear: f64,
+    quadratic: f64,
+    dry: f64,
+}
+
+/// θ'' = −ω² sin θ − 2 ω (l + q |v|/V + d V/|v|) v at even times; the rate at each, rad/s.
+fn rates(omega: f64, reach_rad: f64, brakes: Brakes, step_s: f64, count: usize) -> Vec<f64> {
+    let fastest = omega * reach_rad;
+    let slope = |[x, v]: [f64; 2]| {
+        // Coulomb's jump spread over a ten-thousandth of the fastest rate.
+        let brake = brakes.linear * v
+            + brakes.quadratic * v.abs() * v / fastest
+            + brakes.dry * fastest * (v / (1e-4 * fastest)).tanh();
+        [v, -omega * omega * x.sin() - 2.0 * omega * brake]
+    };
+    let inner = 20;
+    let h = step_s / f64::from(inner);
+    let moved = |y: [f64; 2], k: [f64; 2], by: f64| [y[0] + by * k[0], y[1] + by * k[1]];
+    let mut y = [reach_rad, 0.0];
+    let mut found = Vec::with_capacity(count);
+    for _ in 0..count {
+        found.push(y[1]);
+        for _ in 0..inner {
+            let a = slope(y);
+            let b = slope(moved(y, a, 0.5 * h));
+            let c = slope(moved(y, b, 0.5 * h));
+            let d = slope(moved(y, c, h));
+            y = [0, 1].map(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+        }
+    }
+    found
+}
+
+fn between(rng: &mut ChaCha8Rng, least: f64, most: f64) -> f64 {
+    least + (most - least) * rng.random::<f64>()
+}
+
+/// A phone's gyroscope on a compound pendulum, the phone taped on in any way.
+fn drawn(rng: &mut ChaCha8Rng, quadratic: f64, dry: f64) -> LoadedSession {
+    let omega = TAU / between(rng, 1.0, 3.0);
+    let brakes = Brakes {
+        linear: between(rng, 0.0005, 0.0015),
+        quadratic,
+        dry,
+    };
+    let count = 12_000;
+    let motion = rates(omega, between(rng, 0.2, 0.5), brakes, 0.01, count);
+    let mut normal = || -> f64 { rng.sample(StandardNormal) };
+    let axis = [normal(), normal(), normal()];
+    let size = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
+    let axes = axis.map(|a| {
+        let bias = 0.005 * normal();
+        motion
+            .iter()
+            .map(|rate| a / size * rate + bias + 0.001 * normal())
+            .collect::<Vec<f64>>()
+    });
+    let t_s = (0..count).map(|i| 0.01 * i as f64).collect();
+    let gyroscope = Some(Triad { t_s, axes });
+    session(
+        Recording {
+            name: "drawn".into(),
+            gyroscope,
+            ..Default::default()
+        },
+        compound(),
+        vec![],
+    )
+}
+
+fn compound() -> Suspension {
+    Suspension {
+        kind: SuspensionKind::Compound,
+        orientation: Orientation::Athwartships,
+        line_length_m: None,
+        spacing_m: None,
+        top_spacing_m: None,
+        hull_pitch_deg: None,
+        points_moved_m: None,
+        axis_height_m: Some(Quantity::new(0.4, 0.01)),
+    }
+}
+
+fn session(
+    recording: Recording,
+    suspension: Suspension,
+    excited: Vec<Excitation>,
+) -> LoadedSession {
+    let swing = Swing {
+        id: "swing".into(),
+        data: SwingData::Recording("swing.csv".into()),
+        excited,
+        added_masses: vec![],
+        amplitude_deg: BTreeMap::new(),
+        suspension,
+    };
+    let session = Session {
+        title: "one motion".into(),
+        measured_on: String::new(),
+        body: Body::default(),
+        site: Site::default(),
+        attachments: vec![],
+        swings: vec![swing],
+        inclines: vec![],
+        recorded: vec![],
+    };
+    let data = vec![LoadedSwing {
+        id: "swing".into(),
+        data: LoadedData::Recording(recording),
+    }];
+    LoadedSession {
+        data,
+        session,
+        source: "one motion".into(),
+        inclines: vec![],
+    }
+}
+
+fn criticised(loaded: &LoadedSession) -> Critique {
+    let critique = criticise(loaded, &|_, _| true).unwrap().critique;
+    println!(
+        "{:?}: {}",
+        critique.verdict.causes, critique.verdict.message.english
+    );
+    println!(
+        "  {:?} -> {:?}",
+        critique.baseline.rms_over_noise, critique.extended.rms_over_noise
+    );
+    for cause in &critique.causes {
+        println!(
+            "  {} {:.1} {:?}",
+            cause.id, cause.log_evidence_gain, cause.parameters
+        );
+    }
+    critique
+        .discrepancies
+        .iter()
+        .for_each(|d| println!("  {:.1} {}", d.sigma, d.message.english));
+    told_in_every_language(&critique);
+    critique
+}
+
+/// How often of eight drawn sessions exactly these causes are named.
+fn named(quadratic: f64, dry: f64, causes: &[&str]) -> usize {
+    let mut rng = rng();
+    let right = |critique: &Critique| {
+        let status = if causes.is_empty() {
+            "adequate"
+        } else {
+            "explained"
+        };
+        critique.verdict.causes == causes && critique.verdict.status == status
+    };
+    (0..8)
+        .filter(|_| right(&criticised(&drawn(&mut rng, quadratic, dry))))
+        .count()
+}
+
+// A false alarm is rarer than one in fifty; so is a cause that is missed at strengths that change
+// the decay by a tenth and more. What errs so often errs in three of eight less than once in 2000
+// runs (binomial).
+
+#[test]
+fn a_pendulum_that_swings_as_it_should_is_left_alone() {
+    assert!(named(0.0, 0.0, &[]) >= 6);
+}
+
+#[test]
+fn quadratic_drag_is_named() {
+    assert!(named(0.001, 0.0, &["quadratic_drag"]) >= 6);
+}
+
+#[test]
+fn dry_friction_is_named() {
+    assert!(named(0.0, 0.0003, &["bearing_friction"]) >= 6);
+}
+
+/// Strength over the true one of what was drawn: θ'' = … − (2 ω q/V) |θ'| θ'.
+#[test]
+fn the_strength_of_a_drag_is_found_within_its_uncertainty() {
+    let mut rng = rng();
+    let critique = criticised(&drawn(&mut rng, 0.001, 0.0));
+    let period = critique.extended.quantities["small_period_swing_s"]
+        .value
+        .as_f64()
+        .unwrap();
+    let found = &critique.causes[0].parameters["torque_coefficient_per_inertia"];
+    // 2 ω q/(ω A) = 2 q/A: between those of the widest and the narrowest release.
+    assert!((1.0..3.0).contains(&period));
+    assert!(found.value > 0.002 / 0.5 - 5.0 * found.u && found.value < 0.002 / 0.2 + 5.0 * found.u);
+}
+
+// ---- real recordings ----
+
+/// A recording from the folder of real data, imported; `None` (said aloud) where that is absent.
+fn shared(path: &str, mapping: &[&str]) -> Option<Recording> {
+    let full = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../../../shared/data")
+        .join(path);
+    let Ok(bytes) = std::fs::read(full) else {
+        println!("skipped: ../shared/data/{path} is not here");
+        return None;
+    };
+    let mapping = (!mapping.is_empty()).then(|| ColumnMapping::from_entries(mapping).unwrap());
+    let options = ImportOptions {
+        mapping,
+        ..Default::default()
+    };
+    let mut imported = import_files(&[(path.into(), bytes)], &options).unwrap();
+    match imported.recordings.remove(0).data {
+        ImportedData::Recording(recording) => Some(recording),
+        _ => panic!("{path} is no phone's recording"),
+    }
+}
+
+/// What its notes say, measured without this program: the small period is near 1.338 s, the period
+/// exceeds a pendulum's law above 0.25 rad. No cause that is known accounts for that, and the
+/// program must not claim one.
+#[test]
+fn the_phone_pendulum_is_not_explained_away() {
+    let Some(recording) = shared("phone-pendulum/Gyroscope.csv", &[]) else {
+        return;
+    };
+    let critique = criticised(&session(recording, compound(), vec![]));
+    assert_eq!(critique.verdict.status, "unexplained");
+    let period = critique.baseline.quantities["small_period_swing_s"]
+        .value
+        .as_f64()
+        .unwrap();
+    assert!((period - 1.338).abs() < 0.005, "{period}");
+    assert!(
+        critique
+            .discrepancies
+            .iter()
+            .any(|d| d.what == "period_vs_amplitude")
+    );
+    assert!(critique.extended.rms_over_noise < critique.baseline.rms_over_noise);
+}
+
+/// Its notes: 2.83 s at 0.75 rad falls to 2.64 s at 0.11 rad, and nobody has said why.
+#[test]
+fn the_ducted_fan_is_not_explained_away() {
+    let mapping = [
+        "t=Time:ms",
+        "gx=xGyro:deg/s",
+        "gy=yGyro:deg/s",
+        "gz=ZGyro:deg/s",
+    ];
+    let Some(recording) = shared("ducted-fan/YawInertiaPendel01.csv", &mapping) else {
+        return;
+    };
+    let lines = Suspension {
+        kind: SuspensionKind::Bifilar,
+        line_length_m: Some(Quantity::new(0.74, 0.01)),
+        spacing_m: Some(Quantity::new(0.16, 0.005)),
+        axis_height_m: None,
+        ..compound()
+    };
+    let critique = criticised(&session(recording, lines, vec![Excitation::Yaw]));
+    assert_eq!(critique.verdict.status, "unexplained");
+    let period = critique.baseline.quantities["small_period_swing_s"]
+        .value
+        .as_f64()
+        .unwrap();
+    assert!((2.5..2.8).contains(&period), "{period}");
+}

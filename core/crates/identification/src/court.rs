@@ -1,0 +1,259 @@
+//! The consistency court: every stated dimension against what the swings imply, every route against
+//! every other.
+//!
+//! Sittings are unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is
+//! flagged.
+
+use std::collections::BTreeMap;
+
+use gyradius_base::message::{Argument, Message, spaced};
+use gyradius_recording::{ModeName, Quantity};
+
+use super::alternatives::RouteCalculation;
+use super::estimate::{Observed, Solution, System};
+use super::measurement::Claim;
+use super::parameters::Role;
+use super::routes::ratio::line_length_m;
+use super::sentences::{inputs, message, name};
+use super::words::{claim_unit, unit_of};
+
+/// A difference this large speaks up: chance does that once in 370 for a normal error.
+pub const FLAG_SIGMA: f64 = 3.0;
+/// Stated figures that can be tested, with the relative width to which they are opened.
+const TESTABLE: [&str; 4] = ["line_length", "spacing", "top_spacing", "gravity"];
+const OPENED_RELATIVE_U: f64 = 0.3;
+/// An implied figure less certain than this says nothing about a tape.
+const MOST_IMPLIED_RELATIVE_U: f64 = 0.05;
+
+/// Every sitting of the court.
+pub fn sit(system: &System, solution: &Solution, routes: &[RouteCalculation]) -> Vec<Claim> {
+    let mut claims = sway_against_tape(system);
+    claims.extend(stated_against_the_rest(system, solution));
+    claims.extend(route_against_route(routes));
+    claims.sort_by(|a, b| b.sigma.total_cmp(&a.sigma));
+    claims
+}
+
+/// Each sway period against the length of the lines, eq. (7) turned round: l = g T² / 4π².
+fn sway_against_tape(system: &System) -> Vec<Claim> {
+    let gravity = system.layout.parameters[system.layout.gravity].prior;
+    system
+        .periods
+        .iter()
+        .filter_map(|o| {
+            let Observed::Period(i, ModeName::Sway) = o.what else {
+                return None;
+            };
+            let index = &system.layout.swings[i];
+            if index.top_spacing != index.spacing {
+                return None;
+            }
+            let stated = system.layout.parameters[index.line_length?].prior;
+            let implied = line_length_m(o.value.value, gravity.value).ok()?;
+            let relative = (2.0 * o.value.u / o.value.value).hypot(gravity.u / gravity.value);
+            let implied = Quantity::new(implied, implied * relative);
+            let swing = Argument::Id(system.session.swings[i].id.clone());
+            Some(claim(
+                "line_length",
+                stated,
+                implied,
+                message("by_sway", [("swing", swing)]),
+            ))
+        })
+        .collect()
+}
+
+/// Each stated dimension freed, and the session solved without it.
+fn stated_against_the_rest(system: &System, solution: &Solution) -> Vec<Claim> {
+    (0..system.layout.parameters.len())
+        .filter_map(|i| one_stated(system, solution, i))
+        .collect()
+}
+
+fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
+    let stated = &system.layout.parameters[i];
+    if stated.role != Role::Stated || !TESTABLE.contains(&stated.name.as_str()) {
+        return None;
+    }
+    let mut layout = system.layout.clone();
+    layout.parameters[i].prior.u = OPENED_RELATIVE_U * stated.prior.value;
+    layout.parameters[i].role = Role::Unknown;
+    let opened = system.with(layout);
+    let freed = opened.solve(&solution.x).ok()?;
+    let derived = freed.derive(&opened.layout, |x| Some(x[i]))?;
+    if derived.u > MOST_IMPLIED_RELATIVE_U * stated.prior.value {
+        return None;
+    }
+    let budget = super::outputs::budget(&opened, &freed, &derived);
+    let largest: Vec<String> = budget
+        .iter()
+        .take(2)
+        .map(|line| spaced(&line.input))
+        .collect();
+    let implied = Quantity::new(derived.value, derived.u);
+    Some(claim(
+        &stated.name,
+        stated.prior,
+        implied,
+        message("by_all", [("inputs", inputs(&largest))]),
+    ))
+}
+
+fn claim(name: &str, stated: Quantity, implied: Quantity, by: Message) -> Claim {
+    let sigma =
+        (implied.value - stated.value).abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
+    let bare = bare_claim(name, (stated, implied), sigma, by.english.clone());
+    bare.told(message(
+        "stated",
+        [
+            ("name", inputs(&[spaced(name)])),
+            ("stated", figure(&stated, claim_unit(name))),
+            ("by", Argument::Texts(vec![by])),
+            ("implied", figure(&implied, claim_unit(name))),
+            ("verdict", verdict(sigma)),
+            ("sigma", Argument::Number(sigma, 1)),
+        ],
+    ))
+}
+
+fn bare_claim(
+    name: &str,
+    (stated, implied): (Quantity, Quantity),
+    sigma: f64,
+    from: String,
+) -> Claim {
+    Claim {
+        claim: name.into(),
+        stated: stated.value,
+        stated_u: stated.u,
+        implied: implied.value,
+        implied_u: implied.u,
+        sigma,
+        from,
+        flagged: sigma > FLAG_SIGMA,
+        message: Message::default(),
+        pairs: 1,
+        sigma_range: None,
+    }
+}
+
+fn figure(value: &Quantity, unit: &str) -> Argument {
+    Argument::Figure(
+        format!("{:.4} ± {:.4} {unit}", value.value, value.u)
+            .trim_end()
+            .into(),
+    )
+}
+
+fn verdict(sigma: f64) -> Argument {
+    name(if sigma > FLAG_SIGMA {
+        "contradict"
+    } else {
+        "agree"
+    })
+}
+
+/// Single routes to the same quantity, method against method: of all pairs of swings the one that
+/// differs most.
+fn route_against_route(routes: &[RouteCalculation]) -> Vec<Claim> {
+    let mut by_methods: BTreeMap<[&str; 3], Vec<Pair>> = BTreeMap::new();
+    for (i, a) in routes.iter().enumerate() {
+        for b in routes[i + 1..].iter().filter(|b| b.quantity == a.quantity) {
+            let (first, second) = if a.method <= b.method { (a, b) } else { (b, a) };
+            let pairs = by_methods
+                .entry([a.quantity, first.method, second.method])
+                .or_default();
+            pairs.extend(Pair::of(first, second));
+        }
+    }
+    by_methods
+        .into_values()
+        .filter_map(|pairs| worst_of(&pairs))
+        .collect()
+}
+
+/// Two routes and how far apart they are; inputs they share cancel in the difference as they
+/// should.
+struct Pair<'a> {
+    first: &'a RouteCalculation,
+    second: &'a RouteCalculation,
+    sigma: f64,
+}
+
+impl<'a> Pair<'a> {
+    /// Two routes through the very same figures are one route.
+    fn of(first: &'a RouteCalculation, second: &'a RouteCalculation) -> Option<Self> {
+        let u = first.figure.u_of_difference(&second.figure);
+        let sigma = (first.figure.value - second.figure.value).abs() / u;
+        (u > 1e-9 * first.figure.value.abs()).then_some(Pair {
+            first,
+            second,
+            sigma,
+        })
+    }
+}
+
+fn worst_of(pairs: &[Pair]) -> Option<Claim> {
+    let worst = pairs.iter().max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
+    let least = pairs.iter().map(|p| p.sigma).fold(f64::INFINITY, f64::min);
+    let quantity = |r: &RouteCalculation| Quantity::new(r.figure.value, r.figure.u());
+    let (first, second) = (quantity(worst.first), quantity(worst.second));
+    let (name_of, unit) = (worst.first.quantity, unit_of(worst.first.quantity));
+    let way = |r: &RouteCalculation| name(&format!("route.{}", r.method));
+    let told = message(
+        "against",
+        [
+            ("quantity", name(&format!("quantity.{name_of}"))),
+            ("one", way(worst.first)),
+            ("one_from", inputs(&worst.first.from)),
+            ("first", figure(&first, unit)),
+            ("other", way(worst.second)),
+            ("other_from", inputs(&worst.second.from)),
+            ("second", figure(&second, unit)),
+            ("verdict", verdict(worst.sigma)),
+            ("sigma", Argument::Number(worst.sigma, 1)),
+            (
+                "pairs",
+                Argument::Texts(others(pairs.len(), [least, worst.sigma])),
+            ),
+        ],
+    );
+    let from = format!(
+        "{} against {}",
+        spaced(worst.second.method),
+        spaced(worst.first.method)
+    );
+    let sigma_range = (pairs.len() > 1).then_some([least, worst.sigma]);
+    let bare = bare_claim(name_of, (first, second), worst.sigma, from);
+    Some(
+        Claim {
+            pairs: pairs.len(),
+            sigma_range,
+            ..bare
+        }
+        .told(told),
+    )
+}
+
+/// How far all pairs of swings differ by the same two ways, where there are several.
+fn others(count: usize, [least, most]: [f64; 2]) -> Vec<Message> {
+    let arguments = [
+        ("count", count as f64, 0),
+        ("least", least, 1),
+        ("most", most, 1),
+    ];
+    let told = || {
+        message(
+            "pairs",
+            arguments.map(|(name, value, places)| (name, Argument::Number(value, places))),
+        )
+    };
+    (count > 1).then(told).into_iter().collect()
+}
+
+impl Claim {
+    /// With its sentence.
+    fn told(self, message: Message) -> Self {
+        Self { message, ..self }
+    }
+}

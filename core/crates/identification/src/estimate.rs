@@ -1,0 +1,442 @@
+//! The joint estimate: one weighted least-squares solution from everything in the session.
+//!
+//! Observed periods and angles and stated figures are rows of one system; the covariance of the
+//! solution is the GUM's law of propagation (JCGM 100, 5.2) for a linearised measurement function,
+//! correlations kept.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use gyradius_base::error::{Error, Result};
+use gyradius_recording::{InclineAngle, ModeName, Quantity, Session, Swing};
+
+use super::parameters::{Layout, Role, SwingIndex};
+use super::samples::Statement;
+use super::theory::{incline_angle_deg, swing_periods};
+
+/// Chance of widening the uncertainties of a consistent session by the Birge ratio.
+const BIRGE_FALSE_ALARM: f64 = 1e-3;
+const MAX_ITERATIONS: usize = 60;
+/// A shift stated as exact is good to this, m: the thickness of a line.
+const LEAST_MOVED_U_M: f64 = 1e-4;
+
+/// What was observed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Observed {
+    /// A small-amplitude period of a mode of a swing (index), s.
+    Period(usize, ModeName),
+    /// The angle of an incline (index), degrees.
+    Incline(usize),
+    /// How far the suspension points of a swing (index) were moved along the deck, m.
+    Moved(usize),
+    /// What the samples of a swing say of the parameters (index into the statements).
+    Statement(usize),
+}
+
+/// One observation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Observation {
+    /// What.
+    pub what: Observed,
+    /// Value, s or degrees, with its uncertainty.
+    pub value: Quantity,
+    /// Part of that uncertainty that comes from the correction for finite amplitude.
+    pub u_amplitude: f64,
+    /// For budgets: `yaw period of yaw-1`.
+    pub label: String,
+}
+
+impl Observation {
+    /// Whether it is a period of one of these swings.
+    pub fn is_of(&self, swings: &[usize]) -> bool {
+        matches!(self.what, Observed::Period(i, _) if swings.contains(&i))
+    }
+}
+
+/// The session's system: parameters, observations, and how one predicts the other.
+pub struct System<'a> {
+    /// The session.
+    pub session: &'a Session,
+    /// Its parameters.
+    pub layout: Layout,
+    /// Its observations.
+    pub observations: Vec<Observation>,
+    /// Rows that are linear in the parameters.
+    pub statements: Vec<Statement>,
+    /// Every small-amplitude period, those that entered through the samples too: what single routes
+    /// start from.
+    pub periods: Vec<Observation>,
+    /// How a swing's periods follow from the parameters.
+    pub theory: Arc<Theory>,
+}
+
+/// Small-amplitude undamped periods of one swing by mode, s.
+pub type Theory =
+    dyn Fn(&Layout, &[f64], &Swing, &SwingIndex) -> Result<Vec<(ModeName, f64)>> + Send + Sync;
+
+/// The solution.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// Parameters.
+    pub x: Vec<f64>,
+    /// Indices of the parameters that were free.
+    pub free: Vec<usize>,
+    /// Change of each free parameter by one standard uncertainty of each row (rows: observations,
+    /// then the free parameters' priors). The covariance is `gain · gainᵀ`.
+    pub gain: DMatrix<f64>,
+    /// Change of each row of [`System::rows`] by each free parameter.
+    pub jacobian: DMatrix<f64>,
+    /// Sum of squares and degrees of freedom (those the weak priors take are taken off).
+    pub chi2: f64,
+    /// Degrees of freedom.
+    pub dof: f64,
+    /// Factor on all uncertainties: 1 unless the session contradicts itself beyond chance.
+    pub birge: f64,
+}
+
+impl<'a> System<'a> {
+    /// Parameters without observations.
+    pub fn new(session: &'a Session, layout: Layout) -> Self {
+        System {
+            session,
+            layout,
+            observations: vec![],
+            statements: vec![],
+            periods: vec![],
+            theory: Arc::new(swing_periods),
+        }
+    }
+
+    /// The same session with other parameters' priors.
+    pub fn with(&self, layout: Layout) -> Self {
+        System {
+            session: self.session,
+            layout,
+            observations: self.observations.clone(),
+            statements: self.statements.clone(),
+            periods: self.periods.clone(),
+            theory: self.theory.clone(),
+        }
+    }
+
+    /// The system as it would be were the solution the truth: every stated figure, every period and
+    /// every angle with the value that the solution has for it.
+    pub fn as_solved(&self, solution: &Solution) -> Option<Self> {
+        let mut layout = self.layout.clone();
+        layout
+            .parameters
+            .iter_mut()
+            .zip(&solution.x)
+            .for_each(|(p, x)| p.prior.value = *x);
+        let mut ideal = self.with(layout);
+        let mut seen = vec![None; self.session.swings.len()];
+        for observation in ideal.periods.iter_mut().chain(&mut ideal.observations) {
+            observation.value.value = self.predict_one(observation, &solution.x, &mut seen)?;
+        }
+        Some(ideal)
+    }
+
+    /// What stands beside the swings: inclines, and how far suspension points were moved to tilt
+    /// the hull.
+    pub fn beside_swings(&self, inclines: &[Option<Quantity>]) -> Vec<Observation> {
+        let mut observations = incline_observations(self.session, inclines);
+        if self.layout.level_depth().is_some() {
+            observations.extend(
+                self.session
+                    .swings
+                    .iter()
+                    .enumerate()
+                    .filter_map(moved_points),
+            );
+        }
+        observations
+    }
+
+    /// Predicted observations; `None` where the parameters allow no motion.
+    fn predict(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let mut periods: Vec<Option<Vec<(ModeName, f64)>>> = vec![None; self.session.swings.len()];
+        self.observations
+            .iter()
+            .map(|o| self.predict_one(o, x, &mut periods))
+            .collect()
+    }
+
+    fn predict_one(
+        &self,
+        observation: &Observation,
+        x: &[f64],
+        periods: &mut [Option<Vec<(ModeName, f64)>>],
+    ) -> Option<f64> {
+        match observation.what {
+            Observed::Statement(i) => Some(
+                self.statements[i]
+                    .row
+                    .iter()
+                    .map(|(k, slope)| slope * x[*k])
+                    .sum(),
+            ),
+            Observed::Incline(i) => {
+                let depth = self.layout.swings.first()?.log_depth;
+                Some(incline_angle_deg(
+                    &self.layout,
+                    x,
+                    &self.session.inclines[i],
+                    depth,
+                ))
+            }
+            Observed::Moved(i) => {
+                let depth_m = x[self.layout.level_depth()?].exp();
+                // l2 = Δ / tan φ
+                Some(depth_m * x[self.layout.swings[i].pitch_deg].to_radians().tan())
+            }
+            Observed::Period(i, mode) => {
+                let index = &self.layout.swings[i];
+                if periods[i].is_none() {
+                    periods[i] =
+                        (self.theory)(&self.layout, x, &self.session.swings[i], index).ok();
+                }
+                let (_, period_s) = periods[i]
+                    .as_ref()?
+                    .iter()
+                    .find(|(name, _)| *name == mode)?;
+                Some(period_s * (1.0 + self.layout.clock_error(x, index)))
+            }
+        }
+    }
+
+    /// What every observation, then every free parameter's prior, exceeds the prediction by, in
+    /// standard uncertainties.
+    pub fn rows(&self, x: &[f64], free: &[usize]) -> Option<DVector<f64>> {
+        let predicted = self.predict(x)?;
+        let observed = self
+            .observations
+            .iter()
+            .zip(predicted)
+            .map(|(o, p)| (o.value.value - p) / o.value.u);
+        let priors = free.iter().map(|i| {
+            let prior = self.layout.parameters[*i].prior;
+            (prior.value - x[*i]) / prior.u
+        });
+        let rows: Vec<f64> = observed.chain(priors).collect();
+        rows.iter()
+            .all(|r| r.is_finite())
+            .then(|| DVector::from_vec(rows))
+    }
+
+    fn jacobian(&self, x: &[f64], free: &[usize], rows: usize) -> Option<DMatrix<f64>> {
+        let mut jacobian = DMatrix::zeros(rows, free.len());
+        for (column, i) in free.iter().enumerate() {
+            let step = self.layout.parameters[*i].step;
+            let shifted = |sign: f64| {
+                let mut moved = x.to_vec();
+                moved[*i] += sign * step;
+                self.rows(&moved, free)
+            };
+            jacobian.set_column(column, &((shifted(1.0)? - shifted(-1.0)?) / (2.0 * step)));
+        }
+        Some(jacobian)
+    }
+
+    /// Solves the system (Levenberg–Marquardt from `start`).
+    pub fn solve(&self, start: &[f64]) -> Result<Solution> {
+        let free: Vec<usize> = (0..self.layout.parameters.len())
+            .filter(|i| self.layout.parameters[*i].prior.u > 0.0)
+            .collect();
+        let x = self.minimise(start.to_vec(), &free).ok_or_else(failed)?;
+        let rows = self.rows(&x, &free).ok_or_else(failed)?;
+        let jacobian = self.jacobian(&x, &free, rows.len()).ok_or_else(failed)?;
+        let normal = jacobian.transpose() * &jacobian;
+        let covariance = normal.cholesky().ok_or_else(failed)?.inverse();
+        let gain = -&covariance * jacobian.transpose();
+        let taken: f64 = free
+            .iter()
+            .enumerate()
+            .filter(|(_, i)| self.layout.parameters[**i].role == Role::Unknown)
+            .map(|(k, i)| 1.0 - covariance[(k, k)] / self.layout.parameters[*i].prior.u.powi(2))
+            .sum();
+        let chi2 = rows.norm_squared();
+        let dof = (self.observations.len() as f64 - taken).max(0.0);
+        Ok(Solution {
+            x,
+            free,
+            gain,
+            jacobian,
+            chi2,
+            dof,
+            birge: birge(chi2, dof),
+        })
+    }
+
+    fn minimise(&self, mut x: Vec<f64>, free: &[usize]) -> Option<Vec<f64>> {
+        let mut rows = self.rows(&x, free)?;
+        let mut damping = 1e-3;
+        for _ in 0..MAX_ITERATIONS {
+            let jacobian = self.jacobian(&x, free, rows.len())?;
+            let gradient = jacobian.transpose() * &rows;
+            let normal = jacobian.transpose() * &jacobian;
+            let mut improved = false;
+            while damping < 1e12 {
+                let mut damped = normal.clone();
+                (0..free.len()).for_each(|k| damped[(k, k)] *= 1.0 + damping);
+                let step = -damped.cholesky()?.solve(&gradient);
+                let mut moved = x.clone();
+                free.iter()
+                    .zip(step.iter())
+                    .for_each(|(i, s)| moved[*i] += s);
+                match self.rows(&moved, free) {
+                    Some(better) if better.norm_squared() <= rows.norm_squared() => {
+                        let gained = rows.norm_squared() - better.norm_squared();
+                        (x, rows) = (moved, better);
+                        damping = (damping * 0.1).max(1e-15);
+                        improved = gained > 1e-12 * (1.0 + rows.norm_squared());
+                        break;
+                    }
+                    _ => damping *= 10.0,
+                }
+            }
+            if !improved {
+                break;
+            }
+        }
+        Some(x)
+    }
+}
+
+fn failed() -> Error {
+    Error::no_result(
+        "joint estimate",
+        "the stated dimensions and the observed periods admit no common solution",
+    )
+}
+
+fn birge(chi2: f64, dof: f64) -> f64 {
+    if dof < 0.5 {
+        return 1.0;
+    }
+    let beyond_chance = ChiSquared::new(dof)
+        .map(|d| chi2 > d.inverse_cdf(1.0 - BIRGE_FALSE_ALARM))
+        .unwrap_or(false);
+    if beyond_chance {
+        (chi2 / dof).sqrt()
+    } else {
+        1.0
+    }
+}
+
+/// A scalar of the solution with its uncertainty, by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Derived {
+    /// Value.
+    pub value: f64,
+    /// Standard uncertainty, Birge factor included.
+    pub u: f64,
+    /// Change by one standard uncertainty of each row (Birge factor included).
+    pub by_row: Vec<f64>,
+    /// Share of the variance that comes from weak priors: what exceeds a little was not measured.
+    pub weak_share: f64,
+}
+
+impl Solution {
+    /// A function of the parameters, linearised; `None` where it is not defined.
+    pub fn derive(&self, layout: &Layout, f: impl Fn(&[f64]) -> Option<f64>) -> Option<Derived> {
+        let value = f(&self.x).filter(|v| v.is_finite())?;
+        let mut by_row = DVector::zeros(self.gain.ncols());
+        for (k, i) in self.free.iter().enumerate() {
+            let step = layout.parameters[*i].step;
+            let mut moved = self.x.clone();
+            moved[*i] += step;
+            let up = f(&moved)?;
+            moved[*i] -= 2.0 * step;
+            let slope = (up - f(&moved)?) / (2.0 * step);
+            by_row += self.gain.row(k).transpose() * (slope * self.birge);
+        }
+        let variance = by_row.norm_squared();
+        let first_prior = self.gain.ncols() - self.free.len();
+        let weak: f64 = self
+            .free
+            .iter()
+            .enumerate()
+            .filter(|(_, i)| layout.parameters[**i].role == Role::Unknown)
+            .map(|(k, _)| by_row[first_prior + k].powi(2))
+            .sum();
+        let weak_share = if variance > 0.0 { weak / variance } else { 0.0 };
+        Some(Derived {
+            value,
+            u: variance.sqrt(),
+            by_row: by_row.as_slice().to_vec(),
+            weak_share,
+        })
+    }
+
+    /// Standard uncertainty of a parameter.
+    pub fn u(&self, parameter: usize) -> f64 {
+        self.free
+            .iter()
+            .position(|i| *i == parameter)
+            .map_or(0.0, |k| self.gain.row(k).norm())
+    }
+}
+
+impl Derived {
+    /// Correlation with another scalar of the same solution.
+    pub fn correlation(&self, other: &Derived) -> f64 {
+        let covariance: f64 = self
+            .by_row
+            .iter()
+            .zip(&other.by_row)
+            .map(|(a, b)| a * b)
+            .sum();
+        if self.u > 0.0 && other.u > 0.0 {
+            covariance / (self.u * other.u)
+        } else {
+            0.0
+        }
+    }
+}
+
+/// The observations that stated incline angles make.
+fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) -> Vec<Observation> {
+    let angle = |i: usize| match session.inclines[i].angle {
+        InclineAngle::Stated(angle) => Some(angle),
+        InclineAngle::Recording(_) => recorded_deg.get(i).copied().flatten(),
+    };
+    (0..session.inclines.len())
+        .filter_map(|i| {
+            let incline = &session.inclines[i];
+            let read = angle(i)?;
+            // The weight's own figures are independent of all others: they widen the angle by (20).
+            let tangent = read.value.to_radians().tan();
+            let slope = tangent / (1.0 + tangent * tangent) * (180.0 / std::f64::consts::PI);
+            let relative = (incline.mass_kg.u / incline.mass_kg.value)
+                .hypot(incline.arm_m.u / incline.arm_m.value);
+            let drop = tangent * incline.depth_m.u / incline.arm_m.value;
+            let u = read.u.hypot(slope * relative).hypot(slope * drop).max(1e-4);
+            let label = format!(
+                "incline {}",
+                if incline.end == gyradius_recording::End::Bow {
+                    "bow"
+                } else {
+                    "stern"
+                }
+            );
+            Some(Observation {
+                what: Observed::Incline(i),
+                value: Quantity::new(read.value, u),
+                u_amplitude: 0.0,
+                label,
+            })
+        })
+        .collect()
+}
+
+fn moved_points((i, swing): (usize, &Swing)) -> Option<Observation> {
+    let moved_m = swing.suspension.points_moved_m?;
+    Some(Observation {
+        what: Observed::Moved(i),
+        value: Quantity::new(moved_m.value, moved_m.u.max(LEAST_MOVED_U_M)),
+        u_amplitude: 0.0,
+        label: format!("suspension points of {}", swing.id),
+    })
+}

@@ -1,0 +1,35 @@
+//! From periods and dimensions to inertia: single routes, the joint estimate, its budget and its
+//! consistency.
+//!
+//! May know `recording`, `signal`, `modes`, `dynamics` and what they may know.
+
+mod alternatives;
+mod beats;
+pub mod by_samples;
+mod court;
+pub mod estimate;
+pub mod expected;
+pub mod measure;
+mod measurement;
+pub mod modes;
+mod observe;
+pub mod outputs;
+pub mod parameters;
+pub mod routes;
+pub mod samples;
+mod sentences;
+pub mod theory;
+mod traced;
+mod twin;
+pub mod words;
+
+pub use measure::solved_periods;
+pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, measure_recording};
+pub use measurement::{
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
+    Verdict,
+};
+pub use observe::Evidence;
+pub use outputs::COVERAGE_95;
+pub use sentences::{NO_GRAVITY, NO_JOINT_ESTIMATE, input};
+pub use words::{quantity_in, route_in, unit_of};

@@ -1,0 +1,758 @@
+//! The main job: from a loaded session, or a bare recording, to a [`Measurement`].
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use crate::modes::{Hanging, tilt_between_rad};
+use gyradius_base::error::{Error, Result};
+use gyradius_base::frames::Vec3;
+use gyradius_base::message::{Argument, Message};
+use gyradius_base::progress::{Progress, UNWATCHED, tell};
+use gyradius_recording::{
+    Incline, InclineAngle, LoadedData, LoadedSession, LoadedSwing, ModeName, PeriodList, Quantity,
+    Recording, Session, Swing, SwingData,
+};
+use gyradius_signal::{
+    FittedMode, FlaggedPeriod, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude,
+    period_from_list, small_amplitude_limit,
+};
+
+use super::alternatives::{RouteCalculation, routes};
+use super::beats;
+use super::by_samples::by_samples;
+use super::court;
+use super::estimate::{Observation, Observed, Solution, System};
+use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
+use super::observe::{
+    Evidence, hints_contradicted, names_by_period, observe_recording, observe_track, parasites,
+};
+use super::outputs::write_quantities;
+use super::parameters::{Layout, effective_gravity};
+use super::routes::guard::{Limit, verdict};
+use super::sentences::{message, name, plain};
+use super::twin::{Correction, corrections};
+use super::words::period_label;
+
+/// Name and version of the result's format.
+pub const FORMAT: &str = "gyradius-measurement/1";
+/// Uncertainty of the angle between two tilts of one phone, degrees. Noise over seconds is nothing
+/// beside it, and a bias that stays cancels but for its part along gravity times the angle; what is
+/// left is a bias that has moved meanwhile, by 0.02 m/s² or so as the phone warms, and axes whose
+/// scales differ by a percent or two.
+pub const PHONE_TILT_U_DEG: f64 = 0.15;
+/// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last
+/// digit).
+const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
+
+/// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger
+/// motion drives them off their own period.
+pub(super) const WEAKEST_DB: f64 = -16.0;
+
+/// A mode weaker than this in a record whose residual exceeds its noise by this factor may be part
+/// of the misfit: strong motions that are no damped lines leave such traces beside them.
+const DOUBTFUL_DB: f64 = -40.0;
+const DOUBTFUL_MISFIT: f64 = 1.5;
+
+/// A roll gyradius of which weak priors decide less than this share is measured.
+const ROLL_WEAK_SHARE: f64 = 0.05;
+
+/// Roughly the shares of the work that are done once the swings are read, the periods solved, the
+/// samples fitted.
+const OBSERVED_SHARE: f64 = 0.4;
+const SOLVED_SHARE: f64 = 0.5;
+const FITTED_SHARE: f64 = 0.9;
+
+/// What a caller may ask beyond the measurement.
+#[derive(Debug, Clone, Default)]
+pub struct MeasureOptions {
+    /// Class limits to judge against.
+    pub limits: Vec<Limit>,
+}
+
+/// A measurement with the evidence that pictures are drawn from.
+#[derive(Debug, Clone)]
+pub struct Analysis {
+    /// The result.
+    pub measurement: Measurement,
+    /// What was found in each recording, in swing order; swings without a recording have none.
+    pub evidence: Vec<Option<Evidence>>,
+}
+
+/// One swing on its way to the estimate.
+pub struct SwingWork {
+    pub(crate) result: SwingResult,
+    /// What the record says, where there is one.
+    pub evidence: Option<Evidence>,
+    /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
+    pub(super) periods: Vec<(usize, Quantity)>,
+}
+
+/// Measures a session.
+pub fn measure(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Measurement> {
+    analyse(loaded, options).map(|a| a.measurement)
+}
+
+/// A session ready to be estimated: what its swings show, and the system that they make.
+pub struct Prepared<'a> {
+    /// Every swing, in session order.
+    pub works: Vec<SwingWork>,
+    /// Angle of every incline, rad, where it could be read.
+    pub inclines: Vec<Option<Quantity>>,
+    /// Parameters and observations of the session.
+    pub system: System<'a>,
+    /// What a reader must know.
+    pub warnings: Vec<Message>,
+}
+
+/// Observes every swing and lays out the session's parameters.
+pub fn prepare(loaded: &LoadedSession) -> Result<Prepared<'_>> {
+    prepare_watched(loaded, UNWATCHED)
+}
+
+fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result<Prepared<'a>> {
+    let session = &loaded.session;
+    let (gravity, gravity_warning) = effective_gravity(session)?;
+    let work = |(place, (swing, data)): (usize, (&Swing, &LoadedSwing))| {
+        let share = OBSERVED_SHARE * place as f64 / session.swings.len() as f64;
+        tell(progress, share, &format!("reading {}", swing.id))?;
+        Ok(work_swing(swing, &data.data, gravity.value))
+    };
+    let works: Vec<SwingWork> = session
+        .swings
+        .iter()
+        .zip(&loaded.data)
+        .enumerate()
+        .map(work)
+        .collect::<Result<_>>()?;
+    if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
+        return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
+    }
+    let pitch = phone_pitches(session, &works);
+    let inclines = recorded_inclines(loaded, &works);
+    let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
+    let layout = Layout::of(session, gravity, &pitch, &yaws);
+    let mut system = System::new(session, layout);
+    system.observe(observations(session, &works, &[]), &inclines);
+    Ok(Prepared {
+        works,
+        inclines,
+        system,
+        warnings: gravity_warning.into_iter().collect(),
+    })
+}
+
+/// Measures a session and keeps the evidence.
+pub fn analyse(loaded: &LoadedSession, options: &MeasureOptions) -> Result<Analysis> {
+    analyse_watched(loaded, options, UNWATCHED)
+}
+
+/// The same, told of and stopped by a callback, swing by swing and step by step.
+pub fn analyse_watched(
+    loaded: &LoadedSession,
+    options: &MeasureOptions,
+    progress: &Progress,
+) -> Result<Analysis> {
+    let session = &loaded.session;
+    let Prepared {
+        mut works,
+        inclines,
+        mut system,
+        warnings,
+    } = prepare_watched(loaded, progress)?;
+    let mut result = Measurement {
+        format: FORMAT.into(),
+        title: title(session),
+        ..Default::default()
+    };
+    warnings.into_iter().for_each(|said| result.warn(said));
+    tell(progress, OBSERVED_SHARE, "solving the periods")?;
+    let estimated = estimate(&mut system, session, &mut works, &inclines);
+    tell(
+        progress,
+        SOLVED_SHARE,
+        "fitting the simulation to the samples",
+    )?;
+    match by_samples(&mut system, &mut works, &inclines, estimated) {
+        Ok(solution) => {
+            tell(progress, FITTED_SHARE, "weighing uncertainties")?;
+            let counted = |w: &SwingWork| {
+                w.evidence
+                    .as_ref()
+                    .and_then(|e| beats::counted(e, &w.result))
+            };
+            let beats: Vec<_> = works.iter().map(counted).collect();
+            let routes = routes(&system, &solution, &beats);
+            conclude(&system, &solution, &routes, options, &mut result);
+        }
+        Err(error) => result.warn(message("no_joint_estimate", [("reason", plain(error))])),
+    }
+    let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
+    result.swings = swings;
+    Ok(Analysis {
+        measurement: result,
+        evidence,
+    })
+}
+
+/// The session's periods, freed of finite amplitude, with its stated figures as one system, and the
+/// solution; samples are not looked at beyond their periods.
+pub fn solved_periods(loaded: &LoadedSession) -> Result<(System<'_>, Solution)> {
+    let Prepared {
+        mut system,
+        mut works,
+        inclines,
+        ..
+    } = prepare(loaded)?;
+    let solution = estimate(&mut system, &loaded.session, &mut works, &inclines)?;
+    Ok((system, solution))
+}
+
+fn yaw_period_s(work: &SwingWork) -> Option<f64> {
+    let is_yaw = |(m, _): &&(usize, Quantity)| work.result.modes[*m].mode == ModeName::Yaw;
+    work.periods
+        .iter()
+        .find(is_yaw)
+        .map(|(_, period)| period.value)
+}
+
+/// The session's title, or its body's name.
+pub fn title(session: &Session) -> String {
+    if session.title.is_empty() {
+        session.body.name.clone()
+    } else {
+        session.title.clone()
+    }
+}
+
+fn in_english(warnings: &[Message]) -> String {
+    let english: Vec<&str> = warnings.iter().map(|w| w.english.as_str()).collect();
+    english.join("; ")
+}
+
+fn no_modes_reason(works: &[SwingWork]) -> String {
+    let reasons: Vec<String> = works
+        .iter()
+        .map(|w| format!("{}: {}", w.result.id, in_english(&w.result.warnings)))
+        .collect();
+    format!("no swing gives a period ({})", reasons.join(" | "))
+}
+
+/// First without, then with the correction for finite amplitude, which needs a body to simulate.
+pub fn estimate(
+    system: &mut System,
+    session: &Session,
+    works: &mut [SwingWork],
+    inclines: &[Option<Quantity>],
+) -> Result<Solution> {
+    if system.observations.is_empty() {
+        return Err(Error::no_result(
+            title(session),
+            "no mode of any swing could be named",
+        ));
+    }
+    let first = system.solve(&system.layout.start())?;
+    let other = roll_unmeasured(system, &first);
+    let corrections: Vec<Vec<Correction>> = (0..works.len())
+        .map(|i| {
+            let (swing, index) = (&session.swings[i], &system.layout.swings[i]);
+            corrections(
+                &system.layout,
+                (&first.x, other.as_deref()),
+                swing,
+                index,
+                &works[i].result,
+            )
+        })
+        .collect();
+    for (work, corrections) in works.iter_mut().zip(&corrections) {
+        apply(&mut work.result, corrections);
+    }
+    system.observe(observations(session, works, &corrections), inclines);
+    system.solve(&first.x)
+}
+
+impl System<'_> {
+    fn observe(&mut self, periods: Vec<Observation>, inclines: &[Option<Quantity>]) {
+        self.observations = periods.clone();
+        let beside = self.beside_swings(inclines);
+        self.observations.extend(beside);
+        self.periods = periods;
+    }
+}
+
+/// The solution with its roll gyradius one standard uncertainty off; none where the swings measure
+/// it.
+fn roll_unmeasured(system: &System, solution: &Solution) -> Option<Vec<f64>> {
+    let roll = system.layout.log_gyradii[0];
+    let known = solution.derive(&system.layout, |x| Some(x[roll]))?;
+    let mut other = solution.x.clone();
+    other[roll] += known.u;
+    (known.weak_share > ROLL_WEAK_SHARE).then_some(other)
+}
+
+/// Writes the small-amplitude period of each corrected mode.
+fn apply(result: &mut SwingResult, corrections: &[Correction]) {
+    for (mode, correction) in result.modes.iter_mut().zip(corrections) {
+        mode.period_s = mode.period_observed_s * correction.factor;
+        mode.period_se_s = mode
+            .period_se_s
+            .hypot(mode.period_s * correction.u_relative);
+    }
+}
+
+fn conclude(
+    system: &System,
+    solution: &Solution,
+    calculations: &[RouteCalculation],
+    options: &MeasureOptions,
+    result: &mut Measurement,
+) {
+    write_quantities(system, solution, result);
+    for calculation in calculations {
+        let known = result
+            .alternatives
+            .entry(calculation.quantity.into())
+            .or_default();
+        known.push(calculation.route());
+    }
+    result.consistency = court::sit(system, solution, calculations);
+    worst_of_each(&result.consistency)
+        .into_iter()
+        .for_each(|said| result.warn(said));
+    if solution.birge > 1.0 {
+        let arguments = [
+            ("chi2", solution.chi2),
+            ("dof", solution.dof),
+            ("factor", solution.birge),
+        ];
+        result.warn(message(
+            "widened",
+            arguments.map(|(name, value)| (name, Argument::Number(value, 1))),
+        ));
+    }
+    for limit in &options.limits {
+        let quantity = ("quantity", name(&format!("id.{}", limit.quantity)));
+        match result
+            .quantities
+            .get(&limit.quantity)
+            .and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?)))
+        {
+            Some((value, u)) => match verdict(Quantity::new(value, u), limit) {
+                Ok(judged) => result.verdicts.push(judged),
+                Err(error) => {
+                    result.warn(message("no_verdict", [quantity, ("reason", plain(error))]))
+                }
+            },
+            None => result.warn(message("no_verdict_undetermined", [quantity])),
+        }
+    }
+}
+
+/// The worst contradiction of each claim; the court's full list stands in `consistency`.
+fn worst_of_each(claims: &[Claim]) -> Vec<Message> {
+    let mut names: Vec<&str> = Vec::new();
+    let mut said = Vec::new();
+    for claim in claims.iter().filter(|c| c.flagged) {
+        if !names.contains(&claim.claim.as_str()) {
+            names.push(&claim.claim);
+            said.push(claim.message.clone());
+        }
+    }
+    said
+}
+
+fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork {
+    let hanging = Hanging::of(&swing.suspension, gravity_m_s2);
+    let worked = match data {
+        LoadedData::Recording(recording) => {
+            observe_recording(&swing.id, recording, gravity_m_s2, &hanging, Some(swing))
+                .map(|e| work(e, Some(swing)))
+        }
+        LoadedData::Track(track) => {
+            observe_track(&swing.id, track, &hanging, swing).map(|e| work(e, Some(swing)))
+        }
+        LoadedData::Periods(list) => work_list(swing, list, &hanging),
+        LoadedData::Typed => Ok(work_typed(swing)),
+    };
+    worked.unwrap_or_else(|error| SwingWork {
+        result: SwingResult {
+            id: swing.id.clone(),
+            ..Default::default()
+        }
+        .warned(vec![Message::in_english(error.to_string())]),
+        evidence: None,
+        periods: vec![],
+    })
+}
+
+fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
+    let mut warnings = evidence.warnings.clone();
+    warnings.extend(hints_contradicted(&evidence.named, swing));
+    let parasitic = parasites(&evidence.named, swing, &mut warnings);
+    let modes: Vec<ModeResult> = evidence
+        .found
+        .modes
+        .iter()
+        .zip(&evidence.named)
+        .zip(parasitic)
+        .enumerate()
+        .map(|(i, ((mode, named), (db, parasitic)))| ModeResult {
+            relative_db: db,
+            parasitic,
+            doubtful: db < DOUBTFUL_DB && evidence.found.rms_over_noise > DOUBTFUL_MISFIT,
+            ..mode_result(&evidence, i, mode, named.name, named.angle_rad)
+        })
+        .collect();
+    let periods = modes
+        .iter()
+        .enumerate()
+        .filter(|(_, m)| {
+            m.mode != ModeName::Other && m.relative_db > WEAKEST_DB && m.decay_time_s.is_some()
+        })
+        .map(|(i, m)| {
+            (
+                i,
+                Quantity::new(m.period_observed_s, evidence.found.modes[i].period_se_s()),
+            )
+        })
+        .collect();
+    let result = SwingResult {
+        id: evidence.id.clone(),
+        span_s: Some([evidence.span.start_s, evidence.span.end_s]),
+        modes,
+        repairs: evidence.repairs.clone(),
+        rms_over_noise: Some(evidence.found.rms_over_noise),
+        ..Default::default()
+    };
+    let result = result.warned(warnings);
+    SwingWork {
+        result,
+        evidence: Some(evidence),
+        periods,
+    }
+}
+
+fn mode_result(
+    evidence: &Evidence,
+    i: usize,
+    mode: &FittedMode,
+    name: ModeName,
+    amplitude: Option<f64>,
+) -> ModeResult {
+    let points = windows(evidence, i);
+    let limit = small_limit(mode, &points);
+    ModeResult {
+        mode: name,
+        period_s: limit.value,
+        period_se_s: limit.u,
+        period_observed_s: mode.period_s(),
+        decay_time_s: (mode.alpha_per_s > 0.0).then(|| 1.0 / mode.alpha_per_s),
+        decay_time_se_s: (mode.alpha_per_s > 0.0)
+            .then(|| mode.alpha_se_per_s / mode.alpha_per_s.powi(2)),
+        amplitude,
+        amplitude_unit: if amplitude.is_some() {
+            evidence.amplitude_unit.into()
+        } else {
+            String::new()
+        },
+        phase_rad: Some(phase_rad(mode)),
+        relative_db: 0.0,
+        parasitic: false,
+        doubtful: false,
+        against_amplitude: points_in_unit(&points, amplitude),
+    }
+}
+
+/// Follows one mode through the record, its channels combined as its shape says.
+fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
+    let found = &evidence.found;
+    let pole = |m: &FittedMode| Pole {
+        omega_rad_s: m.omega_rad_s,
+        alpha_per_s: m.alpha_per_s,
+    };
+    let others: Vec<Pole> = found
+        .modes
+        .iter()
+        .enumerate()
+        .filter(|(j, _)| *j != i)
+        .map(|(_, m)| pole(m))
+        .collect();
+    let project = projection(&found.modes[i], &found.noise);
+    let wanted = WindowedMode {
+        span_s: (found.t_ref_s, found.t_end_s),
+        mode: pole(&found.modes[i]),
+        others: &others,
+        project: &project,
+    };
+    against_amplitude(&evidence.groups, &wanted)
+}
+
+/// The combination of channels that reads 1 for the mode's own shape with the least noise.
+fn projection(mode: &FittedMode, noise: &[f64]) -> Vec<Complex64> {
+    let weight = |c: usize| {
+        noise
+            .get(c)
+            .filter(|n| **n > 0.0)
+            .map_or(0.0, |n| 1.0 / (n * n))
+    };
+    let energy: f64 = mode
+        .shape
+        .iter()
+        .enumerate()
+        .map(|(c, a)| a.norm_sqr() * weight(c))
+        .sum();
+    mode.shape
+        .iter()
+        .enumerate()
+        .map(|(c, a)| a.conj() * weight(c) / energy.max(f64::MIN_POSITIVE))
+        .collect()
+}
+
+/// Phase of the channel that shows the mode best.
+fn phase_rad(mode: &FittedMode) -> f64 {
+    mode.shape
+        .iter()
+        .max_by(|a, b| a.norm().total_cmp(&b.norm()))
+        .map_or(0.0, |c| c.arg())
+}
+
+/// The windows' amplitude is relative to that at the start of the span: scaled to the mode's own.
+fn points_in_unit(points: &[WindowPoint], amplitude: Option<f64>) -> Vec<AmplitudePoint> {
+    let scale = amplitude.unwrap_or(1.0);
+    points
+        .iter()
+        .map(|p| AmplitudePoint {
+            t_s: p.t_s,
+            amplitude: p.amplitude * scale,
+            period_s: p.period_s,
+            period_se_s: p.period_se_s,
+            decrement: p.decrement,
+            decrement_se: p.decrement_se,
+        })
+        .collect()
+}
+
+/// The period at small amplitude as the record itself shows it: by its windows where the period
+/// depends on the amplitude, else the period of the whole record.
+fn small_limit(mode: &FittedMode, points: &[WindowPoint]) -> Quantity {
+    let observed = Quantity::new(mode.period_s(), mode.period_se_s());
+    if mode.law.shift_rad_s == 0.0 {
+        return observed;
+    }
+    match small_amplitude_limit(points) {
+        Some(SmallAmplitude {
+            period_s,
+            period_se_s,
+            ..
+        }) => Quantity::new(period_s, period_se_s),
+        None => {
+            let omega = mode.law.omega_small_rad_s;
+            Quantity::new(
+                TAU / omega,
+                TAU / omega * mode.law.omega_small_se_rad_s / omega,
+            )
+        }
+    }
+}
+
+fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> ModeResult {
+    ModeResult {
+        mode,
+        period_s: period.value,
+        period_se_s: period.u,
+        period_observed_s: period.value,
+        decay_time_s: None,
+        decay_time_se_s: None,
+        amplitude: amplitude_rad,
+        amplitude_unit: if amplitude_rad.is_some() {
+            "rad".into()
+        } else {
+            String::new()
+        },
+        phase_rad: None,
+        relative_db: 0.0,
+        parasitic: false,
+        doubtful: false,
+        against_amplitude: vec![],
+    }
+}
+
+fn work_typed(swing: &Swing) -> SwingWork {
+    let SwingData::PeriodsS(typed) = &swing.data else {
+        return SwingWork {
+            result: SwingResult::default(),
+            evidence: None,
+            periods: vec![],
+        };
+    };
+    let modes: Vec<ModeResult> = typed
+        .iter()
+        .map(|(mode, period)| {
+            typed_mode(
+                *mode,
+                *period,
+                swing.amplitude_deg.get(mode).map(|a| a.to_radians()),
+            )
+        })
+        .collect();
+    let floor = |q: Quantity| Quantity::new(q.value, q.u.max(TYPED_PERIOD_U_RELATIVE * q.value));
+    let periods = typed
+        .values()
+        .enumerate()
+        .map(|(i, q)| (i, floor(*q)))
+        .collect();
+    SwingWork {
+        result: SwingResult {
+            id: swing.id.clone(),
+            modes,
+            ..Default::default()
+        },
+        evidence: None,
+        periods,
+    }
+}
+
+fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<SwingWork> {
+    let found = period_from_list(list)?;
+    let period = Quantity::new(found.period_s, found.u_s);
+    let name = names_by_period(&[period.value], hanging, swing)[0];
+    let left_out = |entry: &FlaggedPeriod| {
+        let (at_s, period_s) = (
+            Argument::Number(entry.t_s, 1),
+            Argument::Number(entry.period_s, 4),
+        );
+        message("no_single_period", [("at_s", at_s), ("period_s", period_s)])
+    };
+    let result = SwingResult {
+        id: swing.id.clone(),
+        repairs: list.repairs.clone(),
+        modes: vec![typed_mode(name, period, None)],
+        ..Default::default()
+    };
+    let result = result.warned(found.flagged.iter().map(left_out).collect());
+    let u = period.u.max(TYPED_PERIOD_U_RELATIVE * period.value);
+    let periods = if name == ModeName::Other {
+        vec![]
+    } else {
+        vec![(0, Quantity::new(period.value, u))]
+    };
+    Ok(SwingWork {
+        result,
+        evidence: None,
+        periods,
+    })
+}
+
+/// All observed periods with their corrections (which free them of amplitude and damping), as far
+/// as these are known.
+fn observations(
+    session: &Session,
+    works: &[SwingWork],
+    corrections: &[Vec<Correction>],
+) -> Vec<Observation> {
+    let mut all = Vec::new();
+    for (i, work) in works.iter().enumerate() {
+        let compound_like = |mode: ModeName| {
+            session.swings[i].suspension.axis_height_m.is_some() == (mode == ModeName::Compound)
+        };
+        for (m, observed) in work
+            .periods
+            .iter()
+            .filter(|(m, _)| compound_like(work.result.modes[*m].mode))
+        {
+            let mode = &work.result.modes[*m];
+            let correction = corrections.get(i).and_then(|c| c.get(*m)).copied();
+            let correction = correction.unwrap_or_else(|| Correction::unknown(mode));
+            let value = observed.value * correction.factor;
+            let u_amplitude = value * correction.u_relative;
+            all.push(Observation {
+                what: Observed::Period(i, mode.mode),
+                value: Quantity::new(value, observed.u.hypot(u_amplitude)),
+                u_amplitude,
+                label: period_label(mode.mode, &work.result.id),
+            });
+        }
+    }
+    all
+}
+
+/// What the phones say of the pitch of each swing: the tilt against the first level swing, its
+/// sense as stated.
+fn phone_pitches(session: &Session, works: &[SwingWork]) -> Vec<Option<Quantity>> {
+    let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
+    let up = |i: usize| works[i].evidence.as_ref().and_then(|e| e.up);
+    let reference = (0..works.len())
+        .filter(|i| up(*i).is_some())
+        .min_by(|a, b| pitch_size(stated(*a)).total_cmp(&pitch_size(stated(*b))));
+    (0..works.len())
+        .map(|i| {
+            let (reference, here) = (reference?, up(i)?);
+            let base = stated(reference).unwrap_or_default();
+            let tilt = tilt_between_rad(&up(reference)?, &here).to_degrees();
+            let sense = (stated(i)?.value - base.value).signum();
+            // Below half a degree the unsigned tilt is its own noise: the stated angle stands.
+            (i != reference && tilt > 0.5)
+                .then(|| Quantity::new(base.value + sense * tilt, base.u.hypot(PHONE_TILT_U_DEG)))
+        })
+        .collect()
+}
+
+fn pitch_size(stated: Option<Quantity>) -> f64 {
+    stated.map_or(0.0, |q| q.value.abs())
+}
+
+/// Incline angles from phones: the tilt against the level swings' vertical.
+fn recorded_inclines(loaded: &LoadedSession, works: &[SwingWork]) -> Vec<Option<Quantity>> {
+    let level = works
+        .iter()
+        .find_map(|w| w.evidence.as_ref().and_then(|e| e.up));
+    loaded
+        .inclines
+        .iter()
+        .zip(&loaded.session.inclines)
+        .map(|(recording, incline)| recorded_incline(recording.as_ref()?, incline, &level?))
+        .collect()
+}
+
+fn recorded_incline(recording: &Recording, incline: &Incline, level: &Vec3) -> Option<Quantity> {
+    if !matches!(incline.angle, InclineAngle::Recording(_)) {
+        return None;
+    }
+    let force = recording.accelerometer.as_ref()?;
+    let mean = Vec3::from_fn(|i, _| force.axes[i].iter().sum::<f64>() / force.axes[i].len() as f64);
+    let up = mean.try_normalize(1.0)?;
+    Some(Quantity::new(
+        tilt_between_rad(level, &up).to_degrees(),
+        PHONE_TILT_U_DEG,
+    ))
+}
+
+/// The last part of a path.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// Measures a bare recording: the modes alone.
+pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Result<Analysis> {
+    let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
+    let evidence = observe_recording(
+        file_name(&recording.name),
+        recording,
+        gravity,
+        &Hanging::default(),
+        None,
+    )?;
+    let work = work(evidence, None);
+    let mut result = Measurement {
+        format: FORMAT.into(),
+        title: file_name(&recording.name).into(),
+        ..Default::default()
+    };
+    result.warn(message("bare_recording", []));
+    result.swings.push(work.result);
+    Ok(Analysis {
+        measurement: result,
+        evidence: vec![work.evidence],
+    })
+}

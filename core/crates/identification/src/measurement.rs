@@ -1,0 +1,221 @@
+//! The result of a session: what `measure --json` writes (`gyradius-measurement/1`).
+//!
+//! Fields that the contract names are spelled as there; what is added is additional keys only.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use gyradius_base::message::Message;
+use gyradius_base::message::text_and_said;
+use gyradius_base::message::warnings_and_said;
+use gyradius_recording::{ModeName, Repair};
+
+/// A session's or a bare recording's result.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Measurement {
+    /// `gyradius-measurement/1`.
+    pub format: String,
+    /// The session's title, or the recording's name.
+    pub title: String,
+    /// Every swing, in session order.
+    pub swings: Vec<SwingResult>,
+    /// The joint estimate, by quantity.
+    pub quantities: BTreeMap<String, QuantityResult>,
+    /// Single routes to each quantity, beside the joint estimate.
+    pub alternatives: BTreeMap<String, Vec<Route>>,
+    /// Contributions of each input to each quantity, largest first.
+    pub budget: BTreeMap<String, Vec<BudgetLine>>,
+    /// Correlations between the scalar quantities: `[name, name, r]`.
+    pub correlations: Vec<(String, String, f64)>,
+    /// Every stated dimension against what the swings imply, every route against every other.
+    pub consistency: Vec<Claim>,
+    /// Verdicts against class limits, where asked for.
+    pub verdicts: Vec<Verdict>,
+    /// What a reader must know.
+    #[serde(flatten, with = "warnings_and_said")]
+    pub warnings: Vec<Message>,
+}
+
+impl Measurement {
+    /// One thing more that a reader must know.
+    pub(super) fn warn(&mut self, message: Message) {
+        self.warnings.push(message);
+    }
+}
+
+/// One swing's modes.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct SwingResult {
+    /// The swing's id.
+    pub id: String,
+    /// Start and end of the part analysed, s.
+    pub span_s: Option<[f64; 2]>,
+    /// Modes, strongest first.
+    pub modes: Vec<ModeResult>,
+    /// Repairs of the recording.
+    pub repairs: Vec<Repair>,
+    /// What a reader must know of this swing.
+    #[serde(flatten, with = "warnings_and_said")]
+    pub warnings: Vec<Message>,
+    /// Residual over noise: 1 where the fit explains everything.
+    pub rms_over_noise: Option<f64>,
+    /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
+    #[serde(default)]
+    pub simulated: bool,
+}
+
+impl SwingResult {
+    /// With what a reader must know of it.
+    pub(super) fn warned(self, warnings: Vec<Message>) -> Self {
+        Self { warnings, ..self }
+    }
+}
+
+/// One mode of one swing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ModeResult {
+    /// Name by shape.
+    pub mode: ModeName,
+    /// Small-amplitude period, s; with a session's dimensions it is freed of damping too.
+    pub period_s: f64,
+    /// Its standard error, s.
+    pub period_se_s: f64,
+    /// Period as observed at the record's mean amplitude, s.
+    pub period_observed_s: f64,
+    /// Decay time of the amplitude, s; absent where none was measured.
+    pub decay_time_s: Option<f64>,
+    /// Its standard error, s.
+    pub decay_time_se_s: Option<f64>,
+    /// Amplitude at the start of the span.
+    pub amplitude: Option<f64>,
+    /// `rad` (angle of the body or of the lines), `m`, or `rad/s` where only the rate is known.
+    pub amplitude_unit: String,
+    /// Phase at the start of the span, rad: the motion is amplitude · cos(ωt + phase).
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub phase_rad: Option<f64>,
+    /// Energy of the mode relative to the strongest of the swing, dB (0 for the strongest).
+    pub relative_db: f64,
+    /// True where the operator did not mean to excite it.
+    pub parasitic: bool,
+    /// True for a weak mode of a record that the fit does not describe: it may be part of the
+    /// misfit.
+    #[serde(default)]
+    pub doubtful: bool,
+    /// Period and decay against amplitude, by window.
+    pub against_amplitude: Vec<AmplitudePoint>,
+}
+
+/// Period and decay at one amplitude.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct AmplitudePoint {
+    /// Middle of the window, s.
+    pub t_s: f64,
+    /// Amplitude there, unit of the mode.
+    pub amplitude: f64,
+    /// Period there, s.
+    pub period_s: f64,
+    /// Its standard error, s.
+    pub period_se_s: f64,
+    /// Relative loss of amplitude per cycle (logarithmic decrement).
+    pub decrement: f64,
+    /// Its standard error.
+    pub decrement_se: f64,
+}
+
+/// A quantity with its uncertainty. `value` is a number, a vector or a matrix as the contract says.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct QuantityResult {
+    /// Value: number, `[3]` or `[3][3]`.
+    pub value: serde_json::Value,
+    /// One standard uncertainty, same shape.
+    pub u: serde_json::Value,
+    /// 95 % interval of a scalar.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interval_95: Option<[f64; 2]>,
+    /// How it was got.
+    pub method: String,
+}
+
+/// A single route to a quantity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Route {
+    /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum`, `compound`, `lamboley`,
+    /// `incline`, `tilted_yaw`, …
+    pub method: String,
+    /// Value.
+    pub value: f64,
+    /// One standard uncertainty.
+    pub u: f64,
+    /// 95 % interval.
+    pub interval_95: [f64; 2],
+    /// The paper's equations.
+    pub equation: String,
+    /// The swings or inclines it used.
+    pub from: Vec<String>,
+}
+
+/// One line of an uncertainty budget.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BudgetLine {
+    /// The input.
+    pub input: String,
+    /// |sensitivity| × u(input), unit of the quantity.
+    pub u_contribution: f64,
+}
+
+/// One sitting of the consistency court.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Claim {
+    /// What is claimed: `line_length`, `spacing`, `top_spacing`, `gravity`, `hull_pitch`, or a
+    /// route such as `k_yaw_m`.
+    pub claim: String,
+    /// As stated, or by the first route.
+    pub stated: f64,
+    /// Its standard uncertainty.
+    pub stated_u: f64,
+    /// As the rest of the session implies.
+    pub implied: f64,
+    /// Its standard uncertainty.
+    pub implied_u: f64,
+    /// |difference| over its standard uncertainty.
+    pub sigma: f64,
+    /// What implies it.
+    pub from: String,
+    /// True above the threshold at which the report speaks up.
+    pub flagged: bool,
+    /// A sentence for the report.
+    #[serde(flatten, with = "text_and_said")]
+    pub message: Message,
+    /// Routes: how many pairs of swings stand behind this one, which differs most.
+    #[serde(skip_serializing_if = "is_one", default = "one")]
+    pub pairs: usize,
+    /// Routes: the smallest and the largest difference among those pairs, standard uncertainties.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub sigma_range: Option<[f64; 2]>,
+}
+
+/// A guard-banded verdict against a class limit (JCGM 106).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// The quantity.
+    pub quantity: String,
+    /// `>=` or `<=`.
+    pub relation: String,
+    /// The limit.
+    pub limit: f64,
+    /// Guard band, in the unit of the quantity.
+    pub guard_band: f64,
+    /// Probability that the true value conforms.
+    pub conformance_probability: f64,
+    /// `pass`, `fail` or `undecided`.
+    pub verdict: String,
+}
+
+fn one() -> usize {
+    1
+}
+
+fn is_one(count: &usize) -> bool {
+    *count == 1
+}

@@ -1,0 +1,337 @@
+//! From a swing's data to named modes with periods: the step from signal to physics.
+
+use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
+use gyradius_base::error::Result;
+use gyradius_base::frames::Vec3;
+use gyradius_base::message::{Argument, Message};
+use gyradius_recording::{
+    Excitation, ModeName, Recording, Repair, RepairKind, Sensor, Swing, Track, Triad,
+};
+use gyradius_signal::{
+    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose,
+    undisturbed_span,
+};
+
+use super::sentences::{message, motion};
+use super::words::mode_text;
+
+/// A parasitic motion is worth a warning from this share of the strongest, dB.
+const PARASITIC_DB: f64 = -30.0;
+
+/// Everything found in one record.
+#[derive(Debug, Clone)]
+pub struct Evidence {
+    /// The swing's id or the recording's name.
+    pub id: String,
+    /// The channels of the free swing.
+    pub groups: Vec<ChannelGroup>,
+    /// Which channel is which.
+    pub map: ChannelMap,
+    /// Free part of the record.
+    pub span: FreeSpan,
+    /// What was found in it.
+    pub found: Decomposition,
+    /// Names and sizes of its modes, in the same order.
+    pub named: Vec<NamedMode>,
+    /// The vertical in phone axes, where an accelerometer saw it.
+    pub up: Option<Vec3>,
+    /// Unit of the modes' amplitude: `rad` or `m`.
+    pub amplitude_unit: &'static str,
+    /// Repairs, those of the reader and what was trimmed.
+    pub repairs: Vec<Repair>,
+    /// What a reader must know of it.
+    pub warnings: Vec<Message>,
+}
+
+/// A phone's channels: gyroscope first, then whichever accelerometer there is.
+fn channels(recording: &Recording) -> (Vec<ChannelGroup>, ChannelMap) {
+    let mut groups = Vec::new();
+    let mut map = ChannelMap::default();
+    let group = |triad: &Triad| ChannelGroup {
+        t_s: triad.t_s.clone(),
+        channels: triad.axes.to_vec(),
+    };
+    if let Some(gyroscope) = &recording.gyroscope {
+        map.gyroscope = Some(0);
+        groups.push(group(gyroscope));
+    }
+    let next = 3 * groups.len();
+    if let Some(accelerometer) = &recording.accelerometer {
+        map.accelerometer = Some(next);
+        groups.push(group(accelerometer));
+    } else if let Some(linear) = &recording.linear_accelerometer {
+        map.accelerometer = Some(next);
+        map.gravity_free = true;
+        groups.push(group(linear));
+    }
+    (groups, map)
+}
+
+/// The part of each group inside a span.
+fn clipped(groups: &[ChannelGroup], span: &FreeSpan) -> Vec<ChannelGroup> {
+    groups
+        .iter()
+        .map(|group| {
+            let first = group.t_s.partition_point(|t| *t < span.start_s);
+            let end = group.t_s.partition_point(|t| *t <= span.end_s);
+            ChannelGroup {
+                t_s: group.t_s[first..end].to_vec(),
+                channels: group
+                    .channels
+                    .iter()
+                    .map(|c| c[first..end].to_vec())
+                    .collect(),
+            }
+        })
+        .collect()
+}
+
+/// What the free part of a record holds; no mode has its name yet.
+fn found_in(
+    id: &str,
+    all: &[ChannelGroup],
+    map: ChannelMap,
+    amplitude_unit: &'static str,
+    repairs: &[Repair],
+    disturbed_s: &[f64],
+) -> Result<Evidence> {
+    let span = undisturbed_span(all, disturbed_s);
+    let groups = clipped(all, &span);
+    let found = decompose(&groups, &DecomposeOptions::default())?;
+    let mut warnings = found.warnings.clone();
+    let mut repairs = merged(repairs);
+    repairs.extend(trimmed(&span, &mut warnings));
+    let (id, named, up) = (id.into(), vec![], None);
+    Ok(Evidence {
+        id,
+        groups,
+        map,
+        span,
+        found,
+        named,
+        up,
+        amplitude_unit,
+        repairs,
+        warnings,
+    })
+}
+
+/// Analyses a phone's recording.
+pub fn observe_recording(
+    id: &str,
+    recording: &Recording,
+    gravity_m_s2: f64,
+    hanging: &Hanging,
+    swing: Option<&Swing>,
+) -> Result<Evidence> {
+    let (all, map) = channels(recording);
+    let mut evidence = found_in(
+        id,
+        &all,
+        map,
+        "rad",
+        &recording.repairs,
+        &recording.disturbed_s,
+    )?;
+    let found = &evidence.found;
+    let up = up_direction(found, map).map(|(up, _)| up);
+    let motions: Vec<PhoneMotion> = found
+        .modes
+        .iter()
+        .map(|m| PhoneMotion::of(m, map, gravity_m_s2, up))
+        .collect();
+    let mut named = name_modes(&motions, up, gravity_m_s2, hanging);
+    if up.is_none() {
+        evidence.warnings.push(name_by_hint(&mut named, swing));
+    }
+    Ok(Evidence {
+        named,
+        up,
+        ..evidence
+    })
+}
+
+/// The same fault of both sensors, which share their rows in most files, is one line.
+fn merged(repairs: &[Repair]) -> Vec<Repair> {
+    let mut list: Vec<Repair> = Vec::new();
+    for repair in repairs {
+        let (name, what) = repair.text.split_once(": ").unwrap_or(("", &repair.text));
+        let same = |r: &Repair| {
+            (r.kind, r.count, r.first_s, r.last_s)
+                == (repair.kind, repair.count, repair.first_s, repair.last_s)
+        };
+        match list.iter_mut().find(|r| same(r) && r.text.ends_with(what)) {
+            Some(known) => known.text = known.text.replacen(": ", &format!(" and {name}: "), 1),
+            None => list.push(repair.clone()),
+        }
+    }
+    list
+}
+
+/// Without gravity in the record a shape has no name: the strongest turn takes the operator's word.
+fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> Message {
+    let meant = swing.filter(|s| s.excited.first() == Some(&Excitation::Yaw));
+    match (meant, named.first_mut()) {
+        (Some(_), Some(strongest)) => {
+            strongest.name = ModeName::Yaw;
+            message("yaw_by_word", [])
+        }
+        _ => message("no_shapes", []),
+    }
+}
+
+fn trimmed(span: &FreeSpan, warnings: &mut Vec<Message>) -> Vec<Repair> {
+    span.notes
+        .iter()
+        .filter_map(|note| {
+            warnings.push(note.message.clone());
+            (note.kind == SpanNoteKind::SecondSwing).then(|| Repair {
+                kind: RepairKind::SecondSwing,
+                sensor: Sensor::Gyroscope,
+                count: 1,
+                first_s: note.from_s,
+                last_s: note.to_s,
+                text: note.message.english.clone(),
+            })
+        })
+        .collect()
+}
+
+/// Whether a mode is what this excitation means.
+pub fn is_meant(excitation: Excitation, mode: ModeName) -> bool {
+    use ModeName::*;
+    match excitation {
+        Excitation::Yaw => mode == Yaw,
+        // Sideways on an athwartships suspension is the line pendulum; on a fore-and-aft one the
+        // roll double pendulum.
+        Excitation::Sway => matches!(mode, Sway | RollInPhase | RollOutOfPhase),
+        Excitation::Surge => matches!(mode, Sway | PitchInPhase | PitchOutOfPhase),
+        Excitation::Pitch => matches!(mode, PitchInPhase | PitchOutOfPhase | Compound),
+        Excitation::Roll => matches!(mode, RollInPhase | RollOutOfPhase | Compound),
+    }
+}
+
+/// The excitation is a hint only; where the data contradict it, that is said aloud.
+pub fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<Message> {
+    let Some(swing) = swing else { return vec![] };
+    let is_seen = |e: &Excitation| named.iter().any(|n| is_meant(*e, n.name));
+    let not_seen = |e: &Excitation| {
+        message(
+            "not_seen",
+            [("motion", motion(&format!("{e:?}").to_lowercase()))],
+        )
+    };
+    let mut all: Vec<Message> = swing
+        .excited
+        .iter()
+        .filter(|e| !is_seen(e))
+        .map(not_seen)
+        .collect();
+    let strongest = named.iter().max_by(|a, b| size(a).total_cmp(&size(b)));
+    if let Some(strongest) =
+        strongest.filter(|n| n.name != ModeName::Other && !swing.excited.is_empty())
+        && !swing.excited.iter().any(|e| is_meant(*e, strongest.name))
+    {
+        all.push(message(
+            "not_meant",
+            [("motion", motion(mode_text(strongest.name)))],
+        ));
+    }
+    all
+}
+
+/// A mode's angle, 0 where unknown.
+pub fn size(named: &NamedMode) -> f64 {
+    named.angle_rad.unwrap_or(0.0)
+}
+
+/// Relative sizes, dB below the largest, and which of them nobody meant; with a warning for those
+/// that matter.
+pub fn parasites(
+    named: &[NamedMode],
+    swing: Option<&Swing>,
+    warnings: &mut Vec<Message>,
+) -> Vec<(f64, bool)> {
+    let largest = named.iter().map(size).fold(0.0, f64::max);
+    named
+        .iter()
+        .map(|mode| {
+            let db = if largest > 0.0 {
+                20.0 * (size(mode) / largest).max(1e-12).log10()
+            } else {
+                0.0
+            };
+            let meant = swing.is_none_or(|s| {
+                s.excited.is_empty() || s.excited.iter().any(|e| is_meant(*e, mode.name))
+            });
+            if !meant && db > PARASITIC_DB {
+                let percent = Argument::Number(100.0 * 10f64.powf(db / 20.0), 1);
+                let arguments = [
+                    ("motion", motion(mode_text(mode.name))),
+                    ("percent", percent),
+                ];
+                warnings.push(message("parasitic", arguments));
+            }
+            (db, !meant)
+        })
+        .collect()
+}
+
+/// Analyses a rangefinder's track. One point's displacement has no shape: the mode whose period is
+/// that of the lines is the sway, the other the yaw (or what the operator meant).
+pub fn observe_track(
+    id: &str,
+    track: &Track,
+    hanging: &Hanging,
+    swing: &Swing,
+) -> Result<Evidence> {
+    let all = vec![ChannelGroup {
+        t_s: track.t_s.clone(),
+        channels: vec![track.y_m.clone()],
+    }];
+    let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs, &[])?;
+    evidence.warnings.push(message("track_alone", []));
+    evidence.named = name_track_modes(&evidence.found, hanging, swing);
+    Ok(evidence)
+}
+
+fn name_track_modes(found: &Decomposition, hanging: &Hanging, swing: &Swing) -> Vec<NamedMode> {
+    let names = names_by_period(
+        &found.modes.iter().map(|m| m.period_s()).collect::<Vec<_>>(),
+        hanging,
+        swing,
+    );
+    found
+        .modes
+        .iter()
+        .zip(names)
+        .map(|(mode, name)| NamedMode {
+            name,
+            angle_rad: mode.shape.first().map(|c| c.norm()),
+        })
+        .collect()
+}
+
+/// Names for periods alone. The stated length fixes the sway period to a few percent (the paper's
+/// was 4 % off).
+pub fn names_by_period(periods_s: &[f64], hanging: &Hanging, swing: &Swing) -> Vec<ModeName> {
+    const NEAR_SWAY: f64 = 0.05;
+    let mut names = vec![ModeName::Other; periods_s.len()];
+    let meant = |e: Excitation| swing.excited.contains(&e);
+    let distance = |t: f64| {
+        hanging
+            .sway_period_s
+            .map_or(f64::INFINITY, |sway| (t / sway).ln().abs())
+    };
+    let nearest = (0..periods_s.len())
+        .min_by(|a, b| distance(periods_s[*a]).total_cmp(&distance(periods_s[*b])));
+    let sway = nearest.filter(|i| {
+        distance(periods_s[*i]) < NEAR_SWAY && (meant(Excitation::Sway) || !meant(Excitation::Yaw))
+    });
+    sway.into_iter().for_each(|i| names[i] = ModeName::Sway);
+    let rest = (0..periods_s.len()).find(|i| Some(*i) != sway);
+    if let Some(i) = rest.filter(|_| meant(Excitation::Yaw) || swing.excited.is_empty()) {
+        names[i] = ModeName::Yaw;
+    }
+    names
+}

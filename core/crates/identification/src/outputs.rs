@@ -1,0 +1,282 @@
+//! The hull's own quantities from the joint solution, with interval and budget.
+
+use std::collections::BTreeMap;
+
+use serde_json::json;
+
+use gyradius_base::frames::Mat3;
+use gyradius_mechanics::RigidBody;
+use gyradius_recording::Session;
+
+use super::estimate::{Derived, Solution, System};
+use super::measurement::{BudgetLine, Measurement, QuantityResult};
+use super::theory::hull_alone;
+
+/// A quantity is reported when the weak priors make up less than this share of its variance …
+const MOST_WEAK_SHARE: f64 = 0.05;
+/// … and its relative uncertainty is below this; beyond, the swings do not determine it.
+const MOST_RELATIVE_U: f64 = 0.25;
+/// A figure this certain is determined, whatever its small uncertainty comes from.
+const CERTAIN_RELATIVE_U: f64 = 0.02;
+/// The largest uncertainty at which an angle of the principal axes still says something, degrees.
+const MOST_ANGLE_U_DEG: f64 = 20.0;
+/// Two-sided 95 % of a normal distribution.
+pub const COVERAGE_95: f64 = 1.959_963_984_540_054;
+/// A hanging tilted by less says nothing of the principal axes, degrees.
+const LEAST_TILT_DEG: f64 = 5.0;
+
+/// Scalar quantities by name: `(name, unit is degrees)`.
+const SCALARS: [&str; 5] = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"];
+
+/// The body that a solution describes, with what rode on it taken off.
+struct Hull<'a> {
+    session: &'a Session,
+    system: &'a System<'a>,
+    level_depth: Option<usize>,
+}
+
+impl Hull<'_> {
+    fn at(&self, x: &[f64]) -> Option<RigidBody> {
+        let depth = self
+            .level_depth
+            .or(self.system.layout.swings.first().map(|s| s.log_depth))?;
+        hull_alone(self.session, &self.system.layout, x, depth).ok()
+    }
+
+    fn scalar(&self, name: &str, x: &[f64]) -> Option<f64> {
+        let body = self.at(x)?;
+        let k = |i: usize| (body.inertia_kg_m2[(i, i)] / body.mass_kg).sqrt();
+        match name {
+            "k_roll_m" => Some(k(0)),
+            "k_pitch_m" => Some(k(1)),
+            "k_yaw_m" => Some(k(2)),
+            "cm_depth_m" => self.level_depth.map(|_| -body.cm_m.z),
+            "psi_deg" => Some(psi_rad(&body.inertia_kg_m2).to_degrees()),
+            _ => None,
+        }
+    }
+}
+
+/// A quantity of the hull alone at parameters of the session.
+pub fn hull_scalar(system: &System, name: &str, x: &[f64]) -> Option<f64> {
+    Hull {
+        session: system.session,
+        system,
+        level_depth: system.layout.level_depth(),
+    }
+    .scalar(name, x)
+}
+
+/// Angle from the hull's x axis up to the principal x axis, positive bow up, rad. Eqs. (3), (4) in
+/// tensor form: tan 2ψ = 2 I_xz / (I_xx − I_zz) with the tensor's own I_xz = −∫ x z dm.
+fn psi_rad(inertia: &Mat3) -> f64 {
+    let (ixx, izz, ixz) = (inertia[(0, 0)], inertia[(2, 2)], inertia[(0, 2)]);
+    0.5 * (-2.0 * ixz).atan2(izz - ixx)
+}
+
+/// Principal gyradii in the order x, y, z of the hull axes they lie nearest to, m.
+fn principal_gyradii_m(body: &RigidBody) -> [f64; 3] {
+    let inertia = &body.inertia_kg_m2;
+    let (ixx, izz, ixz) = (inertia[(0, 0)], inertia[(2, 2)], inertia[(0, 2)]);
+    let psi = psi_rad(inertia);
+    let (s, c) = psi.sin_cos();
+    let about =
+        |ux: f64, uz: f64| (ux * ux * ixx + 2.0 * ux * uz * ixz + uz * uz * izz) / body.mass_kg;
+    [
+        about(c, s).sqrt(),
+        (inertia[(1, 1)] / body.mass_kg).sqrt(),
+        about(-s, c).sqrt(),
+    ]
+}
+
+/// Fills in quantities, budget and correlations.
+pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measurement) {
+    let level_depth = system.layout.level_depth();
+    let hull = Hull {
+        session: system.session,
+        system,
+        level_depth,
+    };
+    let tilted = with_principal_axes_turned(system, solution);
+    let mut determined: Vec<(&str, Derived)> = Vec::new();
+    for name in SCALARS {
+        let mut derived = solution.derive(&system.layout, |x| hull.scalar(name, x));
+        let first_order = derived.as_ref().map_or(0.0, |d| d.u);
+        if let (Some(d), Some(other)) = (derived.as_mut(), tilted.as_ref()) {
+            widen(d, other, |x| hull.scalar(name, x));
+        }
+        let shown = name != "psi_deg" || has_tilted_swings(system);
+        if let Some(derived) = derived.filter(|d| shown && is_determined(name, d)) {
+            result
+                .quantities
+                .insert(name.into(), scalar_result(&derived));
+            let mut lines = budget(system, solution, &derived);
+            second_order(&mut lines, derived.u, first_order);
+            result.budget.insert(name.into(), lines);
+            determined.push((name, derived));
+        }
+    }
+    for (i, (a, da)) in determined.iter().enumerate() {
+        for (b, db) in &determined[i + 1..] {
+            result
+                .correlations
+                .push((a.to_string(), b.to_string(), da.correlation(db)));
+        }
+    }
+    let has = |name: &str| determined.iter().any(|(n, _)| *n == name);
+    if ["k_yaw_m", "k_pitch_m", "k_roll_m"].iter().all(|n| has(n)) {
+        write_tensor(&hull, solution, has("psi_deg"), result);
+    }
+}
+
+/// The same session with its unknown product of inertia one standard uncertainty off: its effect on
+/// a roll is of the second order, which no linear propagation sees.
+pub fn with_principal_axes_turned(system: &System, solution: &Solution) -> Option<Solution> {
+    let product = system.layout.product_xz;
+    let u = solution.u(product);
+    let mut layout = system.layout.clone();
+    layout.parameters[product].prior =
+        gyradius_recording::Quantity::new(solution.x[product] + u, 1e-6 * u);
+    let turned = system.with(layout);
+    let mut start = solution.x.clone();
+    start[product] += u;
+    turned.solve(&start).ok()
+}
+
+fn widen(derived: &mut Derived, other: &Solution, f: impl Fn(&[f64]) -> Option<f64>) {
+    let change = f(&other.x).map_or(0.0, |v| v - derived.value);
+    derived.u = derived.u.hypot(change);
+    // One row more, which quantities share as they share the others.
+    derived.by_row.push(change);
+}
+
+/// What [`widen`] added is an input's share too.
+fn second_order(lines: &mut Vec<BudgetLine>, u: f64, first_order: f64) {
+    let u_contribution = (u * u - first_order * first_order).max(0.0).sqrt();
+    if u_contribution > 1e-4 * u {
+        lines.push(BudgetLine {
+            input: "unknown tilt of the principal axes".into(),
+            u_contribution,
+        });
+        lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));
+    }
+}
+
+/// Only swings about tilted axes tell a bow-up from a bow-down principal axis.
+fn has_tilted_swings(system: &System) -> bool {
+    system
+        .layout
+        .swings
+        .iter()
+        .any(|s| system.layout.parameters[s.pitch_deg].prior.value.abs() > LEAST_TILT_DEG)
+}
+
+fn is_determined(name: &str, derived: &Derived) -> bool {
+    let (small, certain) = match name {
+        "psi_deg" => (derived.u < MOST_ANGLE_U_DEG, false),
+        _ => {
+            let relative_u = derived.u / derived.value.abs();
+            (
+                relative_u < MOST_RELATIVE_U,
+                relative_u < CERTAIN_RELATIVE_U,
+            )
+        }
+    };
+    certain || (small && derived.weak_share < MOST_WEAK_SHARE)
+}
+
+fn scalar_result(derived: &Derived) -> QuantityResult {
+    let half = COVERAGE_95 * derived.u;
+    QuantityResult {
+        value: json!(derived.value),
+        u: json!(derived.u),
+        interval_95: Some([derived.value - half, derived.value + half]),
+        method: "joint_estimate".into(),
+    }
+}
+
+/// Principal gyradii and the tensor; without ψ the products of inertia are not known and the hull
+/// axes are taken as principal.
+fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut Measurement) {
+    let layout = &hull.system.layout;
+    let body_of = |x: &[f64]| {
+        let mut body = hull.at(x)?;
+        if !psi_known {
+            body.inertia_kg_m2[(0, 2)] = 0.0;
+            body.inertia_kg_m2[(2, 0)] = 0.0;
+        }
+        Some(body)
+    };
+    let method = if psi_known {
+        "joint_estimate"
+    } else {
+        "joint_estimate, hull axes taken as principal"
+    };
+    let gyradii: Option<Vec<Derived>> = (0..3)
+        .map(|i| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i])))
+        .collect();
+    if let Some(k) = gyradii {
+        let entry = QuantityResult {
+            value: json!(k.iter().map(|d| d.value).collect::<Vec<_>>()),
+            u: json!(k.iter().map(|d| d.u).collect::<Vec<_>>()),
+            interval_95: None,
+            method: method.into(),
+        };
+        result
+            .quantities
+            .insert("principal_gyradii_m".into(), entry);
+    }
+    if hull.session.body.mass_kg.is_none() {
+        return;
+    }
+    let element = |i: usize, j: usize| {
+        solution.derive(layout, |x| body_of(x).map(|b| b.inertia_kg_m2[(i, j)]))
+    };
+    let mut values = [[0.0; 3]; 3];
+    let mut us = [[0.0; 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            if let Some(d) = element(i, j) {
+                (values[i][j], us[i][j]) = (d.value, d.u);
+            }
+        }
+    }
+    let entry = QuantityResult {
+        value: json!(values),
+        u: json!(us),
+        interval_95: None,
+        method: method.into(),
+    };
+    result.quantities.insert("inertia_kg_m2".into(), entry);
+}
+
+/// Contributions by input, largest first; rows with the same name add in quadrature.
+pub fn budget(system: &System, solution: &Solution, derived: &Derived) -> Vec<BudgetLine> {
+    let mut squares: BTreeMap<String, f64> = BTreeMap::new();
+    let mut add = |name: String, square: f64| *squares.entry(name).or_default() += square;
+    for (row, observation) in system.observations.iter().enumerate() {
+        let square = derived.by_row[row].powi(2);
+        let by_amplitude = (observation.u_amplitude / observation.value.u)
+            .powi(2)
+            .min(1.0);
+        add(observation.label.clone(), square * (1.0 - by_amplitude));
+        add("finite-amplitude correction".into(), square * by_amplitude);
+    }
+    let first_prior = system.observations.len();
+    for (k, i) in solution.free.iter().enumerate() {
+        add(
+            system.layout.parameters[*i].name.clone(),
+            derived.by_row[first_prior + k].powi(2),
+        );
+    }
+    let mut lines: Vec<BudgetLine> = squares
+        .into_iter()
+        .map(|(input, square)| BudgetLine {
+            input,
+            u_contribution: square.sqrt(),
+        })
+        .filter(|line| line.u_contribution > 1e-4 * derived.u)
+        .collect();
+    lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));
+    lines
+}

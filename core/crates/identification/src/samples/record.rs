@@ -1,0 +1,220 @@
+//! The samples of a swing, ready to be compared with a motion.
+
+use std::ops::Range;
+
+use super::expected::Recorded;
+use crate::observe::Evidence;
+use gyradius_base::frames::Vec3;
+
+/// Samples are averaged over blocks this long, as a share of the fastest period found, before they
+/// enter the normal equations; residuals are formed sample by sample, so nothing is shifted, and no
+/// more than (2π/16)²/24 = 0.6 % of the information of the fastest motion is lost.
+const BLOCK_OF_PERIOD: f64 = 1.0 / 16.0;
+
+/// The free span is known to a fraction of a second; so much is left out at its ends, s.
+const MARGIN_S: f64 = 0.3;
+
+/// A sensor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sensor {
+    /// Turn rates.
+    Gyroscope,
+    /// Specific force.
+    Accelerometer,
+}
+
+/// One sensor's samples.
+#[derive(Debug, Clone)]
+pub struct Stream {
+    /// Which sensor.
+    pub sensor: Sensor,
+    /// From the start of the span, s.
+    pub t_s: Vec<f64>,
+    /// Readings in phone axes, rad/s or m/s².
+    pub values: Vec<Vec3>,
+    /// Standard deviation of the white noise by axis.
+    pub noise: Vec3,
+    /// Samples without a gap between them.
+    pub blocks: Vec<Range<usize>>,
+}
+
+/// Start of the part that is used, s by the phone's clock, and its duration, s.
+fn inside(evidence: &Evidence) -> (f64, f64) {
+    let start_s = evidence.span.start_s + MARGIN_S;
+    (start_s, evidence.span.end_s - MARGIN_S - start_s)
+}
+
+/// What the gyroscope alone says of a swing.
+pub struct Turning {
+    /// Its samples.
+    pub stream: Stream,
+    /// Start by the phone's clock, s.
+    pub start_s: f64,
+    /// Duration, s.
+    pub duration_s: f64,
+}
+
+impl Turning {
+    /// From what was found in a phone's record; `None` without a gyroscope.
+    pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
+        let block_s = fastest_period_s * BLOCK_OF_PERIOD;
+        let stream = Stream::of(
+            evidence,
+            Sensor::Gyroscope,
+            evidence.map.gyroscope?,
+            block_s,
+        )?;
+        let (start_s, duration_s) = inside(evidence);
+        (duration_s > 0.0).then_some(Self {
+            stream,
+            start_s,
+            duration_s,
+        })
+    }
+}
+
+impl Stream {
+    /// Three channels from the first one of a sensor's on, averaged over blocks no longer than
+    /// `block_s`.
+    fn of(evidence: &Evidence, sensor: Sensor, first: usize, block_s: f64) -> Option<Self> {
+        let (start_s, duration_s) = inside(evidence);
+        let group = evidence.groups.get(first / 3)?;
+        let axis = |c: usize| group.channels.get(c);
+        let (x, y, z) = (axis(0)?, axis(1)?, axis(2)?);
+        let noise =
+            Vec3::from_fn(|c, _| evidence.found.noise.get(first + c).copied().unwrap_or(0.0));
+        let inside = group.t_s.partition_point(|t| *t < start_s)
+            ..group.t_s.partition_point(|t| *t <= start_s + duration_s);
+        let t_s: Vec<f64> = group
+            .t_s
+            .get(inside.clone())?
+            .iter()
+            .map(|t| t - start_s)
+            .collect();
+        let values = inside.map(|i| Vec3::new(x[i], y[i], z[i])).collect();
+        let blocks = blocks(&t_s, block_s);
+        (noise.min() > 0.0).then_some(Self {
+            sensor,
+            t_s,
+            values,
+            noise,
+            blocks,
+        })
+    }
+
+    /// Leaves out samples so near to a gap of lost ones, s.
+    pub fn leave_out_beside_gaps(&mut self, beside_s: f64) {
+        let mut steps: Vec<f64> = self.t_s.windows(2).map(|t| t[1] - t[0]).collect();
+        steps.sort_by(f64::total_cmp);
+        let Some(usual_s) = steps.get(steps.len() / 2).copied() else {
+            return;
+        };
+        let gaps: Vec<[f64; 2]> = self
+            .t_s
+            .windows(2)
+            .filter(|t| t[1] - t[0] > 1.5 * usual_s)
+            .map(|t| [t[0], t[1]])
+            .collect();
+        let is_near = |t: f64| {
+            gaps.iter()
+                .any(|[from, to]| t > from - beside_s && t < to + beside_s)
+        };
+        let kept: Vec<bool> = self.t_s.iter().map(|t| !is_near(*t)).collect();
+        // Blocks that lose a sample go: their others are few.
+        self.blocks.retain(|block| block.clone().all(|i| kept[i]));
+        let places: Vec<usize> = kept
+            .iter()
+            .scan(0, |next, kept| {
+                let place = *next;
+                *next += usize::from(*kept);
+                Some(place)
+            })
+            .collect();
+        for block in &mut self.blocks {
+            *block = places[block.start]..places[block.start] + block.len();
+        }
+        let mut keep = kept.iter();
+        self.t_s.retain(|_| keep.next().copied().unwrap_or(false));
+        let mut keep = kept.iter();
+        self.values
+            .retain(|_| keep.next().copied().unwrap_or(false));
+    }
+}
+
+/// All samples of a swing.
+#[derive(Debug, Clone)]
+pub struct Samples {
+    /// One a sensor.
+    pub streams: Vec<Stream>,
+    /// When their time begins, s, by the phone's clock.
+    pub start_s: f64,
+    /// How long they last, s.
+    pub duration_s: f64,
+    /// The vertical in phone axes.
+    pub up: Vec3,
+}
+
+impl Samples {
+    /// From what was found in a phone's record; `None` without both sensors or without gravity in
+    /// the record.
+    pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
+        let map = evidence.map;
+        if map.gravity_free {
+            return None;
+        }
+        let (up, block_s) = (evidence.up?, fastest_period_s * BLOCK_OF_PERIOD);
+        let streams = vec![
+            Stream::of(evidence, Sensor::Gyroscope, map.gyroscope?, block_s)?,
+            Stream::of(evidence, Sensor::Accelerometer, map.accelerometer?, block_s)?,
+        ];
+        let (start_s, duration_s) = inside(evidence);
+        (duration_s > 0.0).then_some(Self {
+            streams,
+            start_s,
+            duration_s,
+            up,
+        })
+    }
+
+    /// Of a recording to come: one reading for each block that its samples would be averaged over,
+    /// with the noise of that average. `None` where it is shorter than two periods.
+    pub fn expected(recorded: &Recorded, fastest_period_s: f64) -> Option<Self> {
+        let duration_s = recorded.duration_s - 2.0 * MARGIN_S;
+        // Not more readings than there are samples.
+        let block_s = (fastest_period_s * BLOCK_OF_PERIOD).max(1.0 / recorded.rate_hz);
+        let in_block = recorded.rate_hz * block_s;
+        let t_s: Vec<f64> = (0..(duration_s / block_s) as usize)
+            .map(|i| (i as f64 + 0.5) * block_s)
+            .collect();
+        let stream = |sensor: Sensor, noise: f64| Stream {
+            sensor,
+            values: vec![Vec3::zeros(); t_s.len()],
+            noise: Vec3::repeat(noise / in_block.sqrt()),
+            blocks: (0..t_s.len()).map(|i| i..i + 1).collect(),
+            t_s: t_s.clone(),
+        };
+        let streams = vec![
+            stream(Sensor::Gyroscope, recorded.gyro_rad_s),
+            stream(Sensor::Accelerometer, recorded.acc_m_s2),
+        ];
+        (duration_s > 2.0 * fastest_period_s).then_some(Self {
+            streams,
+            start_s: 0.0,
+            duration_s,
+            up: Vec3::z(),
+        })
+    }
+}
+
+/// Runs of samples no longer than `block_s`.
+fn blocks(t_s: &[f64], block_s: f64) -> Vec<Range<usize>> {
+    let mut blocks = Vec::new();
+    let mut first = 0;
+    for i in 1..=t_s.len() {
+        if i == t_s.len() || t_s[i] - t_s[first] > block_s {
+            blocks.push(first..i);
+            first = i;
+        }
+    }
+    blocks
+}

@@ -1,0 +1,237 @@
+//! From the session's parameters and a swing's own to what is simulated.
+
+use nalgebra::DMatrix;
+
+use crate::parameters::{Layout, SwingIndex};
+use crate::theory::{axis, swing_body, swing_rig};
+use gyradius_base::error::Result;
+use gyradius_base::frames::{Rotation, Vec3};
+use gyradius_mechanics::effects::EffectValues;
+use gyradius_mechanics::{Body, Dimensions, Hanging, Phone, Scene, Start};
+use gyradius_recording::Swing;
+
+/// Numbers of the scene by which the motion is differentiated: places in `Scene::names`.
+pub const LANES: [usize; 24] = [
+    1, 2, 3, 4, 5, 7, 9, // inertia xx, yy, zz, xy, xz; centre of mass x, z
+    10, 11, 12, 15, // line length, spacing, top spacing, gravity
+    16, 17, 18, 19, 20, 21, 22, 23, // start
+    24, 25, 27, 28, 29, // damping of surge, sway, roll, pitch, yaw
+];
+/// Of these, how many belong to the session.
+pub const SHARED_LANES: usize = 11;
+
+/// Start (8), damping rates (5), phone's place (3), turn (3), biases of gyroscope and accelerometer
+/// (6), their drifts (6).
+pub const OWN: usize = 31;
+const DAMPING: usize = 8;
+pub const PLACE: usize = 13;
+pub const TURN: usize = 16;
+pub const BIAS: usize = 19;
+pub const DRIFT: usize = 25;
+
+/// What belongs to one swing alone.
+#[derive(Debug, Clone)]
+pub struct Own {
+    /// Its parameters, at the places `TURN`, `BIAS`, …
+    pub values: [f64; OWN],
+    /// `hanging_from_phone`; the turn in `values` comes on top.
+    pub nominal: Rotation,
+}
+
+/// One swing of a session.
+#[derive(Debug, Clone, Copy)]
+pub struct SwingSetup<'a> {
+    /// The session's parameters.
+    pub layout: &'a Layout,
+    /// The swing.
+    pub swing: &'a Swing,
+    /// Where its parameters are among those of the session.
+    pub index: &'a SwingIndex,
+}
+
+impl SwingSetup<'_> {
+    /// What is simulated, per kilogram: masses enter a motion by their ratios alone.
+    pub fn scene(&self, x: &[f64], own: &Own) -> Result<Scene> {
+        let body = swing_body(self.layout, x, self.swing, self.index)?;
+        // Asked for the lines' sake: a length that is no length is an error with its name.
+        swing_rig(self.layout, x, self.swing, self.index)?;
+        let value = |i: Option<usize>| i.map_or(0.0, |i| x[i]);
+        let v = &own.values;
+        let body = Body::new(1.0, &(body.inertia_kg_m2 / body.mass_kg), &body.cm_m);
+        let scales = damping_scales(&body);
+        let damping: Vec<(&str, f64)> = (0..5)
+            .map(|k| (scales[k].0, v[DAMPING + k] * scales[k].1))
+            .collect();
+        Ok(Scene {
+            hanging: Hanging::Bifilar(axis(self.swing.suspension.orientation)),
+            body,
+            dimensions: Dimensions {
+                line_length_m: value(self.index.line_length),
+                spacing_m: value(self.index.spacing),
+                top_spacing_m: value(self.index.top_spacing),
+                gravity_m_s2: x[self.layout.gravity],
+                ..Dimensions::default()
+            },
+            start: Start {
+                along_m: v[0],
+                across_m: v[1],
+                turn_rad: v[2],
+                yaw_rad: v[3],
+                along_m_s: v[4],
+                across_m_s: v[5],
+                turn_rad_s: v[6],
+                yaw_rad_s: v[7],
+            },
+            effects: vec![EffectValues::new("linear_damping", &damping)?],
+        })
+    }
+
+    /// The hull's centre of mass, hanging axes, m: straight below the mid-point of the suspension
+    /// points.
+    pub fn centre_m(&self, x: &[f64]) -> Vec3 {
+        Vec3::new(0.0, 0.0, -x[self.index.log_depth].exp())
+    }
+
+    /// Derivatives of the scene's numbers ([`LANES`]) by the parameters at `free`: damping rates
+    /// stay, and their numbers go with the body.
+    pub fn lane_slopes(&self, x: &[f64], own: &Own, free: &[usize]) -> Result<DMatrix<f64>> {
+        let mut slopes = DMatrix::zeros(LANES.len(), free.len());
+        for (column, i) in free.iter().enumerate() {
+            let step = self.layout.parameters[*i].step;
+            let shifted = |sign: f64| -> Result<Vec<f64>> {
+                let mut moved = x.to_vec();
+                moved[*i] += sign * step;
+                Ok(self.scene(&moved, own)?.values())
+            };
+            let (up, down) = (shifted(1.0)?, shifted(-1.0)?);
+            for (row, lane) in LANES.iter().enumerate() {
+                slopes[(row, column)] = (up[*lane] - down[*lane]) / (2.0 * step);
+            }
+        }
+        Ok(slopes)
+    }
+
+    /// Change of the scene's damping numbers by the swing's damping rates.
+    pub fn damping_slopes(&self, scene: &Scene) -> [f64; 5] {
+        damping_scales(&scene.body).map(|(_, scale)| scale)
+    }
+}
+
+/// Numbers of the linear damping, and the mass or inertia that makes them of a rate, 1/s.
+fn damping_scales(body: &Body) -> [(&'static str, f64); 5] {
+    [
+        ("surge_n_s_m", body.mass_kg),
+        ("sway_n_s_m", body.mass_kg),
+        ("roll_n_m_s", body.inertia_xx_kg_m2),
+        ("pitch_n_m_s", body.inertia_yy_kg_m2),
+        ("yaw_n_m_s", body.inertia_zz_kg_m2),
+    ]
+}
+
+impl Own {
+    /// Nothing moves yet; a hull dies away in minutes.
+    pub fn at_rest(nominal: Rotation) -> Self {
+        /// τ of some 200 s (the paper's 640 s, phones in air 60 s).
+        const DAMPING_RATE_PER_S: f64 = 0.01;
+        let mut values = [0.0; OWN];
+        values[DAMPING..DAMPING + 5].fill(DAMPING_RATE_PER_S);
+        Self { values, nominal }
+    }
+
+    /// The phone's place; its biases are added by the caller.
+    pub fn phone(&self) -> Phone {
+        let v = &self.values;
+        Phone {
+            position_x_m: v[PLACE],
+            position_y_m: v[PLACE + 1],
+            position_z_m: v[PLACE + 2],
+            ..Phone::default()
+        }
+    }
+
+    /// The same motion of a hull whose bow is where its stern was.
+    pub fn turned_round(&self) -> Self {
+        const ABOUT_FACE: [usize; 8] = [0, 1, 2, 4, 5, 6, PLACE, PLACE + 1];
+        let half_turn = Rotation::from_axis_angle(&Vec3::z_axis(), std::f64::consts::PI);
+        let mut turned = self.clone();
+        ABOUT_FACE
+            .iter()
+            .for_each(|i| turned.values[*i] = -turned.values[*i]);
+        turned.nominal = Rotation::new_normalize((half_turn * self.nominal).into_inner());
+        turned
+    }
+
+    /// The turn taken into the nominal orientation.
+    pub fn folded(mut self) -> Self {
+        let turn = Vec3::new(
+            self.values[TURN],
+            self.values[TURN + 1],
+            self.values[TURN + 2],
+        );
+        let turned = self.nominal * Rotation::from_scaled_axis(turn);
+        self.nominal = Rotation::new_normalize(turned.into_inner());
+        self.values[TURN..TURN + 3].fill(0.0);
+        self
+    }
+
+    /// Uncertainties of weak priors about zero: they keep the equations solvable where a swing does
+    /// not show a number.
+    pub fn prior_u() -> [f64; OWN] {
+        let mut u = [0.0; OWN];
+        u[..DAMPING].fill(3.0); // m, rad, m/s, rad/s
+        u[DAMPING..PLACE].fill(0.3); // 1/s: dies away within three seconds
+        u[PLACE..TURN].fill(5.0); // m
+        u[TURN..BIAS].fill(1.0); // rad
+        u[BIAS..BIAS + 3].fill(0.1); // rad/s
+        u[BIAS + 3..DRIFT].fill(0.1); // m/s², ten times a phone's
+        u[DRIFT..DRIFT + 3].fill(1e-3); // rad/s per s
+        u[DRIFT + 3..].fill(1e-3); // m/s² per s
+        u
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use gyradius_recording::{Quantity, read_session};
+
+    const SESSION: &str = r#"
+format = "gyradius-session/1"
+title = "t"
+[body]
+name = "b"
+[[swing]]
+id = "yaw"
+periods_s = { yaw = 4.0 }
+[swing.suspension]
+kind = "bifilar"
+orientation = "athwartships"
+line_length = { value = 2.0, u = 0.0 }
+spacing = { value = 0.8, u = 0.0 }
+"#;
+
+    /// A damping rate γ of the yaw is the number γ I/M = γ k²: by ln k it changes by 2 γ k².
+    #[test]
+    fn damping_numbers_go_with_the_body() {
+        let session = read_session(SESSION, "session.toml").unwrap();
+        let layout = Layout::of(&session, Quantity::exact(9.8), &[None], &[None]);
+        let setup = SwingSetup {
+            layout: &layout,
+            swing: &session.swings[0],
+            index: &layout.swings[0],
+        };
+        let mut x = layout.start();
+        let (k_m, rate_per_s) = (0.7f64, 0.03);
+        let yaw = layout.log_gyradii[2];
+        x[yaw] = k_m.ln();
+        let mut own = Own::at_rest(Rotation::identity());
+        own.values[DAMPING + 4] = rate_per_s;
+        let slopes = setup.lane_slopes(&x, &own, &[yaw]).unwrap();
+        assert_relative_eq!(
+            slopes[(LANES.len() - 1, 0)],
+            2.0 * rate_per_s * k_m * k_m,
+            max_relative = 1e-6
+        );
+    }
+}

@@ -1,0 +1,187 @@
+//! What small-oscillation theory says a session should show, for given parameters.
+
+use gyradius_base::error::{Error, Result};
+use gyradius_base::frames::{Mat3, Vec3, world_from_hull_pitched};
+use gyradius_mechanics::{
+    Rig, RigidBody, SmallModes, SuspensionAxis, compound_pendulum_period_s, small_modes,
+};
+use gyradius_recording::{Incline, ModeName, Orientation, Session, Swing};
+
+use super::parameters::{Layout, SwingIndex};
+use super::routes::attachments::{joined, remainder};
+
+/// Everything that hangs, in hull axes: mass, centre of mass from the mid-point of the suspension
+/// points, inertia about the centre of mass.
+pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
+    let mass = x[layout.mass];
+    let mut k2 = layout.log_gyradii.map(|i| (2.0 * x[i]).exp());
+    k2[0] *= k2[2];
+    let mut inertia = Mat3::from_diagonal(&Vec3::from(k2)) * mass;
+    inertia[(0, 2)] = x[layout.product_xz] * mass;
+    inertia[(2, 0)] = inertia[(0, 2)];
+    RigidBody {
+        mass_kg: mass,
+        inertia_kg_m2: inertia,
+        cm_m: Vec3::new(0.0, 0.0, -x[log_depth].exp()),
+    }
+}
+
+/// The body of one swing as it hangs: added masses on, pitched as stated, centre of mass below the
+/// suspension.
+///
+/// Added masses that shift the centre of mass fore and aft tilt a hull that is free to pitch until
+/// the centre hangs below the suspension again.
+pub fn swing_body(
+    layout: &Layout,
+    x: &[f64],
+    swing: &Swing,
+    index: &SwingIndex,
+) -> Result<RigidBody> {
+    let pitch = world_from_hull_pitched(x[index.pitch_deg].to_radians());
+    // The depth parameter is the vertical one of this hanging: the centre lies straight below.
+    let mut body = hanging_body(layout, x, index.log_depth);
+    body = RigidBody {
+        cm_m: body.cm_m,
+        ..body.rotated(pitch)
+    };
+    for added in &swing.added_masses {
+        let cm_m = pitch * Vec3::from(added.position_m);
+        body = joined(
+            &body,
+            &RigidBody::from_gyradii(added.mass_kg.value, [0.0; 3], cm_m),
+        )?;
+    }
+    Ok(settle(&body, swing.suspension.orientation))
+}
+
+fn settle(body: &RigidBody, orientation: Orientation) -> RigidBody {
+    let cm = body.cm_m;
+    let turn = match orientation {
+        Orientation::Athwartships => Vec3::y() * (cm.x.atan2(-cm.z)),
+        Orientation::ForeAndAft => Vec3::x() * (-cm.y.atan2(-cm.z)),
+    };
+    if turn.norm() == 0.0 {
+        *body
+    } else {
+        body.rotated(gyradius_base::frames::Rotation::from_scaled_axis(turn))
+    }
+}
+
+/// The lines of a bifilar swing.
+pub fn swing_rig(layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<Rig> {
+    let value = |i: Option<usize>, key: &str| {
+        i.map(|i| x[i])
+            .ok_or_else(|| Error::no_result(&swing.id, format!("the suspension states no {key}")))
+    };
+    Rig::bifilar(
+        axis(swing.suspension.orientation),
+        value(index.line_length, "line_length")?,
+        value(index.spacing, "spacing")?,
+        value(index.top_spacing, "top_spacing")?,
+        x[layout.gravity],
+    )
+}
+
+/// The suspension's direction for the dynamics.
+pub fn axis(orientation: Orientation) -> SuspensionAxis {
+    match orientation {
+        Orientation::Athwartships => SuspensionAxis::Athwartships,
+        Orientation::ForeAndAft => SuspensionAxis::ForeAndAft,
+    }
+}
+
+/// Names of the four small oscillations, slowest first: each name once, even where two modes nearly
+/// share a period and with it their shapes. Yaw is what turns most about the vertical, sway what of
+/// the rest goes most along the suspension; of the double pendulum in phase is the slower (errata
+/// to (16)).
+pub fn mode_names(body: &RigidBody, modes: &SmallModes, orientation: Orientation) -> [ModeName; 4] {
+    let unit = axis(orientation).unit();
+    let most = |energy: &dyn Fn(usize) -> f64, taken: Option<usize>| {
+        let open = (0..4).filter(|i| Some(*i) != taken);
+        open.max_by(|a, b| energy(*a).total_cmp(&energy(*b)))
+            .unwrap_or_default()
+    };
+    let yaw = most(
+        &|i| body.inertia_kg_m2[(2, 2)] * modes.rotation(i).z.powi(2),
+        None,
+    );
+    let sway = most(
+        &|i| body.mass_kg * modes.displacement(i).dot(&unit).powi(2),
+        Some(yaw),
+    );
+    let [slow, fast] = match orientation {
+        Orientation::Athwartships => [ModeName::PitchInPhase, ModeName::PitchOutOfPhase],
+        Orientation::ForeAndAft => [ModeName::RollInPhase, ModeName::RollOutOfPhase],
+    };
+    let mut names = [fast; 4];
+    if let Some(first) = (0..4).find(|i| *i != yaw && *i != sway) {
+        names[first] = slow;
+    }
+    (names[yaw], names[sway]) = (ModeName::Yaw, ModeName::Sway);
+    names
+}
+
+/// Small-amplitude undamped periods of one swing by mode, s.
+pub fn swing_periods(
+    layout: &Layout,
+    x: &[f64],
+    swing: &Swing,
+    index: &SwingIndex,
+) -> Result<Vec<(ModeName, f64)>> {
+    let body = swing_body(layout, x, swing, index)?;
+    if let Some(height) = index.axis_height {
+        return Ok(vec![(
+            ModeName::Compound,
+            compound_period_s(&body, swing, x[height], x[layout.gravity]),
+        )]);
+    }
+    let modes = small_modes(&swing_rig(layout, x, swing, index)?, &body)?;
+    let names = mode_names(&body, &modes, swing.suspension.orientation);
+    Ok((0..4).map(|i| (names[i], modes.period_s(i))).collect())
+}
+
+/// Eq. (22): the axis lies `axis_height_m` above the suspension points, along the suspension's
+/// direction.
+pub fn compound_period_s(
+    body: &RigidBody,
+    swing: &Swing,
+    axis_height_m: f64,
+    gravity_m_s2: f64,
+) -> f64 {
+    let unit = axis(swing.suspension.orientation).unit();
+    let k2 = unit.dot(&(body.inertia_kg_m2 * unit)) / body.mass_kg;
+    compound_pendulum_period_s(k2.sqrt(), axis_height_m - body.cm_m.z, gravity_m_s2)
+}
+
+/// The angle an incline weight makes, degrees, eq. (20) solved for the angle.
+pub fn incline_angle_deg(layout: &Layout, x: &[f64], incline: &Incline, log_depth: usize) -> f64 {
+    let (m, arm, drop) = (
+        incline.mass_kg.value,
+        incline.arm_m.value,
+        incline.depth_m.value,
+    );
+    (m * arm / (x[layout.mass] * x[log_depth].exp() + m * drop))
+        .atan()
+        .to_degrees()
+}
+
+/// The hull alone: attachments taken off the hanging body.
+pub fn hull_alone(
+    session: &Session,
+    layout: &Layout,
+    x: &[f64],
+    log_depth: usize,
+) -> Result<RigidBody> {
+    let body = hanging_body(layout, x, log_depth);
+    session
+        .attachments
+        .iter()
+        .zip(&layout.attachment_masses)
+        .try_fold(body, |body, (attachment, mass)| {
+            let cm_m = Vec3::from(attachment.position_m);
+            remainder(
+                &body,
+                &RigidBody::from_gyradii(x[*mass], attachment.gyradii_m, cm_m),
+            )
+        })
+}

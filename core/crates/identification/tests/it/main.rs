@@ -1,0 +1,8 @@
+//! Integration tests of `gyradius-identification`, in one program.
+
+#![allow(missing_docs)]
+
+mod crossings;
+mod single_routes;
+mod uncertainty;
+mod vectors;

@@ -1,0 +1,299 @@
+//! Phone exports and recorder's files into a session folder.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use super::{options, read_input};
+use gyradius_base::error::{Error, Result};
+use gyradius_recording::import::{ImportedData, ImportedRecording, Platform, import_files};
+use gyradius_recording::recorder::{SYNC, convert};
+use gyradius_recording::{
+    Body, Overwrite, Quantity, SESSION_FILE, Session, Site, Suspension, SuspensionKind, Swing,
+    SwingData, save_session, write_recording, write_session,
+};
+use gyradius_signal::gate_periods;
+
+/// What the caller knows of the session beside its recordings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportRequest {
+    /// Columns of a CSV that is not recognised, and their units: `gx=xGyro:deg/s`.
+    pub mapping: Vec<String>,
+    /// The phone's system, where a file's signs depend on it and the file does not say.
+    pub platform: Option<Platform>,
+    /// Width of the flag in a light gate's beam, m.
+    pub flag_width_m: Option<f64>,
+    /// Title of the session, and name of the body.
+    pub title: String,
+    /// Everything that swings, kg.
+    pub mass_kg: Option<Quantity>,
+    /// Free-fall acceleration, m/s².
+    pub gravity_m_s2: Option<Quantity>,
+    /// How every swing hung.
+    pub suspension: Suspension,
+}
+
+/// Writes a session folder, one swing for each recording; returns what a reader must know.
+///
+/// Where dimensions are missing that a session must have, the recordings are written beside a draft
+/// of `session.toml` that says at its top what to fill in. Fails as reading, converting and writing
+/// do, and with [`Error::Argument`] for a light gate's log without the flag's width.
+pub fn import_session(
+    files: &[PathBuf],
+    folder: &Path,
+    request: &ImportRequest,
+    overwrite: Overwrite,
+) -> Result<Vec<String>> {
+    let (recorded, exported) = split(files)?;
+    let mut session = request.session();
+    let mut files = Vec::new();
+    let mut ids = BTreeSet::new();
+    let mut notes = Vec::new();
+    if !exported.is_empty() || recorded.is_empty() {
+        let imported = import_files(&exported, &options(&request.mapping, request.platform)?)?;
+        for recording in &imported.recordings {
+            let id = free_id(&recording.name, &mut ids);
+            let name = format!("{id}.csv");
+            let (data, bytes) = contents(recording, &name, request)?;
+            session.swings.push(request.swing(id, data));
+            files.push((name, bytes));
+        }
+        notes.extend(
+            imported
+                .recordings
+                .into_iter()
+                .flat_map(|recording| recording.notes),
+        );
+    }
+    convert_recorded(
+        &recorded,
+        folder,
+        (request, overwrite),
+        &mut ids,
+        &mut session,
+    )?;
+    notes.extend(
+        session
+            .recorded
+            .iter()
+            .flat_map(|recorded| recorded.repairs.iter().map(|r| r.text.clone())),
+    );
+    let missing = request.missing();
+    if missing.is_empty() {
+        save_session(folder, &session, &files, overwrite)?;
+        return Ok(notes);
+    }
+    save_draft(folder, &session, files, &missing, overwrite)?;
+    Ok([notes, vec![draft_note(&missing)]].concat())
+}
+
+/// Recorder's files by path, and what other programs exported by name and bytes.
+type Inputs = (Vec<PathBuf>, Vec<(String, Vec<u8>)>);
+
+/// Tells recorder's files, which may be long and are read piece by piece, from what other programs
+/// exported.
+fn split(files: &[PathBuf]) -> Result<Inputs> {
+    let mut inputs = Inputs::default();
+    for file in files {
+        if is_recorded(file) {
+            inputs.0.push(file.clone())
+        } else {
+            inputs.1.push(read_input(file)?)
+        }
+    }
+    Ok(inputs)
+}
+
+fn is_recorded(file: &Path) -> bool {
+    let mut start = [0; SYNC.len()];
+    let read = fs::File::open(file).and_then(|mut file| file.read_exact(&mut start));
+    read.is_ok() && start == SYNC
+}
+
+/// Writes recorder's files as recordings of the session; refused before anything is written where a
+/// file is there.
+fn convert_recorded(
+    recorded: &[PathBuf],
+    folder: &Path,
+    (request, overwrite): (&ImportRequest, Overwrite),
+    ids: &mut BTreeSet<String>,
+    session: &mut Session,
+) -> Result<()> {
+    let name = |file: &PathBuf| {
+        file.file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+    };
+    let named: Vec<(&PathBuf, String)> = recorded
+        .iter()
+        .map(|file| (file, free_id(&name(file).unwrap_or_default(), ids)))
+        .collect();
+    let written = named
+        .iter()
+        .flat_map(|(_, id)| [format!("{id}.csv"), format!("{id}-bias.csv")]);
+    let mut all = written
+        .chain([SESSION_FILE.to_owned()])
+        .map(|file| folder.join(file));
+    if let (Overwrite::Refuse, false, Some(path)) = (
+        overwrite,
+        recorded.is_empty(),
+        all.find(|path| path.exists()),
+    ) {
+        return Err(unwritable(
+            &path,
+            "it exists already and is not overwritten",
+        ));
+    }
+    for (file, id) in named {
+        session.recorded.push(convert(file, folder, &id)?);
+        session
+            .swings
+            .push(request.swing(id.clone(), SwingData::Recording(format!("{id}.csv"))));
+    }
+    Ok(())
+}
+
+/// A session that lacks dimensions cannot be read back, so the core does not save it: its
+/// recordings and a `session.toml` that says at its top what to fill in.
+fn save_draft(
+    folder: &Path,
+    session: &Session,
+    mut files: Vec<(String, Vec<u8>)>,
+    missing: &[&str],
+    overwrite: Overwrite,
+) -> Result<()> {
+    let text = format!(
+        "# To be filled in: {}.\n{}",
+        missing.join(", "),
+        write_session(session)
+    );
+    files.push((SESSION_FILE.into(), text.into_bytes()));
+    fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder.display(), "", &error))?;
+    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
+    if let (Overwrite::Refuse, Some(path)) = (overwrite, paths.iter().find(|path| path.exists())) {
+        return Err(unwritable(path, "it exists already and is not overwritten"));
+    }
+    let mut pairs = paths.iter().zip(&files);
+    pairs.try_for_each(|(path, (_, bytes))| {
+        fs::write(path, bytes).map_err(|error| Error::unwritable(path.display(), "", &error))
+    })
+}
+
+fn unwritable(path: &Path, reason: impl ToString) -> Error {
+    Error::Unwritable {
+        file: path.display().to_string(),
+        reason: reason.to_string(),
+    }
+}
+
+fn draft_note(missing: &[&str]) -> String {
+    let keys = missing.join(" and ");
+    format!(
+        "{SESSION_FILE} still lacks {keys} of each swing; until then each recording can be measured by itself"
+    )
+}
+
+fn free_id(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let plain: String = name
+        .chars()
+        .map(|c| {
+            if c.is_alphanumeric() || c == '_' {
+                c
+            } else {
+                '-'
+            }
+        })
+        .collect();
+    let mut candidates =
+        std::iter::once(plain.clone()).chain((2..).map(|number| format!("{plain}-{number}")));
+    candidates
+        .find(|id| taken.insert(id.clone()))
+        .unwrap_or(plain)
+}
+
+fn contents(
+    recording: &ImportedRecording,
+    file: &str,
+    request: &ImportRequest,
+) -> Result<(SwingData, Vec<u8>)> {
+    match &recording.data {
+        ImportedData::Recording(data) => {
+            Ok((SwingData::Recording(file.into()), write_recording(data)))
+        }
+        ImportedData::Track(track) => {
+            let data = SwingData::Displacement {
+                file: file.into(),
+                at_m: None,
+            };
+            Ok((data, columns("t,y", &track.t_s, &track.y_m)))
+        }
+        ImportedData::GateEvents(events) => {
+            let wanted =
+                || Error::argument("flag_width", "the width of the flag in the beam, m", "none");
+            let list = gate_periods(events, request.flag_width_m.ok_or_else(wanted)?)?.list(file);
+            Ok((
+                SwingData::Periods(file.into()),
+                columns("t,period", &list.t_s, &list.period_s),
+            ))
+        }
+    }
+}
+
+fn columns(header: &str, left: &[f64], right: &[f64]) -> Vec<u8> {
+    let rows = left
+        .iter()
+        .zip(right)
+        .map(|(left, right)| format!("{left},{right}\n"));
+    std::iter::once(format!("{header}\n"))
+        .chain(rows)
+        .collect::<String>()
+        .into_bytes()
+}
+
+impl ImportRequest {
+    /// Keys of a suspension that a session must have and the caller did not give.
+    fn missing(&self) -> Vec<&'static str> {
+        let hung = &self.suspension;
+        let needed = match hung.kind {
+            SuspensionKind::Compound => vec![("axis_height", hung.axis_height_m)],
+            SuspensionKind::Bifilar => {
+                vec![
+                    ("line_length", hung.line_length_m),
+                    ("spacing", hung.spacing_m),
+                ]
+            }
+        };
+        needed
+            .into_iter()
+            .filter(|(_, stated)| stated.is_none())
+            .map(|(key, _)| key)
+            .collect()
+    }
+
+    fn session(&self) -> Session {
+        Session {
+            title: self.title.clone(),
+            body: Body {
+                name: self.title.clone(),
+                mass_kg: self.mass_kg,
+                ..Body::default()
+            },
+            site: Site {
+                gravity_m_s2: self.gravity_m_s2,
+                ..Site::default()
+            },
+            ..Session::default()
+        }
+    }
+
+    fn swing(&self, id: String, data: SwingData) -> Swing {
+        Swing {
+            id,
+            data,
+            excited: Vec::new(),
+            added_masses: Vec::new(),
+            amplitude_deg: Default::default(),
+            suspension: self.suspension.clone(),
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Integration tests of `gyradius-mechanics`, in one program.
+
+#![allow(missing_docs)]
+
+mod dynamics;
+mod sensors;
+mod simulation;

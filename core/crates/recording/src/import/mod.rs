@@ -1,0 +1,224 @@
+//! Recordings that other programs exported, told apart by their content.
+//!
+//! What is known of each format, and what is done about it, is in `README.md` beside this file.
+//!
+//! # Conventions
+//! Columns are found by header name, never by position. Results are in s, rad/s and m/s² with
+//! Android's sign (at rest, screen up: z = +9.8). Time stamps are the file's own.
+
+mod columns;
+mod detect;
+mod light_gate;
+mod mapping;
+mod phyphox;
+mod physics_toolbox;
+mod sensor_logger;
+mod sensorlog;
+mod source;
+pub(crate) mod table;
+mod units;
+
+use std::collections::BTreeMap;
+
+use super::samples::{GateEvents, Recording, Track};
+use gyradius_base::{Error, Result};
+
+pub use mapping::{ColumnMapping, MappedColumn};
+pub use units::{Dimension, Unit, from_core_motion, stamp_from_core_motion};
+
+use detect::Content;
+use source::Source;
+
+/// Which program wrote a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Format {
+    /// The project's own recording.
+    Native,
+    /// phyphox.
+    Phyphox,
+    /// Sensor Logger.
+    SensorLogger,
+    /// Physics Toolbox.
+    PhysicsToolbox,
+    /// SensorLog for iOS.
+    SensorLog,
+    /// A two-gate timer's event log.
+    LightGate,
+    /// Columns named by the caller.
+    Mapped,
+}
+
+/// The system of the phone, where a file's signs depend on it and the file does not say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Platform {
+    /// Android: at rest, screen up, z = +g.
+    Android,
+    /// iOS: at rest, screen up, z = −g.
+    Ios,
+}
+
+/// What the caller knows and the files may not say.
+#[derive(Debug, Clone, Default)]
+pub struct ImportOptions {
+    /// Columns and units of a file of no known format. Where it is given, it is used for every
+    /// file.
+    pub mapping: Option<ColumnMapping>,
+    /// The phone's system, for Sensor Logger files that come without their metadata.
+    pub platform: Option<Platform>,
+}
+
+/// What an import yields.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Imported {
+    /// Recordings, in the order of the inputs.
+    pub recordings: Vec<ImportedRecording>,
+    /// What the files say of the phone.
+    pub device: BTreeMap<String, String>,
+    /// Format of the first recording.
+    pub source: Format,
+}
+
+/// One recording of an import.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedRecording {
+    /// Name of its file or archive without the ending.
+    pub name: String,
+    /// Format it came in.
+    pub format: Format,
+    /// The data.
+    pub data: ImportedData,
+    /// What a reader should know: choices made, files not used.
+    pub notes: Vec<String>,
+}
+
+/// The kinds of data an import can yield.
+#[derive(Debug, Clone, PartialEq)]
+// There are as many as files: boxing the largest would buy nothing.
+#[allow(clippy::large_enum_variant)]
+pub enum ImportedData {
+    /// A phone's recording.
+    Recording(Recording),
+    /// A rangefinder's track.
+    Track(Track),
+    /// A light gate's edges.
+    GateEvents(GateEvents),
+}
+
+/// Imports exports by content. `inputs` are names and bytes; each folder of a `.zip` is one
+/// recording, and loose files of one folder that hold different sensors of one phone are one
+/// recording too.
+pub fn import_files(inputs: &[(String, Vec<u8>)], options: &ImportOptions) -> Result<Imported> {
+    let mut device = BTreeMap::new();
+    let mut recordings = Vec::new();
+    let mut fruitful: Vec<Option<String>> = Vec::new();
+    let mut barren = Vec::new();
+    for source in source::sources(inputs)? {
+        let found = match &options.mapping {
+            Some(mapping) => mapped(&source, mapping)?,
+            None => recognised(&source, options, &mut device)?,
+        };
+        if found.is_empty() {
+            barren.push(source);
+        } else {
+            fruitful.push(source.archive);
+            recordings.extend(found);
+        }
+    }
+    // A folder of an archive may hold nothing of use; an archive, or loose files, may not.
+    if let Some(source) = barren
+        .iter()
+        .find(|source| source.archive.is_none() || !fruitful.contains(&source.archive))
+    {
+        return Err(detect::unknown(source)?);
+    }
+    let source = recordings
+        .first()
+        .map(|first| first.format)
+        .ok_or_else(|| Error::argument("inputs", "at least one exported file", "none"))?;
+    Ok(Imported {
+        recordings,
+        device,
+        source,
+    })
+}
+
+fn mapped(source: &Source, mapping: &ColumnMapping) -> Result<Vec<ImportedRecording>> {
+    source
+        .members()
+        .map(|(name, bytes)| mapping::import(bytes, name, mapping))
+        .collect()
+}
+
+fn recognised(
+    source: &Source,
+    options: &ImportOptions,
+    device: &mut BTreeMap<String, String>,
+) -> Result<Vec<ImportedRecording>> {
+    let contents = detect::contents(source)?;
+    let of = |wanted: Content| -> Vec<(&str, &[u8])> {
+        contents
+            .iter()
+            .filter(|content| content.2 == wanted)
+            .map(|content| (content.0, content.1))
+            .collect()
+    };
+    let mut out = Vec::new();
+    for (name, bytes) in of(Content::Native) {
+        let recording = super::csv::read_recording(bytes, name)?;
+        out.push(ImportedRecording::new(
+            name,
+            Format::Native,
+            recording,
+            Vec::new(),
+        ));
+    }
+    for (name, bytes) in of(Content::LightGate) {
+        out.push(light_gate::import(bytes, name)?);
+    }
+    for (name, bytes) in of(Content::PhysicsToolbox) {
+        out.push(physics_toolbox::import(bytes, name)?);
+    }
+    for (name, bytes) in of(Content::SensorLog) {
+        out.push(sensorlog::import(bytes, name)?);
+    }
+    out.extend(sensor_logger::import(
+        source,
+        &of(Content::SensorLogger),
+        &of(Content::SensorLoggerMetadata),
+        options,
+        device,
+    )?);
+    out.extend(phyphox::import(
+        source,
+        &of(Content::Phyphox),
+        &of(Content::PhyphoxTime),
+        &of(Content::PhyphoxDevice),
+        device,
+    )?);
+    let place = |recorded: &ImportedRecording| {
+        source
+            .members()
+            .position(|(name, _)| source::stem(name) == recorded.name)
+    };
+    out.sort_by_key(place);
+    let unused: Vec<String> = of(Content::Unknown)
+        .iter()
+        .map(|(name, _)| format!("`{name}` is not used"))
+        .collect();
+    if let Some(last) = out.last_mut() {
+        last.notes.extend(unused);
+    }
+    Ok(out)
+}
+
+impl ImportedRecording {
+    fn new(file: &str, format: Format, recording: Recording, notes: Vec<String>) -> Self {
+        let data = ImportedData::Recording(recording);
+        Self {
+            name: source::stem(file).to_owned(),
+            format,
+            data,
+            notes,
+        }
+    }
+}

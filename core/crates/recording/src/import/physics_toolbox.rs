@@ -1,0 +1,45 @@
+//! Physics Toolbox: one table of all sensors, accelerations in g.
+
+use super::columns::{SensorColumns, assemble, gravity_doubt, xyz};
+use super::table::Table;
+use super::{Format, ImportedRecording};
+use crate::samples::Sensor;
+use gyradius_base::Result;
+use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
+
+/// Reads `time` with `gFx…` (g), `wx…` (rad/s) and `ax…` (gravity-free, m/s²). Repeated stamps are
+/// left to the repairs.
+pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
+    let table = Table::open(bytes, name)?;
+    let sensors = [
+        (Sensor::Gyroscope, "w", 1.0),
+        (Sensor::Accelerometer, "gF", STANDARD_GRAVITY_M_S2),
+        (Sensor::LinearAccelerometer, "a", 1.0),
+    ];
+    let time = table
+        .find(|column| column.eq_ignore_ascii_case("time"))
+        .ok_or_else(|| {
+            table.malformed(
+                Some(0),
+                "a column `time`",
+                &format!("`{}`", table.header_text()),
+            )
+        })?;
+    let mut series = Vec::new();
+    for (sensor, prefix, factor) in sensors {
+        if let Some(axes) = xyz(&table, |axis| format!("{prefix}{axis}")) {
+            series.push((
+                0,
+                SensorColumns::new(sensor, time, axes, factor).read(&table)?,
+            ));
+        }
+    }
+    let recording = assemble(name, series)?;
+    let notes = gravity_doubt(&recording).into_iter().collect();
+    Ok(ImportedRecording::new(
+        name,
+        Format::PhysicsToolbox,
+        recording,
+        notes,
+    ))
+}

@@ -1,0 +1,48 @@
+//! Sessions and recordings: reading, writing, importing, repairs.
+//!
+//! May know `error`, `constants`, `frames`. Knows nothing of what is done with the data.
+
+mod csv;
+mod csv_write;
+mod domain;
+pub mod import;
+mod keys;
+mod load;
+mod member_path;
+mod quantity;
+mod recorded;
+pub mod recorder;
+mod repair;
+mod replace;
+mod samples;
+mod save;
+mod session;
+mod store;
+mod toml_read;
+mod toml_recorded;
+mod toml_swing;
+mod toml_write;
+mod unzip;
+
+pub use csv::{read_period_list, read_recording, read_track};
+pub use csv_write::write_recording;
+pub use load::{LoadedData, LoadedSession, LoadedSwing, SESSION_FILE, load_session, load_store};
+pub use quantity::Quantity;
+pub use recorded::{DISTURBED, Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
+pub use repair::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE};
+pub use samples::{GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, Track, Triad};
+pub use save::{Overwrite, save_session, save_session_zip, session_zip_bytes};
+pub use session::{
+    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
+    Session, Site, Suspension, SuspensionKind, Swing, SwingData,
+};
+pub use store::Store;
+pub use toml_read::read_session;
+pub use toml_write::write_session;
+
+pub use domain::Domain;
+pub use keys::Table;
+pub use load::utf8;
+pub use replace::{partial_of, replace_file};
+pub use toml_read::{ROOT, session, with_root};
+pub use toml_swing::SWING;

@@ -1,0 +1,161 @@
+//! A session with all its recordings, from a folder, a `.zip` or bytes.
+
+use std::path::Path;
+
+use super::csv;
+use super::recorded::Recorded;
+use super::samples::{PeriodList, Recording, Track};
+use super::session::{InclineAngle, Session, SwingData};
+use super::store::Store;
+use super::toml_read::{NamedFile, parse_session};
+use gyradius_base::error::{Error, Result};
+
+/// The file that makes a folder a session.
+pub const SESSION_FILE: &str = "session.toml";
+
+/// A session and everything that it names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedSession {
+    /// The session as stated.
+    pub session: Session,
+    /// Where it came from, as the user knows it.
+    pub source: String,
+    /// What each swing left behind, in the order of `session.swings`.
+    pub data: Vec<LoadedSwing>,
+    /// The recording of each incline test, in the order of `session.inclines`; none where the angle
+    /// is stated.
+    pub inclines: Vec<Option<Recording>>,
+}
+
+/// One swing's data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedSwing {
+    /// The swing's id.
+    pub id: String,
+    /// The data.
+    pub data: LoadedData,
+}
+
+/// What a swing's file held.
+// A session has tens of these and mostly of the large kind: a box would buy nothing.
+#[allow(clippy::large_enum_variant)]
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadedData {
+    /// A phone's recording.
+    Recording(Recording),
+    /// A rangefinder's track.
+    Track(Track),
+    /// A list of periods.
+    Periods(PeriodList),
+    /// Periods typed into the session itself: there is no file.
+    Typed,
+}
+
+/// Loads a session from a folder, a `.zip` or the path of a `session.toml`.
+pub fn load_session(path: impl AsRef<Path>) -> Result<LoadedSession> {
+    load_store(&Store::open(path)?)
+}
+
+/// Loads a session from an opened source.
+pub fn load_store(store: &Store) -> Result<LoadedSession> {
+    let file = store.describe(SESSION_FILE);
+    let bytes = store.read(SESSION_FILE)?;
+    let parsed = parse_session(utf8(&bytes, &file)?, &file)?;
+    parsed
+        .files
+        .iter()
+        .try_for_each(|named| refuse_missing(store, &file, named))?;
+    let session = parsed.session;
+    let load = |swing: &super::session::Swing| {
+        Ok(LoadedSwing {
+            id: swing.id.clone(),
+            data: swing_data(store, &session, &swing.data)?,
+        })
+    };
+    let data = session.swings.iter().map(load).collect::<Result<_>>()?;
+    let inclines = session
+        .inclines
+        .iter()
+        .map(|one| incline_data(store, &session, &one.angle))
+        .collect::<Result<_>>()?;
+    Ok(LoadedSession {
+        session,
+        source: store.name().into(),
+        data,
+        inclines,
+    })
+}
+
+/// A file's bytes as text; fails where they are not UTF-8.
+pub fn utf8<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()]
+            .iter()
+            .filter(|&&byte| byte == b'\n')
+            .count();
+        let (expected, found) = ("text in UTF-8".into(), "other bytes".into());
+        Error::Malformed {
+            file: file.into(),
+            line: Some(line),
+            expected,
+            found,
+        }
+    })
+}
+
+/// A missing file is an error of the line that names it.
+fn refuse_missing(store: &Store, session_file: &str, named: &NamedFile) -> Result<()> {
+    if store.contains(&named.file) {
+        return Ok(());
+    }
+    Err(Error::Malformed {
+        file: session_file.into(),
+        line: named.line,
+        expected: format!("`{}` to name a file of the session", named.key),
+        found: format!("`{}`, which is not there", named.file),
+    })
+}
+
+/// A phone's recording, with what the recorder had lost of it told first, and when it was
+/// disturbed.
+fn phone_recording(store: &Store, session: &Session, file: &str) -> Result<Recording> {
+    let mut recording = csv::read_recording(&store.read(file)?, &store.describe(file))?;
+    let told = || {
+        session
+            .recorded
+            .iter()
+            .filter(|recorded| recorded.file == file)
+    };
+    recording
+        .repairs
+        .splice(0..0, told().flat_map(Recorded::as_repairs));
+    recording.disturbed_s = told().flat_map(Recorded::disturbed_s).collect();
+    Ok(recording)
+}
+
+fn swing_data(store: &Store, session: &Session, data: &SwingData) -> Result<LoadedData> {
+    match data {
+        SwingData::Recording(file) => {
+            phone_recording(store, session, file).map(LoadedData::Recording)
+        }
+        SwingData::Displacement { file, .. } => {
+            csv::read_track(&store.read(file)?, &store.describe(file)).map(LoadedData::Track)
+        }
+        SwingData::Periods(file) => {
+            csv::read_period_list(&store.read(file)?, &store.describe(file))
+                .map(LoadedData::Periods)
+        }
+        SwingData::PeriodsS(_) => Ok(LoadedData::Typed),
+    }
+}
+
+fn incline_data(
+    store: &Store,
+    session: &Session,
+    angle: &InclineAngle,
+) -> Result<Option<Recording>> {
+    match angle {
+        InclineAngle::Stated(_) => Ok(None),
+        InclineAngle::Recording(file) => phone_recording(store, session, file).map(Some),
+    }
+}

@@ -1,0 +1,175 @@
+//! What is wrong with a sensor's samples, and what the analysis leaves out for it.
+//!
+//! Nothing is resampled and nothing is moved: a sample is kept as it stands or left out, and every
+//! sample left out and every gap is listed. The file itself is never changed.
+
+mod findings;
+mod saturation;
+mod stamps;
+
+pub use findings::MISSING_INTERVALS;
+pub use saturation::{CUT_STEPS, RUN_SAMPLES, RUNS, STATED_RANGE};
+pub use stamps::median_interval_s;
+
+use std::ops::Range;
+
+use super::samples::{Repair, RepairKind, Sensor};
+use gyradius_base::{Error, Result};
+
+/// The samples of one sensor in file order, before repairs.
+#[derive(Debug, Clone)]
+pub(crate) struct RawSeries {
+    /// Which sensor.
+    pub sensor: Sensor,
+    /// Which table of an export the samples come from; 0 where there is one.
+    pub table: usize,
+    /// Row of the table each sample comes from; shared by the sensors of one file.
+    pub row: Vec<usize>,
+    /// Time stamps, s; may be anything.
+    pub t_s: Vec<f64>,
+    /// Samples by channel; NaN where a cell is missing beside filled ones.
+    pub channels: Vec<Vec<f64>>,
+    /// The sensor's stated limit, in the channels' unit.
+    pub limit: Option<f64>,
+}
+
+/// What is left of it, with the list of what is not.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Repaired {
+    /// Strictly increasing time stamps, s.
+    pub t_s: Vec<f64>,
+    /// Finite samples by channel.
+    pub channels: Vec<Vec<f64>>,
+    /// Everything left out, and every gap.
+    pub repairs: Vec<Repair>,
+}
+
+/// Why each sample is left out; `None` keeps it.
+pub(crate) type Fates = Vec<Option<RepairKind>>;
+
+impl RawSeries {
+    /// A series without samples.
+    pub fn new(sensor: Sensor, channels: usize) -> Self {
+        Self {
+            sensor,
+            table: 0,
+            row: Vec::new(),
+            t_s: Vec::new(),
+            channels: vec![Vec::new(); channels],
+            limit: None,
+        }
+    }
+
+    /// Appends a sample.
+    pub fn push(&mut self, row: usize, t_s: f64, values: impl IntoIterator<Item = f64>) {
+        self.row.push(row);
+        self.t_s.push(t_s);
+        for (channel, value) in self.channels.iter_mut().zip(values) {
+            channel.push(value);
+        }
+    }
+
+    /// Leaves out everything from sample `length` on.
+    pub fn truncate(&mut self, length: usize) {
+        self.row.truncate(length);
+        self.t_s.truncate(length);
+        self.channels
+            .iter_mut()
+            .for_each(|channel| channel.truncate(length));
+    }
+}
+
+/// Whether a series is a sampled signal, whose gaps and jitter mean something, or a list of events.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sampling {
+    /// Samples at a rate.
+    Regular,
+    /// Events at their own times.
+    Events,
+}
+
+/// Repairs the series of one file. Where the file holds two recordings one after the other, the
+/// rows of the longer one are kept for every sensor.
+pub(crate) fn repair_file(
+    series: Vec<RawSeries>,
+    file: &str,
+    sampling: Sampling,
+) -> Result<Vec<Repaired>> {
+    for raw in &series {
+        refuse_reversed(raw, file)?;
+    }
+    let windows: Vec<Option<Range<usize>>> = series
+        .iter()
+        .map(|raw| window(&series, raw.table))
+        .collect();
+    Ok(series
+        .into_iter()
+        .zip(windows)
+        .map(|(raw, rows)| repair(raw, rows, sampling))
+        .collect())
+}
+
+/// Rows to keep of one table, decided by its densest sensor.
+fn window(series: &[RawSeries], table: usize) -> Option<Range<usize>> {
+    let densest = series
+        .iter()
+        .filter(|raw| raw.table == table)
+        .max_by_key(|raw| raw.t_s.len())?;
+    stamps::longest_stretch(densest)
+}
+
+fn repair(raw: RawSeries, rows: Option<Range<usize>>, sampling: Sampling) -> Repaired {
+    let mut fates: Fates = vec![None; raw.t_s.len()];
+    stamps::judge(&raw, rows, &mut fates);
+    let mut repairs = Vec::new();
+    if sampling == Sampling::Regular {
+        repairs = findings::gaps_and_jitter(raw.sensor, &kept(&raw.t_s, &fates));
+    }
+    for channel in &raw.channels {
+        for (fate, value) in fates.iter_mut().zip(channel) {
+            if !value.is_finite() {
+                fate.get_or_insert(RepairKind::NotANumber);
+            }
+        }
+    }
+    saturation::judge(&raw, &mut fates);
+    repairs.extend(findings::left_out(&raw, &fates));
+    repairs.sort_by_key(|repair| repair.kind);
+    let channels = raw
+        .channels
+        .iter()
+        .map(|channel| kept(channel, &fates))
+        .collect();
+    Repaired {
+        t_s: kept(&raw.t_s, &fates),
+        channels,
+        repairs,
+    }
+}
+
+fn kept(values: &[f64], fates: &Fates) -> Vec<f64> {
+    values
+        .iter()
+        .zip(fates)
+        .filter(|(_, fate)| fate.is_none())
+        .map(|(value, _)| *value)
+        .collect()
+}
+
+/// A file that runs backwards as a whole is a mistake of whoever wrote it, not damage.
+fn refuse_reversed(raw: &RawSeries, file: &str) -> Result<()> {
+    let back = raw.t_s.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    if raw.t_s.len() < 2 || 2 * back < raw.t_s.len() {
+        return Ok(());
+    }
+    Err(Error::Malformed {
+        file: file.to_owned(),
+        line: None,
+        expected: "time that runs forwards".to_owned(),
+        found: format!(
+            "{back} of {} steps of the {} backwards",
+            raw.t_s.len() - 1,
+            raw.sensor.name()
+        ),
+    })
+}

@@ -1,0 +1,88 @@
+//! The `[[recorded]]` tables of `session.toml`.
+
+use super::domain::Domain;
+use super::keys::Table;
+use super::recorded::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
+use super::toml_read::NamedFile;
+use gyradius_base::error::Result;
+
+pub(crate) const RECORDED: &[&str] = &[
+    "file",
+    "origin_ns",
+    "phone",
+    "bias",
+    "sensors",
+    "notes",
+    "events",
+    "repairs",
+];
+const SENSOR: &[&str] = &["stream", "name", "full_scale"];
+const EVENT: &[&str] = &["t", "key"];
+const REPAIR: &[&str] = &["from", "to", "text"];
+
+pub(crate) fn recorded(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<Recorded> {
+    let named = table.require("file", "the recording that is meant")?;
+    let file = named.file_name()?;
+    files.push(NamedFile::new(&named, &file));
+    let mut recorded = Recorded {
+        file,
+        phone: table.text_or_empty("phone")?,
+        ..Recorded::default()
+    };
+    recorded.origin_ns = table
+        .require("origin_ns", "stamp of t = 0, ns of the phone's clock")?
+        .whole()?;
+    if let Some(bias) = table.get("bias") {
+        let file = bias.file_name()?;
+        files.push(NamedFile::new(&bias, &file));
+        recorded.bias = Some(file);
+    }
+    recorded.notes = table
+        .get("notes")
+        .map_or_else(|| Ok(Default::default()), |field| field.texts())?;
+    recorded.sensors = table
+        .tables("sensors", SENSOR)?
+        .iter()
+        .map(sensor)
+        .collect::<Result<_>>()?;
+    recorded.events = table
+        .tables("events", EVENT)?
+        .iter()
+        .map(event)
+        .collect::<Result<_>>()?;
+    recorded.repairs = table
+        .tables("repairs", REPAIR)?
+        .iter()
+        .map(repair)
+        .collect::<Result<_>>()?;
+    Ok(recorded)
+}
+
+fn sensor(table: &Table<'_>) -> Result<RecordedSensor> {
+    Ok(RecordedSensor {
+        stream: table
+            .require("stream", "what it measured")?
+            .text()?
+            .to_owned(),
+        name: table.text_or_empty("name")?,
+        full_scale: table.number("full_scale", Domain::FULL_SCALE)?,
+    })
+}
+
+fn event(table: &Table<'_>) -> Result<RecordedEvent> {
+    Ok(RecordedEvent {
+        t_s: table.require("t", "when, s")?.number(Domain::TIME)?,
+        key: table.require("key", "what it marks")?.text()?.to_owned(),
+    })
+}
+
+fn repair(table: &Table<'_>) -> Result<RecordedRepair> {
+    Ok(RecordedRepair {
+        from_s: table.number("from", Domain::TIME)?,
+        to_s: table.number("to", Domain::TIME)?,
+        text: table
+            .require("text", "what was found and what was done")?
+            .text()?
+            .to_owned(),
+    })
+}

@@ -1,0 +1,239 @@
+//! The `[[swing]]` tables of `session.toml`.
+
+use std::collections::BTreeMap;
+
+use super::domain::Domain;
+use super::keys::{Field, Table};
+use super::quantity::Quantity;
+use super::session::{
+    Excitation, ModeName, Orientation, Suspension, SuspensionKind, Swing, SwingData,
+};
+use super::toml_read::{NamedFile, added_mass};
+use gyradius_base::error::Result;
+
+/// Keys of a swing.
+pub const SWING: &[&str] = &[
+    "id",
+    "recording",
+    "displacement",
+    "at",
+    "periods",
+    "periods_s",
+    "amplitude_deg",
+    "excited",
+    "added_mass",
+    "suspension",
+];
+const SUSPENSION: &[&str] = &[
+    "kind",
+    "orientation",
+    "line_length",
+    "spacing",
+    "top_spacing",
+    "hull_pitch_deg",
+    "points_moved",
+    "axis_height",
+];
+const ADDED_MASS: &[&str] = &["mass", "position"];
+const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
+
+pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
+    ("bifilar", SuspensionKind::Bifilar),
+    ("compound", SuspensionKind::Compound),
+];
+pub(crate) const ORIENTATIONS: &[(&str, Orientation)] = &[
+    ("athwartships", Orientation::Athwartships),
+    ("fore_and_aft", Orientation::ForeAndAft),
+];
+pub(crate) const EXCITATIONS: &[(&str, Excitation)] = &[
+    ("yaw", Excitation::Yaw),
+    ("sway", Excitation::Sway),
+    ("surge", Excitation::Surge),
+    ("pitch", Excitation::Pitch),
+    ("roll", Excitation::Roll),
+];
+pub(crate) const MODES: &[(&str, ModeName)] = &[
+    ("yaw", ModeName::Yaw),
+    ("sway", ModeName::Sway),
+    ("pitch_in_phase", ModeName::PitchInPhase),
+    ("pitch_out_of_phase", ModeName::PitchOutOfPhase),
+    ("roll_in_phase", ModeName::RollInPhase),
+    ("roll_out_of_phase", ModeName::RollOutOfPhase),
+    ("compound", ModeName::Compound),
+    ("other", ModeName::Other),
+];
+
+/// One swing; `before` are those read so far, whose ids are taken.
+pub(crate) fn swing(
+    table: &Table<'_>,
+    before: &[Swing],
+    files: &mut Vec<NamedFile>,
+) -> Result<Swing> {
+    let id = id(table, before)?;
+    let data = data(table, files)?;
+    let amplitude_deg = amplitudes(table, &data)?;
+    let excited = table
+        .get("excited")
+        .map(|field| field.choices(EXCITATIONS))
+        .transpose()?;
+    let added = table.tables("added_mass", ADDED_MASS)?;
+    let suspension = table.require("suspension", "how it hung, as [swing.suspension]")?;
+    Ok(Swing {
+        id,
+        data,
+        excited: excited.unwrap_or_default(),
+        added_masses: added.iter().map(added_mass).collect::<Result<_>>()?,
+        amplitude_deg,
+        suspension: self::suspension(&suspension.table(SUSPENSION)?)?,
+    })
+}
+
+fn id(table: &Table<'_>, before: &[Swing]) -> Result<String> {
+    let field = table.require("id", "a name of its own")?;
+    let id = field.text()?;
+    if id.trim().is_empty() || id.chars().any(char::is_control) {
+        return Err(field.error(
+            format!("`{}` to be a name in one line", field.path),
+            format!("{id:?}"),
+        ));
+    }
+    if before.iter().any(|swing| swing.id == id) {
+        return Err(field.error(
+            format!("`{}` to be unlike all before it", field.path),
+            format!("{id:?} again"),
+        ));
+    }
+    Ok(id.into())
+}
+
+fn data(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<SwingData> {
+    let source = table.exactly_one(DATA)?;
+    if source.key != "displacement" {
+        table.refuse(&["at"], "it serves only beside `displacement`")?;
+    }
+    if source.key == "periods_s" {
+        return periods(&source).map(SwingData::PeriodsS);
+    }
+    let file = source.file_name()?;
+    files.push(NamedFile::new(&source, &file));
+    Ok(match source.key.as_str() {
+        "recording" => SwingData::Recording(file),
+        "periods" => SwingData::Periods(file),
+        _ => {
+            let at_m = table
+                .get("at")
+                .map(|field| field.vector(Domain::COORDINATE))
+                .transpose()?;
+            SwingData::Displacement { file, at_m }
+        }
+    })
+}
+
+fn periods(field: &Field<'_>) -> Result<BTreeMap<ModeName, Quantity>> {
+    let periods = field.by_name(MODES)?;
+    if periods.is_empty() {
+        return Err(field.error(format!("at least one period in `{}`", field.path), "none"));
+    }
+    periods
+        .iter()
+        .map(|(mode, value)| Ok((*mode, value.quantity(Domain::PERIOD)?)))
+        .collect()
+}
+
+/// Amplitudes belong to periods that a person or a gate wrote down; a recording shows its own.
+fn amplitudes(table: &Table<'_>, data: &SwingData) -> Result<BTreeMap<ModeName, f64>> {
+    let Some(field) = table.get("amplitude_deg") else {
+        return Ok(BTreeMap::new());
+    };
+    if matches!(
+        data,
+        SwingData::Recording(_) | SwingData::Displacement { .. }
+    ) {
+        table.refuse(
+            &["amplitude_deg"],
+            "it serves only beside `periods_s` or `periods`",
+        )?;
+    }
+    let mut amplitudes = BTreeMap::new();
+    for (mode, value) in field.by_name(MODES)? {
+        if matches!(data, SwingData::PeriodsS(periods) if !periods.contains_key(&mode)) {
+            return Err(value.error(
+                format!("a period of `{}` in `periods_s`", value.key),
+                "only its amplitude",
+            ));
+        }
+        amplitudes.insert(mode, value.number(Domain::AMPLITUDE)?);
+    }
+    Ok(amplitudes)
+}
+
+fn suspension(table: &Table<'_>) -> Result<Suspension> {
+    let kind = table
+        .require("kind", "bifilar or compound")?
+        .choice(KINDS)?;
+    match kind {
+        SuspensionKind::Bifilar => bifilar_keys(table)?,
+        SuspensionKind::Compound => compound_keys(table)?,
+    }
+    let orientation = table.require("orientation", "athwartships or fore_and_aft")?;
+    let suspension = Suspension {
+        kind,
+        orientation: orientation.choice(ORIENTATIONS)?,
+        line_length_m: table.quantity("line_length", Domain::LENGTH)?,
+        spacing_m: table.quantity("spacing", Domain::LENGTH)?,
+        top_spacing_m: table.quantity("top_spacing", Domain::LENGTH)?,
+        hull_pitch_deg: table.quantity("hull_pitch_deg", Domain::PITCH)?,
+        points_moved_m: table.quantity("points_moved", Domain::COORDINATE)?,
+        axis_height_m: table.quantity("axis_height", Domain::LENGTH)?,
+    };
+    refuse_lines_too_short(table, &suspension)?;
+    Ok(suspension)
+}
+
+fn bifilar_keys(table: &Table<'_>) -> Result<()> {
+    table.refuse(
+        &["axis_height"],
+        "a bifilar suspension has no fixed axis; that is kind = \"compound\"",
+    )?;
+    table.require("line_length", "length of the lines, m")?;
+    table
+        .require("spacing", "between the points on the hull, m")
+        .map(|_| ())
+}
+
+fn compound_keys(table: &Table<'_>) -> Result<()> {
+    let lines = ["line_length", "spacing", "top_spacing"];
+    table.refuse(
+        &lines,
+        "a compound suspension is described by `axis_height` alone",
+    )?;
+    table
+        .require(
+            "axis_height",
+            "height l0 of the swing axis above the suspension points, m",
+        )
+        .map(|_| ())
+}
+
+/// Lines that lean outwards by more than their length cannot hang.
+fn refuse_lines_too_short(table: &Table<'_>, suspension: &Suspension) -> Result<()> {
+    let (Some(length), Some(spacing), Some(top)) = (
+        suspension.line_length_m,
+        suspension.spacing_m,
+        suspension.top_spacing_m,
+    ) else {
+        return Ok(());
+    };
+    let lean = (top.value - spacing.value).abs() / 2.0;
+    if lean < length.value {
+        return Ok(());
+    }
+    let place = table.require("top_spacing", "between the points above, m")?;
+    Err(place.error(
+        format!(
+            "`{}` that lines of {} m can reach from `spacing` {} m",
+            place.path, length.value, spacing.value
+        ),
+        format!("{} m", top.value),
+    ))
+}

@@ -1,0 +1,10 @@
+//! Integration tests of `gyradius-recording`, in one program.
+
+#![allow(missing_docs)]
+
+mod import;
+mod recorder;
+mod recording_csv;
+mod session_format;
+mod session_properties;
+mod session_store;

@@ -1,0 +1,501 @@
+//! The session format: the contract's own example in full, and each bad input as a clear error.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use gyradius_base::Error;
+use gyradius_recording::{
+    Excitation, InclineAngle, ModeName, Orientation, Quantity, Session, SuspensionKind, SwingData,
+    read_session,
+};
+
+/// The example of the format's specification, word for word.
+const EXAMPLE: &str = include_str!("../fixtures/session-example.toml");
+
+/// The smallest session, to be spoilt.
+const SMALL: &str = r#"format = "gyradius-session/1"
+[body]
+mass = 10
+[[swing]]
+id = "a"
+recording = "a.csv"
+[swing.suspension]
+kind = "bifilar"
+orientation = "athwartships"
+line_length = 3.0
+spacing = 1.5
+"#;
+
+fn read(text: &str) -> Result<Session, Error> {
+    read_session(text, "session.toml")
+}
+
+/// The message of the error that a text must give.
+fn refused(text: &str) -> String {
+    match read(text) {
+        Err(error) => error.to_string(),
+        Ok(session) => panic!("read without an error: {session:?}\n{text}"),
+    }
+}
+
+fn assert_refused(text: &str, line: usize, parts: &[&str]) {
+    let message = refused(text);
+    let place = format!("session.toml, line {line}: ");
+    assert!(
+        message.starts_with(&place),
+        "{message:?} does not start with {place:?}"
+    );
+    for part in parts {
+        assert!(message.contains(part), "{message:?} lacks {part:?}");
+    }
+}
+
+#[test]
+fn the_example_of_the_specification_is_read_in_full() {
+    let session = read(EXAMPLE).unwrap();
+    assert_eq!(session.title, "Yngling 0042, boatyard");
+    assert_eq!(session.body.name, "Yngling 0042");
+    assert_eq!(session.body.mass_kg, Some(Quantity::new(622.7, 0.5)));
+    assert_eq!(session.body.length_overall_m, Some(6.35));
+    assert_eq!(session.body.density_kg_m3, Some(750.0));
+    assert_eq!(
+        session.site.gravity_m_s2,
+        Some(Quantity::new(9.80665, 5e-4))
+    );
+    assert_eq!(session.site.air_density_kg_m3, Some(1.20));
+    assert_eq!(
+        (session.site.latitude_deg, session.site.altitude_m),
+        (None, None)
+    );
+    let [beam] = &session.attachments[..] else {
+        panic!("one attachment")
+    };
+    assert_eq!(
+        (beam.name.as_str(), beam.mass_kg),
+        ("cross beam", Quantity::exact(12.0))
+    );
+    assert_eq!(
+        (beam.position_m, beam.gyradii_m),
+        ([0.05, 0.0, 0.02], [0.60, 0.05, 0.60])
+    );
+}
+
+#[test]
+fn the_swings_and_inclines_of_the_example_are_read_in_full() {
+    let session = read(EXAMPLE).unwrap();
+    let [first, second] = &session.swings[..] else {
+        panic!("two swings")
+    };
+    assert_eq!(
+        (first.id.as_str(), &first.data),
+        ("yaw-1", &SwingData::Recording("yaw-1.csv".into()))
+    );
+    assert_eq!(first.excited, [Excitation::Yaw, Excitation::Sway]);
+    assert_eq!(first.added_masses[0].mass_kg, Quantity::exact(1.2));
+    assert_eq!(first.added_masses[1].position_m, [-2.717, 0.0, 0.0]);
+    let hung = &first.suspension;
+    assert_eq!(
+        (hung.kind, hung.orientation),
+        (SuspensionKind::Bifilar, Orientation::Athwartships)
+    );
+    assert_eq!(hung.line_length_m, Some(Quantity::new(3.477, 0.006)));
+    assert_eq!(hung.spacing_m, Some(Quantity::new(1.8, 0.001)));
+    assert_eq!(hung.top_spacing_m, Some(Quantity::new(1.8, 0.002)));
+    assert_eq!(hung.hull_pitch_deg, Some(Quantity::new(0.0, 0.2)));
+    let periods = [
+        (ModeName::Yaw, Quantity::new(4.391, 0.004)),
+        (ModeName::Sway, Quantity::new(3.802, 0.004)),
+    ];
+    assert_eq!(second.data, SwingData::PeriodsS(periods.into()));
+    assert_eq!(second.amplitude_deg, [(ModeName::Yaw, 5.0)].into());
+    let [incline] = &session.inclines[..] else {
+        panic!("one incline")
+    };
+    assert_eq!(incline.depth_m, Quantity::new(0.03, 0.002));
+    assert_eq!(
+        incline.angle,
+        InclineAngle::Stated(Quantity::new(8.2, 0.05))
+    );
+}
+
+#[test]
+fn an_empty_file_a_missing_and_a_wrong_version_are_refused() {
+    assert_eq!(
+        refused(" \n"),
+        "session.toml: expected a text that starts with `format = \"gyradius-session/1\"`, found an empty file"
+    );
+    let without = SMALL.split_once('\n').unwrap().1;
+    assert!(
+        refused(without).contains("`format` (the format's name and version"),
+        "{}",
+        refused(without)
+    );
+    for version in [
+        "gyradius-session/2",
+        "gyradius-session/10",
+        "gyradius-session/1.",
+        "phyphox/1",
+        "",
+    ] {
+        let text = format!("# a comment\nformat = \"{version}\"\nnew_key = 1\n");
+        assert_refused(&text, 2, &["gyradius-session/1", version]);
+    }
+    assert!(read(&SMALL.replace("session/1", "session/1.3")).is_ok());
+}
+
+#[test]
+fn a_broken_toml_says_where() {
+    assert_refused(&SMALL.replace("mass = 10", "mass = = 10"), 3, &["TOML"]);
+    assert_refused(&SMALL.replace("[[swing]]", "[[swing]"), 4, &["TOML"]);
+    assert_refused(
+        &format!("{SMALL}spacing = 2\n"),
+        12,
+        &["TOML", "duplicate key"],
+    );
+}
+
+#[test]
+fn unknown_keys_name_the_key_and_the_nearest_known_one() {
+    let data = "recording = \"a.csv\"";
+    let cases = [
+        (
+            "mass = 10",
+            "maas = 10",
+            3,
+            "`body.maas`; the nearest known key is `mass`",
+        ),
+        (
+            "[[swing]]",
+            "[[swings]]",
+            4,
+            "`swings`; the nearest known key is `swing`",
+        ),
+        (
+            "line_length",
+            "line_lenght",
+            10,
+            "`swing[1].suspension.line_lenght`; the nearest known key is `line_length`",
+        ),
+        (
+            "3.0",
+            "{ value = 3, v = 1 }",
+            10,
+            "`swing[1].suspension.line_length.v`; the nearest known key is `u`",
+        ),
+        (
+            data,
+            "periods_s = { yav = 4.0 }",
+            6,
+            "`swing[1].periods_s.yav`; the nearest known key is `yaw`",
+        ),
+        (
+            data,
+            "periods_s = { \"x.yaw\" = 4.0 }",
+            6,
+            "`swing[1].periods_s.x.yaw`",
+        ),
+    ];
+    for (old, new, line, part) in cases {
+        let text = SMALL.replace(old, new).replace("[swings.", "[swing.");
+        assert!(
+            matches!(read(&text), Err(Error::UnknownKey { .. })),
+            "{new}: {:?}",
+            read(&text)
+        );
+        assert_refused(&text, line, &[part]);
+    }
+}
+
+#[test]
+fn numbers_outside_their_domain_are_refused() {
+    let data = "recording = \"a.csv\"";
+    let cases = [
+        (
+            "line_length = 3.0",
+            "line_length = -3.0",
+            10,
+            "`swing[1].suspension.line_length`",
+            "-3.0",
+        ),
+        (
+            "line_length = 3.0",
+            "line_length = nan",
+            10,
+            "`swing[1].suspension.line_length`",
+            "nan",
+        ),
+        (
+            "line_length = 3.0",
+            "line_length = \"3.0\"",
+            10,
+            "`swing[1].suspension.line_length`",
+            "\"3.0\" (string)",
+        ),
+        (
+            "line_length = 3.0",
+            "line_length = { value = 3, u = -1 }",
+            10,
+            "line_length.u`",
+            "-1",
+        ),
+        (
+            "line_length = 3.0",
+            "line_length = { u = 1 }",
+            10,
+            "line_length.value`",
+            "no key `value`",
+        ),
+        (
+            "line_length = 3.0",
+            "line_length = [3.0]",
+            10,
+            "line_length`",
+            "array",
+        ),
+        (
+            "spacing = 1.5",
+            "spacing = 0",
+            11,
+            "spacing`",
+            "0 (integer)",
+        ),
+        ("spacing = 1.5", "spacing = inf", 11, "spacing`", "inf"),
+        (
+            "spacing = 1.5",
+            "spacing = 1.5\ntop_spacing = 7.5",
+            12,
+            "top_spacing`",
+            "7.5",
+        ),
+        (
+            "spacing = 1.5",
+            "spacing = 1.5\nhull_pitch_deg = 91",
+            12,
+            "hull_pitch_deg`",
+            "91",
+        ),
+        ("mass = 10", "mass = 0.0", 3, "`body.mass`", "0.0"),
+        ("mass = 10", "density = -1", 3, "`body.density`", "-1"),
+        ("mass = 10", "density = 0.75", 3, "`body.density`", "0.75"),
+        (
+            "mass = 10",
+            "length_overall = true",
+            3,
+            "`body.length_overall`",
+            "true (boolean)",
+        ),
+        (
+            "mass = 10",
+            "[site]\nlatitude_deg = 90.5",
+            4,
+            "`site.latitude_deg`",
+            "90.5",
+        ),
+        (
+            "mass = 10",
+            "[site]\ngravity = 980.0",
+            4,
+            "`site.gravity`",
+            "980.0",
+        ),
+        (
+            "mass = 10",
+            "[site]\naltitude = 10",
+            4,
+            "`site.altitude`",
+            "latitude_deg",
+        ),
+        (
+            "mass = 10",
+            "[site]\ngravity = 9.8\nlatitude_deg = 50",
+            5,
+            "`site.latitude_deg`",
+            "gravity",
+        ),
+        (
+            "mass = 10",
+            "mass = 10\n[[attachment]]\nmass = 12\nposition = [0, 0, 0]",
+            3,
+            "`body.mass`",
+            "12",
+        ),
+        (
+            "mass = 10",
+            "[[attachment]]\nmass = 12\nposition = [0, 0]",
+            5,
+            "`attachment[1].position`",
+            "[0, 0]",
+        ),
+        (
+            "mass = 10",
+            "[[attachment]]\nmass = 12\nposition = [0, 0, inf]",
+            5,
+            "`attachment[1].position`",
+            "inf",
+        ),
+        (
+            data,
+            "periods_s = { yaw = 0 }",
+            6,
+            "`swing[1].periods_s.yaw`",
+            "0",
+        ),
+        (data, "periods_s = {}", 6, "`swing[1].periods_s`", "none"),
+    ];
+    for (old, new, line, key, found) in cases {
+        assert_refused(&SMALL.replace(old, new), line, &[key, found]);
+    }
+}
+
+#[test]
+fn swings_that_contradict_themselves_are_refused() {
+    let data = "recording = \"a.csv\"";
+    let cases = [
+        ("id = \"a\"", "id = \"\"", 5, "`swing[1].id`"),
+        ("id = \"a\"", "id = 7", 5, "`swing[1].id`"),
+        ("id = \"a\"\n", "", 4, "`swing[1].id`"),
+        (
+            data,
+            "excited = []",
+            4,
+            "exactly one of `recording`, `displacement`, `periods`, `periods_s`",
+        ),
+        (
+            data,
+            "recording = \"a.csv\"\nperiods = \"b.csv\"",
+            7,
+            "both `recording` and `periods`",
+        ),
+        (
+            data,
+            "recording = \"a.csv\"\nat = [1, 0, 0]",
+            7,
+            "`swing[1].at`",
+        ),
+        (
+            data,
+            "recording = \"a.csv\"\namplitude_deg = { yaw = 5 }",
+            7,
+            "`swing[1].amplitude_deg`",
+        ),
+        (
+            data,
+            "periods_s = { yaw = 4 }\namplitude_deg = { sway = 5 }",
+            7,
+            "a period of `sway`",
+        ),
+        (
+            data,
+            "recording = \"a.csv\"\nexcited = [\"yow\"]",
+            7,
+            "the nearest is `yaw`",
+        ),
+        (
+            data,
+            "recording = \"a.csv\"\nexcited = \"yaw\"",
+            7,
+            "`swing[1].excited`",
+        ),
+        (
+            data,
+            "recording = \"a.csv\"\nadded_mass = [3]",
+            7,
+            "`swing[1].added_mass`",
+        ),
+        ("\"bifilar\"", "\"bifiler\"", 8, "the nearest is `bifilar`"),
+        ("\"bifilar\"", "\"compound\"", 10, "`axis_height` alone"),
+        (
+            "\"bifilar\"",
+            "\"bifilar\"\naxis_height = 1",
+            9,
+            "no fixed axis",
+        ),
+        ("spacing = 1.5\n", "", 7, "`swing[1].suspension.spacing`"),
+        (
+            "orientation = \"athwartships\"\n",
+            "",
+            7,
+            "`swing[1].suspension.orientation`",
+        ),
+        ("[swing.suspension]", "[suspension]", 7, "`suspension`"),
+    ];
+    for (old, new, line, part) in cases {
+        assert_refused(&SMALL.replace(old, new), line, &[part]);
+    }
+    let twice = format!("{SMALL}{}", SMALL.split_once("10\n").unwrap().1);
+    assert_refused(&twice, 13, &["`swing[2].id`", "\"a\" again"]);
+}
+
+#[test]
+fn inclines_are_checked_and_suffice_without_a_swing() {
+    let good = "format = \"gyradius-session/1\"\n[body]\n[[incline]]\nend = \"bow\"\nmass = 1\narm = 0.8\n\
+                depth = -0.01\nangle_deg = 8\n";
+    assert_eq!(read(good).unwrap().inclines.len(), 1);
+    let cases = [
+        (
+            "angle_deg = 8",
+            "angle_deg = 0",
+            8,
+            "`incline[1].angle_deg`",
+        ),
+        (
+            "angle_deg = 8",
+            "angle_deg = 90",
+            8,
+            "`incline[1].angle_deg`",
+        ),
+        (
+            "angle_deg = 8",
+            "",
+            3,
+            "exactly one of `angle_deg`, `recording`",
+        ),
+        (
+            "angle_deg = 8",
+            "angle_deg = 8\nrecording = \"i.csv\"",
+            9,
+            "both `angle_deg` and `recording`",
+        ),
+        ("\"bow\"", "\"port\"", 4, "`bow`, `stern`"),
+        ("arm = 0.8", "arm = -0.8", 6, "`incline[1].arm`"),
+    ];
+    for (old, new, line, part) in cases {
+        assert_refused(&good.replace(old, new), line, &[part]);
+    }
+    let neither = "format = \"gyradius-session/1\"\n[body]\n";
+    assert!(refused(neither).contains("at least one [[swing]] or [[incline]]"));
+    assert!(refused("format = \"gyradius-session/1\"\n").contains("`body`"));
+}
+
+#[test]
+fn file_names_that_leave_the_session_are_refused() {
+    for name in [
+        "../a.csv",
+        "/etc/passwd",
+        "sub/../../a.csv",
+        "C:/a.csv",
+        "",
+        "sub/",
+    ] {
+        assert_refused(
+            &SMALL.replace("a.csv", name),
+            6,
+            &["`swing[1].recording`", "plain relative name"],
+        );
+    }
+    assert_refused(
+        &SMALL.replace("\"a.csv\"", "'sub\\a.csv'"),
+        6,
+        &["backslash"],
+    );
+}
+
+#[test]
+fn other_spellings_of_toml_read_the_same() {
+    let plain = read(SMALL).unwrap();
+    let dotted = r#"format = "gyradius-session/1"
+body.mass.value = 10
+swing = [ { id = "a", recording = "./a.csv", suspension = { kind = "bifilar", orientation = "athwartships", line_length.value = 3, spacing = 1.5 } } ]
+"#;
+    assert_eq!(read(dotted).unwrap(), plain);
+    assert_eq!(read(&SMALL.replace('\n', "\r\n")).unwrap(), plain);
+    assert_eq!(read(&format!("\u{feff}{SMALL}")).unwrap(), plain);
+}

@@ -1,0 +1,267 @@
+//! A report's source from an analysis: curves thinned, channels chosen, stated figures listed.
+
+use std::f64::consts::TAU;
+
+use super::source::{
+    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure,
+    Trace,
+};
+use super::thin::thinned;
+use super::words;
+use gyradius_identification::{Analysis, Evidence};
+use gyradius_recording::{InclineAngle, LoadedSession, Quantity, Session};
+use gyradius_signal::{ChannelGroup, residuals, spectrum};
+
+/// Cycles of the strongest mode in a close-up.
+const CLOSE_UP_CYCLES: f64 = 6.0;
+/// A close-up is shown where it is less than this share of the record.
+const CLOSE_UP_SHARE: f64 = 0.6;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl ReportSource {
+    /// Fills in everything that an analysis and its session tell; a criticism, and a date where the
+    /// session has none, are for the caller to add.
+    pub fn from_analysis(analysis: &Analysis, loaded: Option<&LoadedSession>) -> Self {
+        let session = loaded.map(|loaded| &loaded.session);
+        Self {
+            measurement: analysis.measurement.clone(),
+            criticism: None,
+            body: session.map(body).unwrap_or_default(),
+            stated: session.map(stated).unwrap_or_default(),
+            recordings: analysis.evidence.iter().flatten().map(recording).collect(),
+            measured_on: session
+                .map(|session| session.measured_on.clone())
+                .filter(|date| !date.is_empty()),
+            generated_by: concat!("gyradius ", env!("CARGO_PKG_VERSION")).into(),
+        }
+    }
+}
+
+fn body(session: &Session) -> BodyFacts {
+    let body = &session.body;
+    BodyFacts {
+        name: body.name.clone(),
+        mass_kg: body.mass_kg,
+        length_overall_m: body.length_overall_m,
+    }
+}
+
+/// Every stated figure, the same figure of several swings once.
+fn stated(session: &Session) -> Vec<StatedFigure> {
+    let mut list = Stated::default();
+    list.add("gravity", session.site.gravity_m_s2, "m/s²", None);
+    for swing in &session.swings {
+        let hung = &swing.suspension;
+        let id = Some(&*swing.id);
+        list.add("line length", hung.line_length_m, "m", id);
+        list.add("spacing on the hull", hung.spacing_m, "m", id);
+        list.add("spacing above", hung.top_spacing_m, "m", id);
+        list.add("height of the swing axis", hung.axis_height_m, "m", id);
+        list.add("hull pitch, bow up", hung.hull_pitch_deg, "°", id);
+        list.add(
+            "suspension points moved forward",
+            hung.points_moved_m,
+            "m",
+            id,
+        );
+        swing
+            .added_masses
+            .iter()
+            .for_each(|mass| list.add("added mass", Some(mass.mass_kg), "kg", id));
+    }
+    for attachment in &session.attachments {
+        list.add(
+            &format!("mass of {}", attachment.name),
+            Some(attachment.mass_kg),
+            "kg",
+            None,
+        );
+    }
+    for (i, incline) in session.inclines.iter().enumerate() {
+        let id = format!("incline {}", i + 1);
+        list.add("inclining weight", Some(incline.mass_kg), "kg", Some(&id));
+        list.add("its arm", Some(incline.arm_m), "m", Some(&id));
+        list.add("its depth", Some(incline.depth_m), "m", Some(&id));
+        if let InclineAngle::Stated(angle) = incline.angle {
+            list.add("incline angle", Some(angle), "°", Some(&id));
+        }
+    }
+    list.figures
+}
+
+#[derive(Default)]
+struct Stated {
+    figures: Vec<StatedFigure>,
+}
+
+impl Stated {
+    fn add(&mut self, what: &str, value: Option<Quantity>, unit: &str, id: Option<&str>) {
+        let Some(value) = value else { return };
+        let known = self
+            .figures
+            .iter_mut()
+            .find(|figure| figure.what == what && figure.value == value);
+        match (known, id) {
+            (Some(figure), Some(id)) => {
+                if figure.applies_to.last().is_none_or(|last| last != id) {
+                    figure.applies_to.push(id.into());
+                }
+            }
+            _ => self.figures.push(StatedFigure {
+                what: what.into(),
+                value,
+                unit: unit.into(),
+                applies_to: id.into_iter().map(String::from).collect(),
+            }),
+        }
+    }
+}
+
+/// One channel of a record with what the fit leaves of it.
+struct Channel<'a> {
+    evidence: &'a Evidence,
+    /// Counted through all groups.
+    index: usize,
+    t_s: &'a [f64],
+    measured: &'a [f64],
+    residual: &'a [f64],
+    label: String,
+    unit: &'static str,
+}
+
+fn recording(evidence: &Evidence) -> RecordingFigureData {
+    let left = residuals(&evidence.groups, &evidence.found);
+    let firsts: Vec<usize> =
+        if evidence.map.gyroscope.is_none() && evidence.map.accelerometer.is_none() {
+            vec![0]
+        } else {
+            [evidence.map.gyroscope, evidence.map.accelerometer]
+                .into_iter()
+                .flatten()
+                .collect()
+        };
+    let channels: Vec<Channel> = firsts
+        .into_iter()
+        .filter_map(|first| Channel::strongest(evidence, &left, first))
+        .collect();
+    RecordingFigureData {
+        id: evidence.id.clone(),
+        traces: channels.iter().map(Channel::trace).collect(),
+        spectrum: channels.first().map(Channel::spectrum),
+    }
+}
+
+impl<'a> Channel<'a> {
+    /// The channel of the sensor that starts at `first` in which the modes are strongest.
+    fn strongest(evidence: &'a Evidence, left: &'a [ChannelGroup], first: usize) -> Option<Self> {
+        let mut start = 0;
+        let group = evidence.groups.iter().position(|group| {
+            start += group.channels.len();
+            start > first
+        })?;
+        let in_group = &evidence.groups[group];
+        let first_of_group = start - in_group.channels.len();
+        let energy = |c: &usize| -> f64 {
+            evidence
+                .found
+                .modes
+                .iter()
+                .filter_map(|mode| mode.shape.get(*c))
+                .map(|a| a.norm_sqr())
+                .sum()
+        };
+        let index = (first..start).max_by(|a, b| energy(a).total_cmp(&energy(b)))?;
+        let (label, unit) = label(evidence, index);
+        Some(Self {
+            evidence,
+            index,
+            t_s: &in_group.t_s,
+            measured: &in_group.channels[index - first_of_group],
+            residual: left.get(group)?.channels.get(index - first_of_group)?,
+            label,
+            unit,
+        })
+    }
+
+    fn trace(&self) -> Trace {
+        let model: Vec<f64> = self
+            .measured
+            .iter()
+            .zip(self.residual)
+            .map(|(y, left)| y - left)
+            .collect();
+        let close_up = self.close_up_end().map(|end| {
+            let near = &self.t_s[..end];
+            [
+                thinned(near, &self.measured[..end]),
+                thinned(near, &model[..end]),
+            ]
+        });
+        Trace {
+            label: self.label.clone(),
+            unit: self.unit.into(),
+            measured: thinned(self.t_s, self.measured),
+            model: thinned(self.t_s, &model),
+            residual: thinned(self.t_s, self.residual),
+            noise: self.evidence.found.noise.get(self.index).copied(),
+            close_up,
+        }
+    }
+
+    /// Samples of a few cycles of the channel's strongest mode; none where the record is hardly
+    /// longer.
+    fn close_up_end(&self) -> Option<usize> {
+        let size = |mode: &gyradius_signal::FittedMode| {
+            mode.shape.get(self.index).map_or(0.0, |a| a.norm())
+        };
+        let strongest = self
+            .evidence
+            .found
+            .modes
+            .iter()
+            .max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let (first, last) = (self.t_s.first()?, self.t_s.last()?);
+        let length = CLOSE_UP_CYCLES * strongest.period_s();
+        (length < CLOSE_UP_SHARE * (last - first))
+            .then(|| self.t_s.partition_point(|t| t - first <= length))
+    }
+
+    fn spectrum(&self) -> SpectrumFigureData {
+        let curve = |y: &[f64]| {
+            let found = spectrum(&[ChannelGroup {
+                t_s: self.t_s.to_vec(),
+                channels: vec![y.to_vec()],
+            }]);
+            Curve {
+                x: found.freq_hz,
+                y: found.amplitude.into_iter().next().unwrap_or_default(),
+            }
+        };
+        let found = &self.evidence.found.modes;
+        let peaks = found
+            .iter()
+            .zip(&self.evidence.named)
+            .map(|(mode, named)| Peak {
+                freq_hz: mode.omega_rad_s / TAU,
+                name: words::mode_text(named.name).into(),
+            });
+        SpectrumFigureData {
+            label: self.label.clone(),
+            unit: self.unit.into(),
+            amplitude: curve(self.measured),
+            residual: Some(curve(self.residual)),
+            peaks: peaks.collect(),
+        }
+    }
+}
+
+fn label(evidence: &Evidence, index: usize) -> (String, &'static str) {
+    let axis = |first: Option<usize>| first.and_then(|first| AXES.get(index.checked_sub(first)?));
+    if let Some(axis) = axis(evidence.map.gyroscope) {
+        return (format!("turn rate about the phone's {axis}"), "rad/s");
+    }
+    match axis(evidence.map.accelerometer) {
+        Some(axis) => (format!("acceleration along the phone's {axis}"), "m/s²"),
+        None => ("displacement".into(), "m"),
+    }
+}

@@ -1,0 +1,5 @@
+//! Integration tests of `gyradius-report`, in one program.
+
+#![allow(missing_docs)]
+
+mod report;

@@ -1,0 +1,6 @@
+//! Integration tests of `gyradius-signal`, in one program.
+
+#![allow(missing_docs)]
+
+mod mode_count;
+mod periods;

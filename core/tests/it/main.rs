@@ -1,0 +1,5 @@
+//! Integration tests of `gyradius-core`, in one program.
+
+#![allow(missing_docs)]
+
+mod languages;
