@@ -13,10 +13,11 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test graph lint lint-python release-package bench gallery package test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
+	@echo "make check   after each change: formatting, lints, the core and the Python package; minutes"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
 	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its words and formatting"
@@ -29,8 +30,18 @@ help:
 	@echo "make peers   the same of sparse regression and least squares, on N=20 swings in yaw"
 	@echo "make bench   speed of the analysis, and its speed and precision beside other methods"
 
-demo: package
+demo: release-package
 	@$(BIN)/gyradius demo -o build/demo
+
+# What a developer runs after each change: the core and the Python package. Test programs that did not change since they
+# passed are left out; their draws are the same every time.
+check:
+	@rm -rf $(LOGS) && mkdir -p $(LOGS)
+	@$(STEP) fmt cargo fmt --all --check
+	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
+	@$(MAKE) --no-print-directory package
+	@$(STEP) rust tests/run-rust --changed $(CRATES)
+	@$(MAKE) --no-print-directory lint-python test-python
 
 # Lints first: they are quick, and they compile what the tests need.
 test:
@@ -47,12 +58,16 @@ test:
 lint: package
 	@$(STEP) fmt cargo fmt --all --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
+	@$(MAKE) --no-print-directory lint-python
+
+lint-python: package
 	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings ios
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
 
 test-rust:
-	@$(STEP) rust cargo test --no-fail-fast $(CRATES) -- --show-output
+	@$(STEP) rust tests/run-rust $(CRATES)
+	@$(STEP) doctest cargo test --doc $(CRATES)
 
 # The expected values themselves, computed anew at 30 digits by code that shares nothing with the core.
 test-vectors: blind-tools
@@ -121,21 +136,21 @@ test-hidden: package blind-tools
 	@$(STEP) hidden $(BIN)/python -m pytest -q -rA --strict-markers tests/hidden
 
 N ?= 200
-blind: package blind-tools
+blind: release-package blind-tools
 	@$(BIN)/python tests/blind/coverage.py --count $(N)
 
 # What the planner predicts against what is then measured, on fresh hulls.
 plan-check: N = 100
 plan-check:
-	GYRADIUS_PLAN_HULLS=$(N) cargo test -p gyradius-core --test plan what_is_predicted -- --nocapture
+	GYRADIUS_SEED=random GYRADIUS_PLAN_HULLS=$(N) cargo test -p gyradius-planning --test it what_is_predicted -- --nocapture
 
 # The critique on fresh sessions with hidden effects; writes tests/hidden/RESULTS.md.
-hidden: package blind-tools
+hidden: release-package blind-tools
 	$(BIN)/python tests/hidden/judge.py --count $(N) --report tests/hidden/RESULTS.md
 
 # Other methods beside it; what they need is installed here and nowhere else. Writes tests/hidden/PEERS.md.
 peers: N = 20
-peers: package blind-tools
+peers: release-package blind-tools
 	@$(BIN)/python -m pip --quiet install -r tests/hidden/peers-requirements.txt
 	$(BIN)/python -m pytest -q tests/hidden/test_peers.py
 	$(BIN)/python tests/hidden/peers.py --count $(N) --report tests/hidden/PEERS.md
@@ -143,17 +158,21 @@ peers: package blind-tools
 blind-tools: $(BIN)/maturin
 	@$(BIN)/python -m pip --quiet install -r tests/requirements.txt
 
+# Which crate uses which, in ARCHITECTURE.md.
+graph:
+	$(PYTHON) core/docs/graph.py
+
 doc:
 	@RUSTDOCFLAGS="-D warnings" $(STEP) doc cargo doc --no-deps $(CRATES)
 
 # The core's speed by criterion, then ours beside other methods' on one record, all called from Python.
-bench: package blind-tools
+bench: release-package blind-tools
 	CARGO_TARGET_DIR=$(CURDIR)/target cargo bench --manifest-path core/benches/Cargo.toml
 	$(BIN)/python tests/bench_peers.py
 	$(BIN)/python tests/bench_simulation.py
 
 # What each effect does to a swing: pictures and page in core/docs.
-gallery: package blind-tools
+gallery: release-package blind-tools
 	$(BIN)/python core/docs/gallery.py
 
 skips:
@@ -163,8 +182,12 @@ skips:
 report-shots: demo
 	$(BIN)/python tests/report_shots.py build/demo build/shots
 
-# The package, its native module in release, and what its tests need, in a virtual environment at the root.
+# The package and what its tests need, in a virtual environment at the root. Its native module is built in the profile of
+# the Rust tests, so that the core is compiled once; what is shown or timed takes the release build.
 package: $(BIN)/maturin
+	@VIRTUAL_ENV=$(VENV) PIP_QUIET=1 $(BIN)/maturin develop --quiet --profile dev --extras test -m python/Cargo.toml
+
+release-package: $(BIN)/maturin
 	@VIRTUAL_ENV=$(VENV) PIP_QUIET=1 $(BIN)/maturin develop --quiet --release --extras test -m python/Cargo.toml
 
 $(BIN)/maturin:

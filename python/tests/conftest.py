@@ -40,6 +40,14 @@ spacing = { value = 1.800, u = 0.001 }
 """
 
 
+def seed() -> int:
+    """The same in every run, unless ``GYRADIUS_SEED`` is ``random`` or a number."""
+    wanted = os.environ.get("GYRADIUS_SEED", "20140101")
+    drawn = time.time_ns() if wanted == "random" else int(wanted)
+    print("seed", drawn)
+    return drawn
+
+
 def run(*args: str | Path, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
     """The command as a user runs it: another process, no terminal."""
     command = [sys.executable, "-m", "gyradius", *map(str, args)]
@@ -60,7 +68,7 @@ def swing_csv(period_s: float = 2.0, seconds: float = 60.0, rate_hz: float = 50.
     """A phone on a hull that yaws: gyroscope about z, gravity on the accelerometer."""
     rows = ["t,gx,gy,gz,ax,ay,az"]
     # White noise as phones have it; a computed ripple would hold lines of its own, which are found.
-    noise = random.Random(time.time_ns()).gauss
+    noise = random.Random(seed()).gauss
     for i in range(int(seconds * rate_hz)):
         t = i / rate_hz
         gx, gy, gz, ax, ay, az = (noise(0.0, 1e-3) for _ in range(6))

@@ -1,6 +1,6 @@
 """What the simulation gets wrong: views, tables, command, report and pictures.
 
-The criticisms were written by hand with made-up numbers (`core/tests/report/critiques`); no engine takes part.
+The criticisms were written by hand with made-up numbers (`core/crates/report/tests/it/report/critiques`); no engine takes part.
 """
 
 from __future__ import annotations
@@ -11,13 +11,12 @@ import os
 import pty
 import signal
 import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, assert_refused, parsed, run, swing_csv
+from conftest import ROOT, assert_refused, parsed, run, seed, swing_csv
 from rich.console import Console
 from typer.testing import CliRunner
 
@@ -28,7 +27,7 @@ from gyradius.critique import view
 from gyradius.critique_tables import percent, show_critique, unit_text
 from gyradius.progress import counted
 
-CRITIQUES = ROOT / "core/tests/report/critiques"
+CRITIQUES = ROOT / "core/crates/report/tests/it/report/critiques"
 
 
 def text_of(name: str) -> str:
@@ -39,7 +38,7 @@ def traces() -> list[dict[str, object]]:
     """A decaying swing whose base simulation lacks a tenth of it at all times, and noise of 0.002."""
     t_s = np.arange(0.0, 60.0, 0.05)
     swing = 0.2 * np.exp(-t_s / 200.0) * np.cos(2 * np.pi * t_s / 4.0)
-    measured = swing + np.random.default_rng(time.time_ns()).normal(0.0, 0.002, t_s.size)
+    measured = swing + np.random.default_rng(seed()).normal(0.0, 0.002, t_s.size)
     arrays = {"t_s": t_s, "measured": measured, "base": 0.9 * swing, "extended": swing}
     columns = {name: array.tolist() for name, array in arrays.items()}
     return [

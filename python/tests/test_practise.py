@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import assert_refused, run
+from conftest import assert_refused, run, seed
 from rich.console import Console
 
 import gyradius
@@ -145,7 +145,7 @@ def test_a_recorders_file_is_read_and_imported(practised: tuple[Path, dict[str, 
 def test_the_live_estimator_follows_arrays() -> None:
     # A turn of 5 degrees with a period of 4 s, and noise of a phone.
     live, omega = gyradius.Live(wanted=1e-3), 2.0 * math.pi / 4.0
-    noise = np.random.default_rng()
+    noise = np.random.default_rng(seed())
     assert live.estimate["swing"] is None
     for start in range(0, 6000, 20):
         rows = np.arange(start, start + 20)

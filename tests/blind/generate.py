@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import secrets
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -686,6 +687,12 @@ def truth_of(seed, kind: str, hull: Hull, motions: list) -> dict:
 def fresh_seed() -> int:
     """A seed nobody chose."""
     return secrets.randbits(48)
+
+
+def test_seed() -> int:
+    """The seed of a test: the same in every run, unless ``GYRADIUS_SEED`` is ``random`` or a number."""
+    wanted = os.environ.get("GYRADIUS_SEED", "20140101")
+    return fresh_seed() if wanted == "random" else int(wanted)
 
 
 def generate(out: Path, seed: int, count: int, kinds: str = "".join(KINDS)) -> list[str]:

@@ -40,7 +40,7 @@ def made_up(rng, count: int, skill: float, honest: float = 1.0) -> list[judge.Ou
 
 def test_an_honest_program_passes_and_a_boastful_one_fails():
     """400 programs right in 98 of 100; 20 each that are right in 70, state half their uncertainty, or five times it."""
-    seed = blind.fresh_seed()
+    seed = blind.test_seed()
     print("seed", seed)
     rng = np.random.default_rng(seed)
     failures = sum(bool(judge.judge(made_up(rng, 20, 0.98))[1]) for _ in range(200))
@@ -53,7 +53,7 @@ def test_an_honest_program_passes_and_a_boastful_one_fails():
 
 def test_a_few_sessions_fail_what_is_wrong_in_each():
     """400 programs that just meet the rates on four sessions; one always wrong, one without an answer."""
-    seed = blind.fresh_seed()
+    seed = blind.test_seed()
     print("seed", seed)
     rng = np.random.default_rng(seed)
     truths = [made_up_truth(rng, sort) for sort in ("none", "one", "one", "outside")]

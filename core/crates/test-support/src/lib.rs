@@ -1,16 +1,31 @@
-//! What several test programs share.
-#![allow(dead_code)] // None of them uses all of it.
+//! What the tests of several crates share: seeds.
+//!
+//! Tests draw the same every time. `GYRADIUS_SEED=random` draws afresh, `GYRADIUS_SEED=<number>`
+//! repeats a draw.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use proptest::test_runner::{Config, RngSeed};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// A fresh seed, printed so that a failure can be repeated: `GYRADIUS_SEED=<seed> cargo test <name
-/// of the test>`.
+/// The seed of a test, printed so that a draw can be repeated: fixed by its name, or as
+/// `GYRADIUS_SEED` says.
 pub fn seed(what: &str) -> u64 {
-    let seed = std::env::var("GYRADIUS_SEED")
-        .map_or_else(|_| rand::random(), |text| text.parse().unwrap());
+    let seed = match std::env::var("GYRADIUS_SEED") {
+        Err(_) => fixed(what),
+        Ok(word) if word == "random" => rand::random(),
+        Ok(number) => number.parse().unwrap_or_else(|_| fixed(&number)),
+    };
     println!("{what}: seed {seed}");
     seed
+}
+
+/// The same number for the same name, in every run and on every machine.
+fn fixed(name: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    name.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// A generator from such a seed.
@@ -21,4 +36,14 @@ pub fn fresh(what: &str) -> ChaCha8Rng {
 /// One of a test that needs no name.
 pub fn rng() -> ChaCha8Rng {
     fresh("drawn")
+}
+
+/// A configuration of proptest from such a seed, with that many cases; failures are told, not kept.
+pub fn cases(count: u32) -> Config {
+    Config {
+        cases: count,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(seed("proptest")),
+        ..Config::default()
+    }
 }

@@ -21,6 +21,7 @@ use gyradius_recording::{
 };
 use gyradius_simulator::{RigFile, read_rig};
 use gyradius_test_support::{fresh, seed};
+use gyradius_test_support::cases;
 use proptest::prelude::*;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -873,7 +874,7 @@ fn any_event() -> impl Strategy<Value = Event> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(cases(48))]
 
     /// Any event at any time is a new state or a clear error that changes nothing, and the journal
     /// says the same.

@@ -9,6 +9,7 @@ use gyradius_recording::import::{
     import_files,
 };
 use gyradius_recording::{GateEvents, Recording, Repair, RepairKind, Sensor, Triad};
+use gyradius_test_support::cases;
 use proptest::prelude::*;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/import/");
@@ -575,7 +576,7 @@ fn the_light_gate_logs_give_every_edge() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+    #![proptest_config(cases(200))]
 
     #[test]
     fn damaged_exports_never_panic(

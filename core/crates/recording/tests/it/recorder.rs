@@ -18,6 +18,7 @@ use gyradius_recording::{
     Swing, SwingData, Triad, load_session, save_session,
 };
 use gyradius_test_support::fresh;
+use gyradius_test_support::cases;
 use proptest::prelude::*;
 use rand::{Rng, RngExt};
 
@@ -560,7 +561,7 @@ fn batches() -> impl Strategy<Value = Vec<(usize, Bits)>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(cases(64))]
 
     /// Any stamps and any bits, NaNs with their payloads among them.
     #[test]

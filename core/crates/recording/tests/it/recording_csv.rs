@@ -8,6 +8,7 @@ use gyradius_recording::{
     Recording, Repair, RepairKind, Sensor, Triad, read_period_list, read_recording, read_track,
     write_recording,
 };
+use gyradius_test_support::cases;
 use proptest::prelude::*;
 
 fn read(text: &str) -> Recording {
@@ -369,7 +370,7 @@ fn kept_and_left_out(recording: &Recording, sensor: Sensor, triad: &Option<Triad
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(256) })]
+    #![proptest_config(cases(256))]
 
     #[test]
     fn what_is_written_reads_back_to_the_same_bits(

@@ -12,6 +12,7 @@ use gyradius_recording::{
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option::of;
+use gyradius_test_support::cases;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
@@ -248,6 +249,8 @@ fn files_named(session: &Session) -> Vec<String> {
 }
 
 proptest! {
+    #![proptest_config(cases(256))]
+
     #[test]
     fn a_written_session_reads_back_equal(session in session()) {
         let text = write_session(&session);

@@ -6,6 +6,7 @@ use gyradius_mechanics::Draws;
 use gyradius_recording::{Overwrite, load_session, read_session, write_session};
 use gyradius_simulator::{RigFile, practise, read_rig, save_practised};
 use gyradius_test_support::seed;
+use gyradius_test_support::cases;
 use proptest::prelude::*;
 
 const SHIPPED: &str = include_str!("../../../../../python/gyradius/rigs/keelboat.toml");
@@ -190,6 +191,8 @@ fn the_shipped_rig_reads_and_its_session_reads_back() {
 }
 
 proptest! {
+    #![proptest_config(cases(256))]
+
     /// Any text is refused or read, never a panic: the shipped rig with pieces of it cut out,
     /// doubled or replaced.
     #[test]
