@@ -200,7 +200,7 @@ def page() -> str:
         "a sway of 0.35 m; a light linear damping lets the amplitude pass from there to a third. Left: the swing less",
         "that of the same hull without the effect. Middle and right: period and logarithmic decrement of each swing",
         "against its amplitude; the broad grey line is without the effect. The equations, their sources and the meaning of",
-        "the numbers stand in `../src/dynamics/effects/` and `../src/dynamics/sensors/`. Made by `make gallery`.",
+        "the numbers stand in `../crates/mechanics/src/effects/` and `../crates/mechanics/src/sensors/`. Made by `make gallery`.",
     ]
     for effect, numbers, start, text in HULL:
         kind = "yaw" if start is YAW else "sway"

@@ -114,7 +114,7 @@ def practice(folder: Path) -> None:
 
 def imports(folder: Path) -> None:
     """An export of a phone and a recorder's file that was cut, in one session."""
-    export = ROOT / "core" / "tests" / "fixtures" / "import" / "phyphox-android.zip"
+    export = ROOT / "core/crates/recording/tests/fixtures" / "import" / "phyphox-android.zip"
     cut = folder / "cut.gyr"
     cut.write_bytes(sorted((folder / "practice" / "takes").glob("*.gyr"))[0].read_bytes()[:100_000])
     sizes = {"line_length": (3.477, 0.003), "spacing": (1.8, 0.001), "mass": (622.7, 0.5)}

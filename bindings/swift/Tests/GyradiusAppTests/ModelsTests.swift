@@ -86,7 +86,7 @@ import Testing
   }
 
   @Test func aResultIsMeasuredJudgedAndReported() async throws {
-    let critique = root.appending(path: "core/tests/report/critiques/ambiguous.json")
+    let critique = root.appending(path: "core/crates/report/tests/it/report/critiques/ambiguous.json")
     let kept = try sessions.store.create(title: "keelboat", limits: ["k_yaw_m>=1.000"])
     try FileManager.default.copyItem(at: critique, to: kept.appending(path: "critique.json"))
     let measurable = Measurable(

@@ -97,7 +97,7 @@ import Testing
   }
 
   @Test func anImport() throws {
-    let phyphox = root.appending(path: "core/tests/fixtures/import/phyphox-android.zip")
+    let phyphox = root.appending(path: "core/crates/recording/tests/fixtures/import/phyphox-android.zip")
     let imported = folder.url.appending(path: "imported")
     let notes = try importRecordings(
       files: [phyphox.path, Shared.python("cut.gyr").path],

@@ -53,7 +53,7 @@ import Testing
   }
 
   @Test func aCriticismThatWasKeptHeadsTheReport() async throws {
-    let kept = root.appending(path: "core/tests/report/critiques/ambiguous.json")
+    let kept = root.appending(path: "core/crates/report/tests/it/report/critiques/ambiguous.json")
     let criticism = try Criticism.fromJson(text: String(contentsOf: kept, encoding: .utf8))
     #expect(criticism.result().verdict.status == "ambiguous")
     #expect(try #require(criticism.result().verdict.nextSwing).lineLengthM > 0)

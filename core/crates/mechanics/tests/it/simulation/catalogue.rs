@@ -106,12 +106,12 @@ fn sources(folder: &Path, out: &mut Vec<(PathBuf, String)>) {
 
 #[test]
 fn an_effect_is_named_in_its_own_file_alone() {
-    // Whoever adds one touches that file and the registry of its room.
-    let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    // Whoever adds one touches that file and the registry of its crate.
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut files = Vec::new();
-    ["dynamics", "practice"]
+    ["mechanics", "simulator"]
         .iter()
-        .for_each(|room| sources(&core.join(room), &mut files));
+        .for_each(|name| sources(&crates.join(name).join("src"), &mut files));
     for kind in catalogue().into_iter().chain(sensors::catalogue()) {
         let quoted = format!("\"{}\"", kind.id);
         let telling = |text: &str| {

@@ -116,7 +116,7 @@ class PythonTest {
     @Test
     fun `an import`() {
         val notes = Shared.json(Shared.python("import-notes.json")).jsonArray.map { it.jsonPrimitive.content }
-        val files = listOf(File(Shared.root, "core/tests/fixtures/import/phyphox-android.zip"), Shared.python("cut.gyr"))
+        val files = listOf(File(Shared.root, "core/crates/recording/tests/fixtures/import/phyphox-android.zip"), Shared.python("cut.gyr"))
         val imported = File(folder, "imported")
         assertEquals(notes, importRecordings(files.map { it.path }, imported.path, request(), Overwrite.REFUSE))
         val python = Shared.python("imported").listFiles()!!.sortedBy { it.name }

@@ -48,7 +48,7 @@ class ResultsTest {
 
     @Test
     fun `a criticism that was kept heads the report`() = runBlocking {
-        val kept = File(Shared.root, "core/tests/report/critiques/ambiguous.json").readText()
+        val kept = File(Shared.root, "core/crates/report/tests/it/report/critiques/ambiguous.json").readText()
         val criticism = Criticism.fromJson(kept)
         val verdict = criticism.result().verdict
         assertEquals("ambiguous", verdict.status)
