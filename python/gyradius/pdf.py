@@ -1,7 +1,8 @@
 """The report on paper: the HTML report's text, tables and drawings, laid out as PDF.
 
 Only what the report uses is understood: headings, paragraphs, lists, tables, figures and inline SVG. What is hidden
-behind a click on a screen (``details``) is open on paper; scripts and styles are left out.
+behind a click on a screen (``details``) is open on paper; scripts and styles are left out. The core's report is
+well-formed XML: the standard library parses it.
 """
 
 from __future__ import annotations
@@ -11,10 +12,10 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 from xml.sax.saxutils import escape
 
-from lxml import etree
-from lxml import html as lxml_html
 from reportlab.lib import colors
 from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle, getSampleStyleSheet
@@ -22,10 +23,13 @@ from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.platypus import Flowable, KeepTogether, Paragraph, SimpleDocTemplate, Spacer, Table, TableStyle
-from svglib.svglib import register_font, svg2rlg
+
+from .drawings import NAMESPACE, drawn
 
 MARGIN = 18 * mm
 WIDTH, HEIGHT = A4[0] - 2 * MARGIN, A4[1] - 2 * MARGIN
+# A unit of the drawings is a pixel of CSS, 1/96 inch, in points.
+PIXEL = 0.75
 # The standard fonts of PDF have no Greek letters, no ± in all encodings, no arrows: matplotlib brings one that has.
 FONT = "DejaVuSans"
 BOLD = "DejaVuSans-Bold"
@@ -74,9 +78,10 @@ GRID = TableStyle(
 def write_pdf(html: str, output: Path) -> None:
     """Lay the report out as PDF."""
     _register_fonts()
-    page = lxml_html.document_fromstring(html)
-    title = page.findtext(".//title") or "gyradius"
-    story = list(_flowables(page.body, _variables(html)))
+    # HTML may have two characters that XML may not.
+    page = ElementTree.fromstring(re.sub("[\ufffe\uffff]", "\ufffd", html))
+    title = page.findtext("head/title") or "gyradius"
+    story = [flowable for body in page.iter("body") for flowable in _walk(body, _styles())]
     buffer = io.BytesIO()
     margins = {f"{side}Margin": MARGIN for side in ("left", "right", "top", "bottom")}
     SimpleDocTemplate(buffer, pagesize=A4, title=title, **margins).build(story, onLaterPages=_number)
@@ -90,8 +95,6 @@ def _register_fonts() -> None:
     for name in (FONT, BOLD):
         if name not in pdfmetrics.getRegisteredFontNames():
             pdfmetrics.registerFont(TTFont(name, str(folder / f"{name}.ttf")))
-    # A font that svglib does not know it registers anew at the first drawing, and all that is bold after it is lost.
-    register_font(FONT, str(folder / f"{FONT}.ttf"))
     pdfmetrics.registerFontFamily(FONT, normal=FONT, bold=BOLD, italic=FONT, boldItalic=BOLD)
 
 
@@ -117,12 +120,7 @@ def _styles() -> dict[str, ParagraphStyle]:
     return styles
 
 
-def _flowables(node: Any, variables: dict[str, str]) -> Iterator[Flowable]:
-    styles = _styles()
-    yield from _walk(node, styles, variables)
-
-
-def _walk(node: Any, styles: dict[str, ParagraphStyle], variables: dict[str, str]) -> Iterator[Flowable]:
+def _walk(node: Element, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
     """Flowables of a block: runs of text and inline elements become paragraphs, blocks are entered."""
     run = [escape(node.text or "")]
     for child in node:
@@ -131,29 +129,29 @@ def _walk(node: Any, styles: dict[str, ParagraphStyle], variables: dict[str, str
         else:
             yield from _paragraph("".join(run), _style_of(node, styles))
             run = []
-            yield from _block(child, styles, variables)
+            yield from _block(child, styles)
         run.append(escape(child.tail or ""))
     yield from _paragraph("".join(run), _style_of(node, styles))
 
 
-def _block(node: Any, styles: dict[str, ParagraphStyle], variables: dict[str, str]) -> Iterator[Flowable]:
-    if not isinstance(node.tag, str) or node.tag in SKIPPED:
+def _block(node: Element, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
+    if node.tag in SKIPPED:
         return
-    if node.tag == "svg":
-        yield from _drawing(node, variables)
+    if node.tag.removeprefix(NAMESPACE) == "svg":
+        yield from _drawing(node)
     elif node.tag == "table":
         yield from _table(node, styles)
     elif node.tag == "figure":
-        yield KeepTogether(list(_walk(node, styles, variables)))
+        yield KeepTogether(list(_walk(node, styles)))
     elif node.tag == "li":
         yield from _paragraph("• " + _inner(node), styles["p"])
     elif node.tag == "hr":
         yield Spacer(1, 3 * mm)
     else:
-        yield from _walk(node, styles, variables)
+        yield from _walk(node, styles)
 
 
-def _style_of(node: Any, styles: dict[str, ParagraphStyle]) -> ParagraphStyle:
+def _style_of(node: Element, styles: dict[str, ParagraphStyle]) -> ParagraphStyle:
     return styles.get(node.tag, styles["p"])
 
 
@@ -163,11 +161,11 @@ def _paragraph(text: str, style: ParagraphStyle) -> Iterator[Flowable]:
         yield Paragraph(text, style)
 
 
-def _is_inline(node: Any) -> bool:
-    return isinstance(node.tag, str) and node.tag in INLINE
+def _is_inline(node: Element) -> bool:
+    return node.tag in INLINE
 
 
-def _markup(node: Any) -> str:
+def _markup(node: Element) -> str:
     """The markup that a paragraph of reportlab understands."""
     if node.tag == "br":
         return "<br/>"
@@ -175,16 +173,16 @@ def _markup(node: Any) -> str:
     return f"<{kept}>{_inner(node)}</{kept}>" if kept else _inner(node)
 
 
-def _inner(node: Any) -> str:
+def _inner(node: Element) -> str:
     parts = [escape(node.text or "")]
     for child in node:
-        if isinstance(child.tag, str) and child.tag not in SKIPPED:
+        if child.tag not in SKIPPED:
             parts.append(_markup(child))
         parts.append(escape(child.tail or ""))
     return "".join(parts)
 
 
-def _table(node: Any, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
+def _table(node: Element, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
     caption = node.find("caption")
     if caption is not None:
         yield from _paragraph(_inner(caption), styles["caption"])
@@ -202,12 +200,12 @@ def _table(node: Any, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
     yield Spacer(1, 3 * mm)
 
 
-def _cell(cell: Any, styles: dict[str, ParagraphStyle]) -> Flowable:
+def _cell(cell: Element, styles: dict[str, ParagraphStyle]) -> Flowable:
     text = re.sub(r"\s+", " ", _inner(cell)).strip()
     return Paragraph(f"<b>{text}</b>" if cell.tag == "th" else text, styles["cell"])
 
 
-def _widths(node: Any, columns: int) -> list[float]:
+def _widths(node: Element, columns: int) -> list[float]:
     """Columns as wide as their longest text asks, within the page."""
     longest = [1.0] * columns
     for row in node.iter("tr"):
@@ -219,43 +217,10 @@ def _widths(node: Any, columns: int) -> list[float]:
     return [WIDTH * length / sum(longest) for length in longest]
 
 
-def _drawing(node: Any, variables: dict[str, str]) -> Iterator[Flowable]:
-    node.tail = None
-    source = _resolved(etree.tostring(_as_svg(node), encoding="unicode"), variables)
-    drawing = svg2rlg(io.BytesIO(source.encode()))
-    if drawing is None or not drawing.width:
-        return
+def _drawing(node: Element) -> Iterator[Flowable]:
+    drawing = drawn(node, FONT)
     # Half a page at most, so that picture and caption stay together; never larger than drawn: one size of type.
-    scale = min(WIDTH / drawing.width, HEIGHT / 2 / drawing.height, 1.0)
+    scale = min(WIDTH / drawing.width, HEIGHT / 2 / drawing.height, PIXEL)
     drawing.scale(scale, scale)
     drawing.width, drawing.height = drawing.width * scale, drawing.height * scale
     yield drawing
-
-
-def _as_svg(node: Any) -> Any:
-    """Inline SVG as XML: the namespace and the case of names that HTML's parser loses."""
-    svg = etree.fromstring(etree.tostring(node))
-    if "viewbox" in svg.attrib:
-        svg.attrib["viewBox"] = svg.attrib.pop("viewbox")
-    if "viewBox" in svg.attrib and not str(svg.get("width", "%")).replace(".", "").isdigit():
-        _, _, width, height = re.split(r"[\s,]+", svg.attrib["viewBox"].strip())
-        svg.attrib["width"], svg.attrib["height"] = width, height
-    if svg.nsmap.get(None) is None:
-        svg.attrib["xmlns"] = "http://www.w3.org/2000/svg"
-    return svg
-
-
-def _variables(html: str) -> dict[str, str]:
-    """The style sheet's variables, first definition (the light theme) first."""
-    found: dict[str, str] = {}
-    for name, value in re.findall(r"(--[\w-]+)\s*:\s*([^;}]+)", html):
-        found.setdefault(name, value.strip())
-    return found
-
-
-def _resolved(text: str, variables: dict[str, str]) -> str:
-    """Style variables replaced by their values, which drawings on paper cannot look up, and every font by the embedded
-    one: the standard fonts of PDF lack half of the signs."""
-    text = re.sub(r"var\((--[\w-]+)[^)]*\)", lambda found: variables.get(found[1], "black"), text)
-    text = re.sub(r"""font-family=("[^"]*"|'[^']*')""", f'font-family="{FONT}"', text)
-    return re.sub(r"font-family:[^;\"]*", f"font-family:{FONT}", text)
