@@ -19,7 +19,7 @@ help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
 	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
-	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its words and formatting"
+	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its texts and formatting"
 	@echo "make test-targets  the library for iPhones (built) and Android (checked), no SDK needed"
 	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
@@ -47,7 +47,7 @@ test:
 lint: package
 	@$(STEP) fmt cargo fmt --all --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
-	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings ios
+	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings android ios
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
 
@@ -90,9 +90,9 @@ test-kotlin: generated faces
 test-swift: generated faces
 	@$(STEP) swift bindings/swift/run-tests $(BIN)/python
 
-# The iOS app: words, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
+# The iOS app: texts, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
 test-ios:
-	@$(STEP) ios ios/check
+	@$(STEP) ios ios/offline/check
 
 # The library for iPhones, built but never linked, and its code checked for Android. Debian's Rust is unpacked into the user's cache
 # at the first time: a quarter of a gigabyte to fetch.
@@ -101,11 +101,11 @@ test-targets:
 
 # The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
 test-android: bindings
-	@$(STEP) android android/run-tests test
+	@$(STEP) android android/offline/run test
 
 # Pictures of its screens in build/android/shots.
 screenshots: bindings
-	@$(STEP) screenshots android/run-tests shots
+	@$(STEP) screenshots android/offline/run shots
 
 generate: bindings
 	rm -rf bindings/kotlin/src/main/kotlin-generated bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated

@@ -1,4 +1,4 @@
-"""The app without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…] | apk.
+"""The offline build, without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…] | apk.
 
 The same sources, resources, manifest and version catalog as Android Studio's; the frameworks are Robolectric's. What it makes is
 in `build/android`, what it fetches in `~/.cache/gyradius-android`.
