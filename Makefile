@@ -13,7 +13,7 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo test lint bench gallery package test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo test lint bench gallery package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -37,6 +37,7 @@ test:
 	@rm -rf $(LOGS) && mkdir -p $(LOGS)
 	@$(MAKE) --no-print-directory lint
 	@$(MAKE) --no-print-directory doc
+	@$(MAKE) --no-print-directory test-cached
 	@$(MAKE) --no-print-directory test-rust
 	@$(MAKE) --no-print-directory test-vectors
 	@tests/side-by-side test-targets test-faces
@@ -50,6 +51,10 @@ lint: package
 	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings android ios
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
+
+# The cache that says whether the apps and the builds for phones are to be compiled again.
+test-cached: package
+	@$(STEP) cached $(BIN)/python -m pytest -q tests/test_cached.py
 
 test-rust:
 	@$(STEP) rust cargo test --no-fail-fast $(CRATES) -- --show-output
@@ -95,7 +100,7 @@ test-ios:
 	@$(STEP) ios ios/offline/check
 
 # The library for iPhones, built but never linked, and its code checked for Android. Debian's Rust is unpacked into the user's cache
-# at the first time: a quarter of a gigabyte to fetch.
+# at the first time: a quarter of a gigabyte to fetch. Compiled only where something changed (tests/cached.py), as the apps are.
 test-targets:
 	@$(STEP) targets bindings/check-targets
 
