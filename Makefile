@@ -18,7 +18,7 @@ CRATES := --workspace --exclude gyradius-python
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make test    everything that must hold; says at the end what was skipped"
-	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
+	@echo "make generate  the generated Swift anew, after a change of bindings/ffi"
 	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its texts and formatting"
 	@echo "make test-targets  the library for iPhones (built) and Android (checked), no SDK needed"
 	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
@@ -78,7 +78,7 @@ test-python: package
 bindings:
 	@cargo build --quiet $(CRATES) --all-targets
 
-# The Kotlin and the Swift that are committed are what the facade gives.
+# The Swift that is committed is what the facade gives.
 generated: bindings
 	@$(STEP) generated bindings/check-generated
 
@@ -88,7 +88,7 @@ faces: package bindings
 	@$(STEP) faces-rust tests/faces/check-rust build/faces
 
 # Kotlin's tests on the JVM, the shared vectors bit by bit as Python's.
-test-kotlin: generated faces
+test-kotlin: faces
 	@$(STEP) kotlin bindings/kotlin/run-tests $(BIN)/python
 
 # The same of Swift. Debian's Swift 6 is unpacked into the user's cache at the first time: half a gigabyte to fetch.
@@ -113,8 +113,7 @@ screenshots: bindings
 	@$(STEP) screenshots android/offline/run shots
 
 generate: bindings
-	rm -rf bindings/kotlin/src/main/kotlin-generated bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated
-	bindings/generate kotlin bindings/kotlin/src/main/kotlin-generated
+	rm -rf bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated
 	bindings/generate swift bindings/swift/Sources
 
 # Sessions drawn afresh by a generator that shares nothing with the analysis, its witness MuJoCo, and the sessions that ship.

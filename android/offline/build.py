@@ -31,7 +31,7 @@ OUT = ROOT / "build" / "android"
 PACKAGE = "org.gyradius.app"
 # Of `prebuilt/linux/aapt2` in the pinned version of apktool-lib.
 AAPT2_SHA256 = "df312db814c018019b2b79a993b041b738d7b76f4a8f28da25bc874a026368cc"
-GENERATED = ROOT / "bindings/kotlin/src/main/kotlin-generated"
+GENERATED = OUT / "generated"
 FACE = [ROOT / "bindings/kotlin/src/main/kotlin", GENERATED]
 MAIN = [ANDROID / "app/src/main/kotlin"]
 TESTS = [ANDROID / "app/src/test/kotlin"]
@@ -90,6 +90,8 @@ class Build:
         """Resources, R classes, the app and its tests."""
         OUT.mkdir(parents=True, exist_ok=True)
         self._resources()
+        # UniFFI's part of the Kotlin package.
+        run(["bindings/generate", "kotlin", str(GENERATED)])
         # By itself: it seldom changes, and is most of what there is to compile.
         face, app, tests = OUT / "face-classes", OUT / "classes", OUT / "test-classes"
         self._kotlinc("facade", FACE, face, [*self.app_jars, self.framework])
