@@ -13,14 +13,14 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo check test graph lint lint-python release-package bench gallery package test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test graph lint lint-python release-package bench gallery package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
 	@echo "make check   after each change: formatting, lints, the core and the Python package; minutes"
 	@echo "make test    everything that must hold; says at the end what was skipped"
-	@echo "make generate  the generated Kotlin and Swift anew, after a change of bindings/ffi"
-	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its words and formatting"
+	@echo "make generate  the generated Swift anew, after a change of bindings/ffi"
+	@echo "make test-ios    the iOS app's types against stubs of Apple's frameworks, its texts and formatting"
 	@echo "make test-targets  the library for iPhones (built) and Android (checked), no SDK needed"
 	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
@@ -48,6 +48,7 @@ test:
 	@rm -rf $(LOGS) && mkdir -p $(LOGS)
 	@$(MAKE) --no-print-directory lint
 	@$(MAKE) --no-print-directory doc
+	@$(MAKE) --no-print-directory test-cached
 	@$(MAKE) --no-print-directory test-rust
 	@$(MAKE) --no-print-directory test-vectors
 	@tests/side-by-side test-targets test-faces
@@ -61,9 +62,13 @@ lint: package
 	@$(MAKE) --no-print-directory lint-python
 
 lint-python: package
-	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings ios
+	@$(STEP) ruff-check $(BIN)/ruff check python tests bindings android ios
 	@$(STEP) ruff-format $(BIN)/ruff format --check python
 	@$(STEP) mypy $(BIN)/mypy --config-file python/pyproject.toml python/gyradius
+
+# The cache that says whether the apps and the builds for phones are to be compiled again.
+test-cached: package
+	@$(STEP) cached $(BIN)/python -m pytest -q tests/test_cached.py
 
 test-rust:
 	@$(STEP) rust tests/run-rust $(CRATES)
@@ -88,7 +93,7 @@ test-python: package
 bindings:
 	@cargo build --quiet $(CRATES) --all-targets
 
-# The Kotlin and the Swift that are committed are what the facade gives.
+# The Swift that is committed is what the facade gives.
 generated: bindings
 	@$(STEP) generated bindings/check-generated
 
@@ -98,33 +103,32 @@ faces: package bindings
 	@$(STEP) faces-rust tests/faces/check-rust build/faces
 
 # Kotlin's tests on the JVM, the shared vectors bit by bit as Python's.
-test-kotlin: generated faces
+test-kotlin: faces
 	@$(STEP) kotlin bindings/kotlin/run-tests $(BIN)/python
 
 # The same of Swift. Debian's Swift 6 is unpacked into the user's cache at the first time: half a gigabyte to fetch.
 test-swift: generated faces
 	@$(STEP) swift bindings/swift/run-tests $(BIN)/python
 
-# The iOS app: words, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
+# The iOS app: texts, plists, formatting, and its names and types against stubs of Apple's frameworks (ios/README.md).
 test-ios:
-	@$(STEP) ios ios/check
+	@$(STEP) ios ios/offline/check
 
 # The library for iPhones, built but never linked, and its code checked for Android. Debian's Rust is unpacked into the user's cache
-# at the first time: a quarter of a gigabyte to fetch.
+# at the first time: a quarter of a gigabyte to fetch. Compiled only where something changed (tests/cached.py), as the apps are.
 test-targets:
 	@$(STEP) targets bindings/check-targets
 
 # The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
 test-android: bindings
-	@$(STEP) android android/run-tests test
+	@$(STEP) android android/offline/run test
 
 # Pictures of its screens in build/android/shots.
 screenshots: bindings
-	@$(STEP) screenshots android/run-tests shots
+	@$(STEP) screenshots android/offline/run shots
 
 generate: bindings
-	rm -rf bindings/kotlin/src/main/kotlin-generated bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated
-	bindings/generate kotlin bindings/kotlin/src/main/kotlin-generated
+	rm -rf bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated
 	bindings/generate swift bindings/swift/Sources
 
 # Sessions drawn afresh by a generator that shares nothing with the analysis, its witness MuJoCo, and the sessions that ship.

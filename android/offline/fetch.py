@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-CACHE = Path(os.environ.get("GYRADIUS_ANDROID_CACHE", Path.home() / ".cache" / "gyradius-android"))
+USER = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+CACHE = Path(os.environ.get("GYRADIUS_ANDROID_CACHE") or USER / "gyradius-android")
 REPOSITORY = CACHE / "repository"
 # A read that stands still for this long is given up and tried again, ms.
 PATIENCE = ["-Dmaven.wagon.rto=30000", "-Daether.connector.requestTimeout=30000"]

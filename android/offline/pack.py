@@ -28,14 +28,13 @@ class Pack:
         self.framework = framework
         self.min_sdk = min_sdk
 
-    def apk(self, classes: list[Path], jars: list[Path], jna: Path) -> Path:
-        """Does all of it."""
-        dex = self._dex(classes, jars)
+    def apk(self, jna: Path) -> Path:
+        """Packs and signs what `dex` and `Resources` made."""
         has_core = any(NATIVE.rglob("libgyradius_ffi.so"))
         whole = self.out / "unsigned.apk"
         with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as packed:
             self._copy_resources(packed)
-            for one in sorted(dex.glob("*.dex")):
+            for one in sorted((self.out / "dex").glob("*.dex")):
                 packed.write(one, one.name)
             for folder in [jna / "jni", NATIVE]:
                 for one in sorted(folder.rglob("*.so")):
@@ -45,7 +44,8 @@ class Pack:
         whole.unlink()
         return self.out / name
 
-    def _dex(self, classes: list[Path], jars: list[Path]) -> Path:
+    def dex(self, classes: list[Path], jars: list[Path]) -> None:
+        """Compiles classes for the phone, into the folder `dex`."""
         own = self.out / "app.jar"
         with zipfile.ZipFile(own, "w") as jar:
             for folder in classes:
@@ -57,7 +57,6 @@ class Pack:
         command = ["java", "-Xmx2g", "-cp", str(self.d8), "com.android.tools.r8.D8", "--debug", "--min-api", self.min_sdk]
         command += ["--lib", str(self.framework), "--output", str(dex), str(own)]
         self._run([*command, *map(str, jars)])
-        return dex
 
     def _copy_resources(self, packed: zipfile.ZipFile) -> None:
         """Each file as aapt2 packed it: Android maps `resources.arsc` as it stands."""

@@ -36,8 +36,8 @@ class Resources:
         self._compile_r()
 
     def _compiled(self, aar: Path) -> Path | None:
-        """An AAR's resources, compiled once."""
-        zipped = aar / "compiled.zip"
+        """An AAR's resources, compiled once by each version of aapt2."""
+        zipped = aar / f"compiled-by-{self.aapt2.name}.zip"
         if not (aar / "res").exists() or not any((aar / "res").iterdir()):
             return None
         if not zipped.exists():

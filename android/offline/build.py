@@ -1,7 +1,8 @@
-"""The app without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…] | apk.
+"""The offline build, without the Android SDK: build.py compile | test [CLASS…] | shots [CLASS…] | apk.
 
 The same sources, resources, manifest and version catalog as Android Studio's; the frameworks are Robolectric's. What it makes is
-in `build/android`, what it fetches in `~/.cache/gyradius-android`.
+in `build/android`, what it fetches in `~/.cache/gyradius-android`. A step whose inputs did not change since its last success is not
+compiled again, nor in another clone (`tests/cached.py`); tests always run.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ import subprocess
 import sys
 import time
 import zipfile
-from collections.abc import Sequence
 from pathlib import Path
 
 from catalog import ANDROID, Catalog
@@ -23,14 +23,20 @@ from pack import Pack
 from resolve import Resolver
 from resources import Resources
 
+sys.path.append(str(ANDROID.parent / "tests"))
+from cached import Cache, Step
+
 ROOT = ANDROID.parent
 OUT = ROOT / "build" / "android"
 PACKAGE = "org.gyradius.app"
 # Of `prebuilt/linux/aapt2` in the pinned version of apktool-lib.
 AAPT2_SHA256 = "df312db814c018019b2b79a993b041b738d7b76f4a8f28da25bc874a026368cc"
-FACE = [ROOT / "bindings/kotlin/src/main/kotlin", ROOT / "bindings/kotlin/src/main/kotlin-generated"]
+GENERATED = OUT / "generated"
+FACE = [ROOT / "bindings/kotlin/src/main/kotlin", GENERATED]
 MAIN = [ANDROID / "app/src/main/kotlin"]
 TESTS = [ANDROID / "app/src/test/kotlin"]
+RIGS = ROOT / "python/gyradius/rigs"
+SCRIPTS = sorted(Path(__file__).parent.glob("*.py"))
 COMPILER = "org.jetbrains.kotlin.cli.jvm.K2JVMCompiler"
 
 
@@ -54,6 +60,9 @@ class Build:
         self.compiler = self._resolved("jvm", [], ["kotlin-compiler"])
         self.plugin = self._alone("kotlin-compose-plugin")
         self.framework = self._alone("android-all")
+        self.cache = Cache(ROOT)
+        # Versions, and what variables of the environment tell every Java.
+        self.java = "".join(printed([tool, "-version"]) for tool in ("java", "javac"))
         self.app_jars = [jar for one in app for jar in jars_of(one)]
         self.jars = [jar for one in self.files for jar in jars_of(one)]
 
@@ -80,41 +89,44 @@ class Build:
     def compile(self) -> None:
         """Resources, R classes, the app and its tests."""
         OUT.mkdir(parents=True, exist_ok=True)
-        tools = self._resolved("jvm", [], ["manifest-merger"])
-        aars = [unpacked(one) for one in self.files if one.kind == "aar"]
-        resources = Resources(OUT, PACKAGE, self._aapt2(), self.framework, tools, self.catalog.versions)
-        step("resources", lambda: self._link(resources, ANDROID / "app/src/main", aars, [ROOT / "python/gyradius/rigs"]))
+        self._resources()
+        # UniFFI's part of the Kotlin package.
+        run(["bindings/generate", "kotlin", str(GENERATED)])
         # By itself: it seldom changes, and is most of what there is to compile.
         face, app, tests = OUT / "face-classes", OUT / "classes", OUT / "test-classes"
-        step("facade", lambda: self._kotlinc(FACE, face, [*self.app_jars, self.framework], []))
-        path = [face, OUT / "r-classes", *self.app_jars, self.framework]
-        step("app", lambda: self._kotlinc(MAIN, app, path, [], [stamp_of(face), OUT / "R.txt"]))
+        self._kotlinc("facade", FACE, face, [*self.app_jars, self.framework])
+        self._kotlinc("app", MAIN, app, [face, OUT / "r-classes", *self.app_jars, self.framework])
         path = [app, face, OUT / "r-classes", *self.jars, self.framework]
-        friend = f"-Xfriend-paths={app}"
-        step("tests", lambda: self._kotlinc(TESTS, tests, path, [friend], [stamp_of(app)]))
+        self._kotlinc("tests", TESTS, tests, path, f"-Xfriend-paths={relative(app)}")
 
-    def _link(self, resources: Resources, main: Path, aars: list[Path], assets: list[Path]) -> None:
-        own = [one for folder in [main / "res", *assets] for one in sorted(folder.rglob("*")) if one.is_file()]
-        stamp = stamp_of(OUT / "resources")
-        key = digest([main / "AndroidManifest.xml", ANDROID / "gradle/libs.versions.toml", *own], list(map(str, aars)))
-        if not up_to_date(stamp, key, OUT / "r-classes"):
-            resources.link(main, aars, assets)
-            stamp.write_text(key)
+    def _resources(self) -> None:
+        merger = self._resolved("jvm", [], ["manifest-merger"])
+        aars = [one for one in self.files if one.kind == "aar"]
+        main = ANDROID / "app/src/main"
+        resources = Resources(OUT, PACKAGE, self._aapt2(), self.framework, merger, self.catalog.versions)
+        tools = [self._aapt2(), self.framework, *(one.path() for one in [*merger, *aars])]
+        inputs = [main / "AndroidManifest.xml", main / "res", RIGS, ANDROID / "gradle/libs.versions.toml", *tools]
+        made = ["AndroidManifest.xml", "resources.apk", "R.txt", "assets", "r-classes"]
+        self._step("resources", inputs, [], made, lambda: resources.link(main, [unpacked(one) for one in aars], [RIGS]))
 
-    def _kotlinc(self, sources: list[Path], to: Path, path: list[Path], more: list[str], after: Sequence[Path] = ()) -> None:
-        files = sorted(str(file) for folder in sources for file in folder.rglob("*.kt"))
-        stamp = stamp_of(to)
-        key = digest([*map(Path, files), *after], [str(one) for one in path] + more)
-        if up_to_date(stamp, key, to):
-            return
-        shutil.rmtree(to, ignore_errors=True)
-        arguments = to.with_suffix(".args")
-        classes = os.pathsep.join(map(str, path))
+    def _kotlinc(self, name: str, sources: list[Path], to: Path, path: list[Path], *more: str) -> None:
+        compiler = [one.path() for one in self.compiler]
         options = ["-no-stdlib", "-no-reflect", "-jvm-target", "11", "-nowarn", f"-Xplugin={self.plugin}", *more]
-        arguments.write_text("\n".join([*options, "-d", str(to), "-cp", classes, *files]), encoding="utf-8")
-        compiler = os.pathsep.join(str(one.path()) for one in self.compiler)
-        run(["java", "-Xmx2g", "-cp", compiler, COMPILER, f"@{arguments}"])
-        stamp.write_text(key)
+        options += ["-d", relative(to), "-cp", os.pathsep.join(map(relative, path))]
+
+        def work() -> None:
+            files = sorted(relative(file) for folder in sources for file in folder.rglob("*.kt"))
+            arguments = to.with_suffix(".args")
+            arguments.write_text("\n".join([*options, *files]), encoding="utf-8")
+            run(["java", "-Xmx2g", "-cp", os.pathsep.join(map(str, compiler)), COMPILER, f"@{arguments}"])
+
+        self._step(name, [*sources, *path, *compiler, self.plugin], options, [to.name], work)
+
+    def _step(self, name: str, inputs: list[Path], texts: list[str], made: list[str], work) -> None:
+        """Compiles something, or takes it from the cache. Paths in the repository are relative, so that every clone has the same key."""
+        outputs = [Path(relative(OUT / one)) for one in made]
+        one = Step(f"android-{name}", [*SCRIPTS, *inputs], texts=[self.java, *texts], outputs=outputs)
+        step(name, lambda: self.cache.run(one, lambda: work() or ""))
 
     def test(self, shots: Path | None, only: list[str]) -> None:
         """Runs every test class under Robolectric, or only some."""
@@ -141,12 +153,15 @@ class Build:
 
     def apk(self) -> None:
         """A debug APK, and what Android reads of it."""
-        pack = Pack(OUT, self._alone("r8"), self._alone("apksig"), self.framework, self.catalog.versions["minSdk"])
+        d8 = self._alone("r8")
+        pack = Pack(OUT, d8, self._alone("apksig"), self.framework, self.catalog.versions["minSdk"])
         (group, name), version = self.catalog.library("jna")
         jna = Artifact(group, name, version, "aar")
         fetch([jna])
         classes = [OUT / "classes", OUT / "face-classes", OUT / "r-classes"]
-        apk = pack.apk(classes, self.app_jars, unpacked(jna))
+        inputs = [*classes, *self.app_jars, d8, self.framework]
+        self._step("dex", inputs, [self.catalog.versions["minSdk"]], ["dex"], lambda: pack.dex(classes, self.app_jars))
+        apk = pack.apk(unpacked(jna))
         print(apk.relative_to(ROOT), flush=True)
         run([str(self._aapt2()), "dump", "badging", str(apk)])
 
@@ -194,22 +209,9 @@ def test_config() -> str:
     return "".join(f"{name}={value}\n" for name, value in entries.items())
 
 
-def up_to_date(stamp: Path, key: str, made: Path) -> bool:
-    """Whether something was made, whole, of just these things."""
-    return made.exists() and stamp.exists() and stamp.read_text() == key
-
-
-def stamp_of(classes: Path) -> Path:
-    """Where it is kept what something was made of."""
-    return classes.with_suffix(".sha256")
-
-
-def digest(files: list[Path], more: list[str]) -> str:
-    """Tells whether anything changed."""
-    total = hashlib.sha256("\n".join(more).encode())
-    for file in files:
-        total.update(str(file).encode() + file.read_bytes())
-    return total.hexdigest()
+def relative(path: Path) -> str:
+    """A path as the tools get it, which run in the repository's root."""
+    return str(path.relative_to(ROOT) if path.is_relative_to(ROOT) else path)
 
 
 def step(name: str, what) -> None:
@@ -219,9 +221,14 @@ def step(name: str, what) -> None:
     print(f"{name}: {time.monotonic() - start:.1f} s", flush=True)
 
 
+def printed(command: list[str]) -> str:
+    """What a command prints, on either stream."""
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=True).stdout
+
+
 def run(command: list[str]) -> None:
     """Runs a command; its failure is ours."""
-    done = subprocess.run(command, check=False)
+    done = subprocess.run(command, cwd=ROOT, check=False)
     if done.returncode:
         sys.exit(f"{Path(command[0]).name} failed with {done.returncode}")
 
