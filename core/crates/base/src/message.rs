@@ -116,6 +116,15 @@ impl Message {
         self.key.is_empty()
     }
 
+    /// Whether it is the message of a key, or names one of that key.
+    pub fn is_about(&self, key: &str) -> bool {
+        let named = |argument: &Argument| match argument {
+            Argument::Texts(texts) => texts.iter().any(|text| text.is_about(key)),
+            _ => false,
+        };
+        self.key == key || self.arguments.values().any(named)
+    }
+
     /// The sentence in a language, with what it names.
     pub fn in_language(&self, language: Language) -> String {
         if self.has_no_key() {

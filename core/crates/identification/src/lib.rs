@@ -31,5 +31,5 @@ pub use measurement::{
 };
 pub use observe::Evidence;
 pub use outputs::COVERAGE_95;
-pub use sentences::{NO_GRAVITY, NO_JOINT_ESTIMATE, input};
+pub use sentences::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE, input};
 pub use words::{quantity_in, route_in, unit_of};

@@ -9,6 +9,8 @@ use gyradius_base::message::{Argument, Message, spaced};
 
 /// Key of the warning that gravity is not stated.
 pub const NO_GRAVITY: &str = "inertia.no_gravity";
+/// Key of the name of gravity.
+pub const GRAVITY: &str = "inertia.input.gravity";
 /// Key of the warning that there is no joint estimate.
 pub const NO_JOINT_ESTIMATE: &str = "inertia.no_joint_estimate";
 

@@ -16,7 +16,7 @@ use gyradius_base::error::{Error, Result};
 use gyradius_base::message::Message;
 use gyradius_identification::outputs::write_quantities;
 use gyradius_identification::{Analysis, Measurement, QuantityResult, solved_periods};
-use gyradius_identification::{NO_GRAVITY, NO_JOINT_ESTIMATE};
+use gyradius_identification::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE};
 use gyradius_recording::LoadedSession;
 
 use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing};
@@ -88,7 +88,10 @@ fn fitted<'a>(setting: &Setting<'a>, name: &str) -> Result<Fitted<'a>> {
 
 fn warnings(analysis: &Analysis) -> Vec<Message> {
     // What the joint estimate says of contradictions, the criticism says itself.
-    let other = |w: &&Message| [NO_GRAVITY, NO_JOINT_ESTIMATE].contains(&w.key.as_str());
+    let other = |w: &&Message| {
+        let about = [NO_GRAVITY, GRAVITY, NO_JOINT_ESTIMATE];
+        about.iter().any(|key| w.is_about(key))
+    };
     let others = analysis.measurement.warnings.iter().filter(other).cloned();
     [message("periods_alone", [])]
         .into_iter()

@@ -20,8 +20,8 @@ use gyradius_recording::{
     DISTURBED, End, Excitation, Quantity, RecordedEvent, Sensor, load_session,
 };
 use gyradius_simulator::{RigFile, read_rig};
-use gyradius_test_support::{fresh, seed};
 use gyradius_test_support::cases;
+use gyradius_test_support::{fresh, seed};
 use proptest::prelude::*;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

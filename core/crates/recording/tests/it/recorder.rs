@@ -17,8 +17,8 @@ use gyradius_recording::{
     LoadedData, Orientation, Overwrite, Quantity, RepairKind, Session, Suspension, SuspensionKind,
     Swing, SwingData, Triad, load_session, save_session,
 };
-use gyradius_test_support::fresh;
 use gyradius_test_support::cases;
+use gyradius_test_support::fresh;
 use proptest::prelude::*;
 use rand::{Rng, RngExt};
 

@@ -10,9 +10,9 @@ use gyradius_recording::{
     Suspension, SuspensionKind, Swing, SwingData, load_store, read_session, session_zip_bytes,
     write_session,
 };
+use gyradius_test_support::cases;
 use proptest::collection::{btree_map, vec};
 use proptest::option::of;
-use gyradius_test_support::cases;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 

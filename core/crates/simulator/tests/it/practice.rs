@@ -5,8 +5,8 @@ use gyradius_base::frames::Vec3;
 use gyradius_mechanics::Draws;
 use gyradius_recording::{Overwrite, load_session, read_session, write_session};
 use gyradius_simulator::{RigFile, practise, read_rig, save_practised};
-use gyradius_test_support::seed;
 use gyradius_test_support::cases;
+use gyradius_test_support::seed;
 use proptest::prelude::*;
 
 const SHIPPED: &str = include_str!("../../../../../python/gyradius/rigs/keelboat.toml");
