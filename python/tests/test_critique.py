@@ -1,6 +1,7 @@
 """What the simulation gets wrong: views, tables, command, report and pictures.
 
-The criticisms were written by hand with made-up numbers (`core/crates/report/tests/it/report/critiques`); no engine takes part.
+The criticisms were written by hand with made-up numbers (`core/crates/report/tests/it/report/critiques`); no engine
+takes part.
 """
 
 from __future__ import annotations
