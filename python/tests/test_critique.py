@@ -12,6 +12,7 @@ import os
 import pty
 import signal
 import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 

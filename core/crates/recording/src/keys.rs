@@ -50,7 +50,7 @@ pub(crate) struct Keys<'a> {
     known: &'a [&'static str],
 }
 
-/// A table with its path; made by [`Field::table`] and friends.
+/// A table with its path; made by `Field::table` and friends.
 pub struct Table<'a> {
     keys: Keys<'a>,
     path: String,
