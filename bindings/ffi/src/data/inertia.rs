@@ -2,7 +2,7 @@
 
 use gyradius_core::identification::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
-    Verdict,
+    Value, Verdict,
 };
 use gyradius_core::recording::{ModeName, Repair};
 
@@ -31,34 +31,40 @@ pub enum QuantityValue {
     Absent,
 }
 
-/// A value as the core's JSON has it.
-pub type QuantityJson = serde_json::Value;
-uniffi::custom_type!(QuantityJson, QuantityValue, {
+uniffi::custom_type!(Value, QuantityValue, {
     remote,
-    lower: |json| QuantityValue::of(&json),
-    try_lift: |value| Ok(value.json()),
+    lower: |value| value.into(),
+    try_lift: |value| value.core(),
 });
 
-impl QuantityValue {
-    fn of(json: &QuantityJson) -> Self {
-        let row = |json: &QuantityJson| serde_json::from_value::<Vec<f64>>(json.clone()).ok();
-        let rows = |json: &QuantityJson| json.as_array()?.iter().map(row).collect::<Option<_>>();
-        let vector = || row(json).map(|values| Self::Vector { values });
-        let matrix = || rows(json).map(|rows| Self::Matrix { rows });
-        json.as_f64()
-            .map(|value| Self::Scalar { value })
-            .or_else(vector)
-            .or_else(matrix)
-            .unwrap_or(Self::Absent)
-    }
-
-    fn json(self) -> QuantityJson {
-        match self {
-            Self::Scalar { value } => value.into(),
-            Self::Vector { values } => values.into(),
-            Self::Matrix { rows } => rows.into(),
-            Self::Absent => QuantityJson::Null,
+impl From<Value> for QuantityValue {
+    fn from(value: Value) -> Self {
+        match value {
+            other if !other.is_finite() => Self::Absent,
+            Value::Scalar(value) => Self::Scalar { value },
+            Value::Vector(values) => Self::Vector {
+                values: values.to_vec(),
+            },
+            Value::Matrix(rows) => Self::Matrix {
+                rows: rows.iter().map(|row| row.to_vec()).collect(),
+            },
         }
+    }
+}
+
+impl QuantityValue {
+    /// The core's value; a vector or matrix of another size than 3 is an error.
+    fn core(self) -> uniffi::Result<Value> {
+        let three = |values: Vec<f64>| <[f64; 3]>::try_from(values.as_slice());
+        Ok(match self {
+            Self::Scalar { value } => Value::Scalar(value),
+            Self::Vector { values } => Value::Vector(three(values)?),
+            Self::Matrix { rows } => {
+                let rows: Vec<[f64; 3]> = rows.into_iter().map(three).collect::<Result<_, _>>()?;
+                Value::Matrix(rows.as_slice().try_into()?)
+            }
+            Self::Absent => Value::Scalar(f64::NAN),
+        })
     }
 }
 
@@ -180,9 +186,9 @@ pub struct AmplitudePoint {
 #[uniffi::remote(Record)]
 pub struct QuantityResult {
     /// Value: a number, a vector or a matrix.
-    pub value: QuantityJson,
+    pub value: Value,
     /// One standard uncertainty, same shape.
-    pub u: QuantityJson,
+    pub u: Value,
     /// 95 % interval of a number.
     pub interval_95: Option<Ends>,
     /// How it was got.

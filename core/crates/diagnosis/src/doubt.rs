@@ -272,7 +272,7 @@ fn above_zero(score: f64, information: f64, prior_u: f64) -> Option<(f64, f64, f
 /// Widens intervals until they hold 95 % of all models together; the uncertainty is the half of one
 /// over that of a normal variable.
 pub fn widen(quantities: &mut BTreeMap<String, QuantityResult>, otherwise: &[Otherwise]) {
-    let number = |q: &QuantityResult| Some((q.value.as_f64()?, q.u.as_f64()?));
+    let number = |q: &QuantityResult| Some((q.value.scalar()?, q.u.scalar()?));
     for (name, quantity) in quantities {
         let Some((value, u)) = number(quantity) else {
             continue;
@@ -351,7 +351,7 @@ mod tests {
         );
         // Half of all lies 30 of its widths away: of that one in ten beyond the end, at
         // 1.2815515655 of them (scipy.stats.norm.isf(0.1)).
-        let half = believed["k_yaw_m"].u.as_f64().unwrap() * COVERAGE_95;
+        let half = believed["k_yaw_m"].u.scalar().unwrap() * COVERAGE_95;
         assert!((half - 3.12815515655).abs() < 1e-9, "{half}");
     }
 

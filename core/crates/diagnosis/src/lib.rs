@@ -197,8 +197,8 @@ fn shifts(
     after: &BTreeMap<String, QuantityResult>,
 ) -> BTreeMap<String, f64> {
     let change = |(name, new): (&String, &QuantityResult)| {
-        let old = before.get(name)?.value.as_f64()?;
-        Some((name.clone(), new.value.as_f64()? - old))
+        let old = before.get(name)?.value.scalar()?;
+        Some((name.clone(), new.value.scalar()? - old))
     };
     after.iter().filter_map(change).collect()
 }

@@ -21,6 +21,7 @@ mod sentences;
 pub mod theory;
 mod traced;
 mod twin;
+mod value;
 pub mod words;
 
 pub use measure::solved_periods;
@@ -32,4 +33,5 @@ pub use measurement::{
 pub use observe::Evidence;
 pub use outputs::COVERAGE_95;
 pub use sentences::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE, input};
+pub use value::Value;
 pub use words::{quantity_in, route_in, unit_of};

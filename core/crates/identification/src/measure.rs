@@ -336,7 +336,7 @@ fn conclude(
         match result
             .quantities
             .get(&limit.quantity)
-            .and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?)))
+            .and_then(|q| Some((q.value.scalar()?, q.u.scalar()?)))
         {
             Some((value, u)) => match verdict(Quantity::new(value, u), limit) {
                 Ok(judged) => result.verdicts.push(judged),

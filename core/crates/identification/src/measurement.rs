@@ -11,6 +11,8 @@ use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
 use gyradius_recording::{ModeName, Repair};
 
+use super::value::Value;
+
 /// A session's or a bare recording's result.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Measurement {
@@ -123,13 +125,13 @@ pub struct AmplitudePoint {
     pub decrement_se: f64,
 }
 
-/// A quantity with its uncertainty. `value` is a number, a vector or a matrix as the contract says.
+/// A quantity with its uncertainty.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct QuantityResult {
-    /// Value: number, `[3]` or `[3][3]`.
-    pub value: serde_json::Value,
+    /// Value.
+    pub value: Value,
     /// One standard uncertainty, same shape.
-    pub u: serde_json::Value,
+    pub u: Value,
     /// 95 % interval of a scalar.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interval_95: Option<[f64; 2]>,

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::json;
-
 use gyradius_base::frames::Mat3;
 use gyradius_mechanics::RigidBody;
 use gyradius_recording::Session;
@@ -11,6 +9,7 @@ use gyradius_recording::Session;
 use super::estimate::{Derived, Solution, System};
 use super::measurement::{BudgetLine, Measurement, QuantityResult};
 use super::theory::hull_alone;
+use super::value::Value;
 
 /// A quantity is reported when the weak priors make up less than this share of its variance …
 const MOST_WEAK_SHARE: f64 = 0.05;
@@ -188,8 +187,8 @@ fn is_determined(name: &str, derived: &Derived) -> bool {
 fn scalar_result(derived: &Derived) -> QuantityResult {
     let half = COVERAGE_95 * derived.u;
     QuantityResult {
-        value: json!(derived.value),
-        u: json!(derived.u),
+        value: derived.value.into(),
+        u: derived.u.into(),
         interval_95: Some([derived.value - half, derived.value + half]),
         method: "joint_estimate".into(),
     }
@@ -212,13 +211,13 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
     } else {
         "joint_estimate, hull axes taken as principal"
     };
-    let gyradii: Option<Vec<Derived>> = (0..3)
-        .map(|i| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i])))
-        .collect();
-    if let Some(k) = gyradii {
+    let gyradius =
+        |i: usize| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i]));
+    if let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(gyradius) {
+        let k = [x, y, z];
         let entry = QuantityResult {
-            value: json!(k.iter().map(|d| d.value).collect::<Vec<_>>()),
-            u: json!(k.iter().map(|d| d.u).collect::<Vec<_>>()),
+            value: Value::Vector(k.each_ref().map(|d| d.value)),
+            u: Value::Vector(k.each_ref().map(|d| d.u)),
             interval_95: None,
             method: method.into(),
         };
@@ -242,8 +241,8 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
         }
     }
     let entry = QuantityResult {
-        value: json!(values),
-        u: json!(us),
+        value: Value::Matrix(values),
+        u: Value::Matrix(us),
         interval_95: None,
         method: method.into(),
     };

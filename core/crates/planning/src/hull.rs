@@ -259,8 +259,8 @@ impl Hull {
         let found = |name: &str| {
             let quantity = measurement.quantities.get(name)?;
             Some(Quantity::new(
-                quantity.value.as_f64()?,
-                quantity.u.as_f64()?,
+                quantity.value.scalar()?,
+                quantity.u.scalar()?,
             ))
         };
         let k_yaw_m = found("k_yaw_m").or_else(|| found("k_pitch_m")).ok_or_else(|| {

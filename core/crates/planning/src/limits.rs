@@ -29,7 +29,7 @@ fn one(hull: &Hull, means: &Means, wanted: &Wanted, way: &Way) -> Option<Warning
             &[("quantity", name)],
         ));
     };
-    let (value, u, wanted_u) = (found.value.as_f64()?, found.u.as_f64()?, wanted.u_of(hull));
+    let (value, u, wanted_u) = (found.value.scalar()?, found.u.scalar()?, wanted.u_of(hull));
     if u <= wanted_u {
         return None;
     }

@@ -144,7 +144,7 @@ fn quantities(hull: &Hull, wanted: &[Wanted], way: &Way) -> BTreeMap<String, Pre
         way.expected.quantities.contains_key(*n) || wanted.iter().any(|w| w.quantity == *n)
     });
     let of = |name: &str| {
-        let u = way.expected.quantities.get(name).and_then(|q| q.u.as_f64());
+        let u = way.expected.quantities.get(name).and_then(|q| q.u.scalar());
         let wanted_u = wanted
             .iter()
             .filter(|w| w.quantity == name)

@@ -220,7 +220,7 @@ pub fn over_wanted(expected: &Expected, hull: &Hull, wanted: &Wanted) -> f64 {
     let u = expected
         .quantities
         .get(&wanted.quantity)
-        .and_then(|q| q.u.as_f64());
+        .and_then(|q| q.u.scalar());
     u.map_or(f64::INFINITY, |u| u / wanted.u_of(hull))
 }
 

@@ -166,7 +166,7 @@ fn next_step(critique: &Critique, session: &Session) -> Option<Step> {
         .extended
         .quantities
         .get("cm_depth_m")
-        .and_then(|depth| depth.value.as_f64());
+        .and_then(|depth| depth.value.scalar());
     suggested(critique.verdict.next_swing.as_ref()?, session, depth).map(Step::Swing)
 }
 

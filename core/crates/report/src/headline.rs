@@ -56,7 +56,7 @@ fn judged_again(old: &Verdict, quantity: &QuantityResult) -> Option<Verdict> {
         .parse()
         .ok()?;
     verdict(
-        Quantity::new(quantity.value.as_f64()?, quantity.u.as_f64()?),
+        Quantity::new(quantity.value.scalar()?, quantity.u.scalar()?),
         &limit,
     )
     .ok()

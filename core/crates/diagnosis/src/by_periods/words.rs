@@ -414,7 +414,7 @@ fn consequences(choice: &Choice) -> Option<Message> {
     let of = |fitted: &Fitted| {
         let quantities = super::quantities(fitted);
         let k = quantities.get("k_yaw_m")?;
-        Some(Quantity::new(k.value.as_f64()?, k.u.as_f64()?))
+        Some(Quantity::new(k.value.scalar()?, k.u.scalar()?))
     };
     let all: Vec<Quantity> = std::iter::once(choice.extended())
         .chain(&choice.rivals)

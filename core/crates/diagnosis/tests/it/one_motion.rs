@@ -207,7 +207,7 @@ fn the_strength_of_a_drag_is_found_within_its_uncertainty() {
     let critique = criticised(&drawn(&mut rng, 0.001, 0.0));
     let period = critique.extended.quantities["small_period_swing_s"]
         .value
-        .as_f64()
+        .scalar()
         .unwrap();
     let found = &critique.causes[0].parameters["torque_coefficient_per_inertia"];
     // 2 ω q/(ω A) = 2 q/A: between those of the widest and the narrowest release.
@@ -250,7 +250,7 @@ fn the_phone_pendulum_is_not_explained_away() {
     assert_eq!(critique.verdict.status, "unexplained");
     let period = critique.baseline.quantities["small_period_swing_s"]
         .value
-        .as_f64()
+        .scalar()
         .unwrap();
     assert!((period - 1.338).abs() < 0.005, "{period}");
     assert!(
@@ -285,7 +285,7 @@ fn the_ducted_fan_is_not_explained_away() {
     assert_eq!(critique.verdict.status, "unexplained");
     let period = critique.baseline.quantities["small_period_swing_s"]
         .value
-        .as_f64()
+        .scalar()
         .unwrap();
     assert!((2.5..2.8).contains(&period), "{period}");
 }

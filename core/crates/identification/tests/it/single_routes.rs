@@ -89,13 +89,13 @@ fn moved_suspension_points_give_the_depth() {
     let u = (u_m / tan).hypot(moved_m / (sin * sin) * u_deg.to_radians());
     let depth = &result.quantities["cm_depth_m"];
     assert!(
-        (depth.value.as_f64().unwrap() - DEPTH_M).abs() < 0.02 * u,
+        (depth.value.scalar().unwrap() - DEPTH_M).abs() < 0.02 * u,
         "{depth:?}"
     );
     // The yaw of a tilted hull says a little of its tilt, too, and the unknown axes take a little
     // away.
     assert!(
-        (depth.u.as_f64().unwrap() / u - 1.0).abs() < 0.1,
+        (depth.u.scalar().unwrap() / u - 1.0).abs() < 0.1,
         "{depth:?} {u}"
     );
     let route = result.alternatives["cm_depth_m"]

@@ -100,7 +100,7 @@ fn results(values: &[f64]) -> Measurement {
 }
 
 fn numbers(measurement: &Measurement) -> [f64; 4] {
-    QUANTITIES.map(|name| measurement.quantities[name].value.as_f64().unwrap())
+    QUANTITIES.map(|name| measurement.quantities[name].value.scalar().unwrap())
 }
 
 fn correlation(x: &[[f64; 4]], mean: &[f64; 4], (i, j): (usize, usize)) -> f64 {
@@ -141,7 +141,7 @@ fn the_stated_uncertainty_is_that_of_monte_carlo() {
     let values = numbers(&centre);
     for (i, name) in QUANTITIES.iter().enumerate() {
         let spread = (x.iter().map(|r| (r[i] - mean[i]).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
-        let u = centre.quantities[*name].u.as_f64().unwrap();
+        let u = centre.quantities[*name].u.scalar().unwrap();
         println!(
             "{name}: {:.6} ± {u:.6}, Monte Carlo {:.6} ± {spread:.6}",
             values[i], mean[i]

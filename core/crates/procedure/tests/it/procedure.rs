@@ -243,8 +243,8 @@ fn an_operator_is_led_to_the_right_inertia_whatever_goes_wrong() {
         for name in ["k_yaw_m", "k_pitch_m", "cm_depth_m"] {
             let quantity = &result.quantities[name];
             let (value, u) = (
-                quantity.value.as_f64().unwrap(),
-                quantity.u.as_f64().unwrap(),
+                quantity.value.scalar().unwrap(),
+                quantity.u.scalar().unwrap(),
             );
             let z = (value - rig.truth.all()[name]) / u;
             println!(

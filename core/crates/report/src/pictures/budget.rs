@@ -30,7 +30,7 @@ fn picture(measurement: &Measurement, key: &str) -> Option<Figure> {
     if largest <= 0.0 {
         return None;
     }
-    let total = measurement.quantities.get(key).and_then(|q| q.u.as_f64());
+    let total = measurement.quantities.get(key).and_then(|q| q.u.scalar());
     let scale = total
         .filter(|u| u.is_finite())
         .unwrap_or(largest)

@@ -66,19 +66,14 @@ fn scalar(quantities: &BTreeMap<String, QuantityResult>, key: &str) -> Option<f6
     quantities
         .get(key)?
         .value
-        .as_f64()
+        .scalar()
         .filter(|value| value.is_finite())
 }
 
 fn known(quantities: &BTreeMap<String, QuantityResult>) -> Option<Known> {
     let principal = quantities.get("principal_gyradii_m").and_then(|q| {
-        let values: Vec<f64> = q
-            .value
-            .as_array()?
-            .iter()
-            .filter_map(|v| v.as_f64())
-            .collect();
-        <[f64; 3]>::try_from(values).ok()
+        let values = q.value.vector()?;
+        q.value.is_finite().then_some(values)
     });
     let single = |key| scalar(quantities, key);
     let about_hull = || {

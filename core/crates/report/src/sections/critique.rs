@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use serde_json::Value;
-
 use crate::digits::{NOTHING, joined, percent, rounded, sigmas, signed, significant, with_u};
 use crate::markup::Markup;
 use crate::pictures;
@@ -14,7 +12,7 @@ use gyradius_diagnosis::{
     CauseResult, Criticism, Critique, Discrepancy, LearnedForce, ModelResult, NextSwing,
     ParameterResult,
 };
-use gyradius_identification::QuantityResult;
+use gyradius_identification::{QuantityResult, Value};
 
 /// Discrepancies that are worth a row; the rest is in the JSON.
 const MOST_DISCREPANCIES: usize = 10;
@@ -246,17 +244,12 @@ fn elements(quantity: Option<&QuantityResult>) -> Vec<(f64, f64)> {
     let Some(quantity) = quantity else {
         return vec![];
     };
-    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
-    match (&quantity.value, &quantity.u) {
-        (Value::Number(_), u) => vec![(number(&quantity.value), number(u))],
-        (Value::Array(values), Value::Array(us))
-            if values.len() == 3 && values.iter().all(Value::is_number) =>
-        {
-            values
-                .iter()
-                .map(number)
-                .zip(us.iter().map(number))
-                .collect()
+    match (quantity.value, quantity.u) {
+        (value @ Value::Scalar(number), u) if value.is_finite() => {
+            vec![(number, u.scalar().unwrap_or(f64::NAN))]
+        }
+        (value @ Value::Vector(numbers), Value::Vector(us)) if value.is_finite() => {
+            numbers.into_iter().zip(us).collect()
         }
         _ => vec![],
     }

@@ -148,7 +148,7 @@ fn route_row(measurement: &Measurement, key: &str, route: &Route) -> Vec<String>
     let joint = measurement
         .quantities
         .get(key)
-        .and_then(|q| q.value.as_f64());
+        .and_then(|q| q.value.scalar());
     let difference = joint.map_or(NOTHING.into(), |joint| {
         let difference = route.value - joint;
         signed(difference, &rounded(difference, route.u))

@@ -1,14 +1,12 @@
 //! The result: quantities, verdicts, warnings.
 
-use serde_json::Value;
-
 use crate::digits::{interval, joined, percent, significant, with_u};
 use crate::headline::Headline;
 use crate::markup::Markup;
 use crate::source::ReportSource;
 use crate::table::{list, matrix};
 use crate::words;
-use gyradius_identification::{COVERAGE_95, QuantityResult, Verdict};
+use gyradius_identification::{COVERAGE_95, QuantityResult, Value, Verdict};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     let headline = Headline::of(source);
@@ -56,16 +54,13 @@ fn quantities(headline: &Headline, out: &mut Markup) {
 
 /// Numbers and triples; a tensor has a table of its own.
 fn is_listed(quantity: &QuantityResult) -> bool {
-    quantity.value.is_number()
-        || quantity
-            .value
-            .as_array()
-            .is_some_and(|list| list.iter().all(Value::is_number))
+    let is_tensor = matches!(quantity.value, Value::Matrix(_));
+    quantity.value.is_finite() && !is_tensor
 }
 
 fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
     let quantity = &headline.quantities[key];
-    if quantity.value.is_array() {
+    if !matches!(quantity.value, Value::Scalar(_)) {
         return triple(out, key, headline);
     }
     out.within("tr", &[], |out| {
@@ -77,7 +72,7 @@ fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
             }
         });
         out.element("td", &[("class", "value")], &value_text(key, quantity));
-        let u = quantity.u.as_f64().unwrap_or(0.0);
+        let u = quantity.u.scalar().unwrap_or(0.0);
         let bounds = quantity
             .interval_95
             .map_or(String::new(), |bounds| interval(bounds, u));
@@ -158,12 +153,11 @@ fn pairs(quantity: &QuantityResult) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Numbers of a value, whatever its shape.
+/// Numbers of a value, whatever its shape; NaN where one is not finite.
 fn flat(value: &Value) -> Vec<f64> {
-    match value {
-        Value::Array(list) => list.iter().flat_map(flat).collect(),
-        number => vec![number.as_f64().unwrap_or(f64::NAN)],
-    }
+    let known = |number: &f64| Some(*number).filter(|v| v.is_finite());
+    let numbers = value.numbers().iter();
+    numbers.map(|v| known(v).unwrap_or(f64::NAN)).collect()
 }
 
 fn verdicts(headline: &Headline, out: &mut Markup) {
@@ -184,7 +178,7 @@ fn verdicts(headline: &Headline, out: &mut Markup) {
 fn verdict_text(headline: &Headline, verdict: &Verdict) -> String {
     let unit = words::unit_of(&verdict.quantity);
     let measured = headline.quantities.get(&verdict.quantity);
-    let value = measured.and_then(|q| Some((q.value.as_f64()?, q.u.as_f64()?)));
+    let value = measured.and_then(|q| Some((q.value.scalar()?, q.u.scalar()?)));
     let relation = match &*verdict.relation {
         ">=" => "at least",
         "<=" => "at most",

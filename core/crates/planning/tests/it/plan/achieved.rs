@@ -228,8 +228,8 @@ fn one(rng: &mut ChaCha8Rng, wanted: &[&str]) -> BTreeMap<String, (f64, f64)> {
             continue;
         };
         let (value, achieved_u) = (
-            achieved.value.as_f64().unwrap(),
-            achieved.u.as_f64().unwrap(),
+            achieved.value.scalar().unwrap(),
+            achieved.u.scalar().unwrap(),
         );
         ratios.insert(
             name.clone(),

@@ -1,9 +1,8 @@
 //! Data that no picture should choke on: none, one point, constant, not a number, infinite,
 //! absurdly large.
 
-use gyradius_identification::{AmplitudePoint, Claim, ModeResult};
+use gyradius_identification::{AmplitudePoint, Claim, ModeResult, Value};
 use gyradius_report::{Curve, Peak, ReportSource, SpectrumFigureData, figures, html, thinned};
-use serde_json::json;
 
 use crate::report::samples::keelboat;
 use crate::report::well_formed::assert_well_formed;
@@ -150,11 +149,11 @@ fn quantities_budgets_and_claims() {
     for bad in BAD {
         let mut source = keelboat();
         for quantity in source.measurement.quantities.values_mut() {
-            if quantity.value.is_number() {
+            if matches!(quantity.value, Value::Scalar(_)) {
                 (quantity.value, quantity.u, quantity.interval_95) =
-                    (json!(bad), json!(bad), Some([bad, bad]));
+                    (bad.into(), bad.into(), Some([bad, bad]));
             } else {
-                quantity.value = json!([bad, bad, bad]);
+                quantity.value = Value::Vector([bad; 3]);
             }
         }
         for lines in source.measurement.budget.values_mut() {
@@ -185,14 +184,15 @@ fn quantities_budgets_and_claims() {
 fn values_of_another_shape() {
     let mut source = keelboat();
     for shape in [
-        json!(null),
-        json!("text"),
-        json!([]),
-        json!([[1.0], "x"]),
-        json!({"a": 1}),
+        Value::Scalar(f64::NAN),
+        Value::Scalar(1.0),
+        Value::Vector([f64::NAN; 3]),
+        Value::Vector([1.0; 3]),
+        Value::Matrix([[f64::NAN; 3]; 3]),
+        Value::Matrix([[1.0; 3]; 3]),
     ] {
         for quantity in source.measurement.quantities.values_mut() {
-            (quantity.value, quantity.u) = (shape.clone(), shape.clone());
+            (quantity.value, quantity.u) = (shape, shape);
         }
         assert_finite(&source, "another shape");
     }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use gyradius_diagnosis::{Criticism, SwingTrace};
 use gyradius_identification::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
-    Verdict,
+    Value, Verdict,
 };
 use gyradius_recording::{ModeName, Quantity, Repair, RepairKind, Sensor};
 use gyradius_report::{
@@ -19,13 +19,12 @@ use gyradius_report::{
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
-use serde_json::json;
 
 fn quantity(value: f64, u: f64) -> QuantityResult {
     let interval = [value - 1.96 * u, value + 1.96 * u];
     QuantityResult {
-        value: json!(value),
-        u: json!(u),
+        value: value.into(),
+        u: u.into(),
         interval_95: Some(interval),
         method: "joint_estimate".into(),
     }
@@ -363,15 +362,15 @@ fn quantities() -> BTreeMap<String, QuantityResult> {
         (
             "principal_gyradii_m".into(),
             whole(
-                json!([0.618, 1.156, 1.061]),
-                json!([0.0043, 0.0031, 0.0012]),
+                Value::Vector([0.618, 1.156, 1.061]),
+                Value::Vector([0.0043, 0.0031, 0.0012]),
             ),
         ),
         (
             "inertia_kg_m2".into(),
             whole(
-                json!([[243.2, 0.0, -42.1], [0.0, 832.1, 0.0], [-42.1, 0.0, 695.2]]),
-                json!([[3.1, 0.0, 9.4], [0.0, 4.5, 0.0], [9.4, 0.0, 1.3]]),
+                Value::Matrix([[243.2, 0.0, -42.1], [0.0, 832.1, 0.0], [-42.1, 0.0, 695.2]]),
+                Value::Matrix([[3.1, 0.0, 9.4], [0.0, 4.5, 0.0], [9.4, 0.0, 1.3]]),
             ),
         ),
     ])
