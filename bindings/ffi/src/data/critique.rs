@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use gyradius_core::diagnosis::{
-    CauseResult, CauseVerdict, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
-    ParameterResult,
+    CauseResult, CauseVerdict, Critique, Discrepancy, DiscrepancyKind, Gain, LearnedForce,
+    ModelResult, NextSwing, ParameterResult, Status,
 };
 use gyradius_core::recording::Excitation;
 
@@ -26,6 +26,22 @@ uniffi::custom_type!(ParametersByName, Vec<NamedParameter>, {
     remote,
     lower: |map| map.into_iter().map(|(name, parameter)| NamedParameter { name, parameter }).collect(),
     try_lift: |list| Ok(list.into_iter().map(|one| (one.name, one.parameter)).collect()),
+});
+
+/// The verdict in one word as the core holds it.
+pub type CauseStatus = Status;
+uniffi::custom_type!(CauseStatus, String, {
+    remote,
+    lower: |status| status.to_string(),
+    try_lift: |text| Ok(text.parse()?),
+});
+
+/// A kind of discrepancy as the core holds it.
+pub type KindOfDiscrepancy = DiscrepancyKind;
+uniffi::custom_type!(KindOfDiscrepancy, String, {
+    remote,
+    lower: |kind| kind.to_string(),
+    try_lift: |text| Ok(text.parse()?),
 });
 
 /// A force that was learned, at one place.
@@ -93,7 +109,7 @@ pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
     /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time` …
-    pub what: String,
+    pub what: KindOfDiscrepancy,
     /// How large it is.
     pub size: f64,
     /// Unit of the size.
@@ -136,7 +152,7 @@ pub struct ParameterResult {
 #[uniffi::remote(Record)]
 pub struct CauseVerdict {
     /// `adequate`, `explained`, `ambiguous` or `unexplained`.
-    pub status: String,
+    pub status: CauseStatus,
     /// Causes named.
     pub causes: Vec<String>,
     /// Causes that these data cannot tell from those.

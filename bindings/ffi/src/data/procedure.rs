@@ -7,6 +7,7 @@ use gyradius_core::procedure::{
 };
 use gyradius_core::recording::{Attachment, Quantity, Sensor, Site, Suspension};
 
+use super::critique::CauseStatus;
 use super::plan::PlanStep;
 use super::recording::HullBody;
 use super::sentence::Sentence;
@@ -333,7 +334,7 @@ pub struct ResultView {
 #[uniffi::remote(Record)]
 pub struct CritiqueView {
     /// `adequate`, `explained`, `ambiguous` or `unexplained`.
-    pub status: String,
+    pub status: CauseStatus,
     /// In words.
     pub message: Sentence,
     /// How many causes these swings cannot tell apart; 0 where none is in doubt.

@@ -12,7 +12,7 @@ use gyradius_signal::{FittedMode, Pole};
 use super::base::Base;
 use super::fitting::Fitted;
 use super::point::{Model, Point};
-use super::result::Discrepancy;
+use super::result::{Discrepancy, DiscrepancyKind};
 use super::seen::Seen;
 use super::shape::{direction, energy, shape};
 use super::white::{Band, Left};
@@ -150,7 +150,7 @@ pub fn structure_of(
     );
     let mut all = vec![Discrepancy::of(
         id,
-        "structure",
+        DiscrepancyKind::Structure,
         (rms, "1"),
         excess.sqrt(),
         said,
@@ -179,7 +179,13 @@ fn line(id: &str, band: &Band, rows_of_channel: usize, channel: Message) -> Disc
             ("size", words::number(size, 2)),
         ],
     );
-    Discrepancy::of(id, "line_in_spectrum", (size, "1"), band.sigma, said)
+    Discrepancy::of(
+        id,
+        DiscrepancyKind::LineInSpectrum,
+        (size, "1"),
+        band.sigma,
+        said,
+    )
 }
 
 /// Whether more is left at the beginning or at the end: by the halves of the record.
@@ -214,7 +220,7 @@ fn against_time(record: &Record) -> Option<Discrepancy> {
         );
         Discrepancy::of(
             id,
-            "residual_vs_time",
+            DiscrepancyKind::ResidualVsTime,
             (early.sqrt() - late.sqrt(), "1"),
             sigma,
             said,
@@ -260,7 +266,7 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
         };
         all.push(Discrepancy::of(
             "",
-            "dimension",
+            DiscrepancyKind::Dimension,
             (change, unit),
             sigma.abs(),
             said,
@@ -307,7 +313,7 @@ fn saturated(base: &Base) -> Vec<Discrepancy> {
             );
             all.push(Discrepancy::of(
                 id,
-                "saturated",
+                DiscrepancyKind::Saturated,
                 (size, "1"),
                 (repair.count as f64).sqrt(),
                 said,

@@ -14,6 +14,7 @@ mod learned;
 mod linear;
 mod look;
 mod moments;
+mod named;
 mod next_swing;
 mod one_motion;
 mod point;
@@ -31,8 +32,8 @@ mod words;
 
 pub use by_periods::criticise_periods;
 pub use result::{
-    CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, Gain, LearnedForce, ModelResult,
-    NextSwing, ParameterResult, Progress, SwingTrace,
+    CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, DiscrepancyKind, Gain,
+    LearnedForce, ModelResult, NextSwing, ParameterResult, Progress, Status, SwingTrace,
 };
 pub use tell_apart::tell_apart;
 pub use words::cause_name;

@@ -14,6 +14,8 @@ use gyradius_base::message::warnings_and_said;
 use gyradius_identification::QuantityResult;
 use gyradius_recording::Excitation;
 
+use super::named::named;
+
 /// The criticism of a session.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Critique {
@@ -65,15 +67,55 @@ pub struct ModelResult {
     pub quantities: BTreeMap<String, QuantityResult>,
 }
 
+named! {
+    /// The kinds of things that the base simulation gets wrong.
+    DiscrepancyKind: "kind of discrepancy" {
+        /// The body turns about another axis than the one that it hangs from.
+        AcrossTheAxis = "across_the_axis",
+        /// Swings contradict each other.
+        BetweenSwings = "between_swings",
+        /// The oscillation decays otherwise with its amplitude.
+        DecayVsAmplitude = "decay_vs_amplitude",
+        /// A stated figure contradicts the swings.
+        Dimension = "dimension",
+        /// A frequency stands out of the residual.
+        LineInSpectrum = "line_in_spectrum",
+        /// The period changes otherwise with the amplitude.
+        PeriodVsAmplitude = "period_vs_amplitude",
+        /// The residual depends on the phase of the oscillation.
+        ResidualVsPhase = "residual_vs_phase",
+        /// The residual depends on the time.
+        ResidualVsTime = "residual_vs_time",
+        /// Readings lie at the end of a sensor's range.
+        Saturated = "saturated",
+        /// The residual is larger than the noise.
+        Structure = "structure",
+    }
+}
+
+named! {
+    /// The verdict on the simulation, in one word. Its default is the one that claims nothing.
+    #[derive(Default)]
+    Status: "status of the verdict" {
+        /// Nothing is missing.
+        Adequate = "adequate",
+        /// By causes that others could replace.
+        Ambiguous = "ambiguous",
+        /// By causes that nothing else replaces.
+        Explained = "explained",
+        /// Contradictions remain.
+        #[default]
+        Unexplained = "unexplained",
+    }
+}
+
 /// One thing that the base simulation gets wrong.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
-    /// `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time`,
-    /// `residual_vs_phase`, `line_in_spectrum`, `across_the_axis`, `saturated`, `between_swings`,
-    /// `dimension`.
-    pub what: String,
+    /// What kind of thing.
+    pub what: DiscrepancyKind,
     /// How large it is.
     pub size: f64,
     /// Unit of the size.
@@ -89,14 +131,14 @@ impl Discrepancy {
     /// One of a swing: what it is, its size with the unit, its significance, and in words.
     pub(super) fn of(
         swing: &str,
-        what: &str,
+        what: DiscrepancyKind,
         (size, unit): (f64, &str),
         sigma: f64,
         message: Message,
     ) -> Self {
         Self {
             swing: swing.into(),
-            what: what.into(),
+            what,
             size,
             unit: unit.into(),
             sigma,
@@ -145,8 +187,8 @@ pub struct ParameterResult {
 /// What follows from it all.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CauseVerdict {
-    /// `adequate`, `explained`, `ambiguous` or `unexplained`.
-    pub status: String,
+    /// Which of the four verdicts.
+    pub status: Status,
     /// Causes named.
     pub causes: Vec<String>,
     /// Causes that these data cannot tell from those.

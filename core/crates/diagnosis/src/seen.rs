@@ -6,7 +6,7 @@
 
 use num_complex::Complex64;
 
-use super::result::Discrepancy;
+use super::result::{Discrepancy, DiscrepancyKind};
 use super::words;
 use gyradius_base::message::Argument;
 use gyradius_recording::ModeName;
@@ -113,7 +113,7 @@ impl Seen<'_> {
         );
         Some(Discrepancy::of(
             self.swing,
-            "period_vs_amplitude",
+            DiscrepancyKind::PeriodVsAmplitude,
             (measured - simulated, "%"),
             sigma,
             said,
@@ -147,7 +147,7 @@ impl Seen<'_> {
         );
         Some(Discrepancy::of(
             self.swing,
-            "decay_vs_amplitude",
+            DiscrepancyKind::DecayVsAmplitude,
             (size, "%"),
             sigma,
             said,
@@ -198,7 +198,7 @@ impl Seen<'_> {
             );
             Discrepancy::of(
                 self.swing,
-                "residual_vs_phase",
+                DiscrepancyKind::ResidualVsPhase,
                 (ends.sqrt() - middle.sqrt(), "1"),
                 sigma,
                 said,
@@ -301,7 +301,7 @@ mod tests {
         let all = findings(1.0 / 16.0, 0.0);
         let told = all
             .iter()
-            .find(|d| d.what == "period_vs_amplitude")
+            .find(|d| d.what == DiscrepancyKind::PeriodVsAmplitude)
             .unwrap();
         let amplitudes: Vec<f64> = told
             .message
@@ -357,7 +357,10 @@ mod tests {
     #[test]
     fn a_lag_is_left_where_the_rate_changes_fastest() {
         let all = findings(0.0, 1e-3 / 16.0);
-        let told = all.iter().find(|d| d.what == "residual_vs_phase").unwrap();
+        let told = all
+            .iter()
+            .find(|d| d.what == DiscrepancyKind::ResidualVsPhase)
+            .unwrap();
         assert!(
             told.message.english.contains("turns round"),
             "{}",

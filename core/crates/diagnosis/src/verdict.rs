@@ -8,7 +8,7 @@ use super::base::Base;
 use super::causes::UNKNOWN;
 use super::fitting::Fitted;
 use super::point::{Cause, Form};
-use super::result::{CauseResult, CauseVerdict, ParameterResult};
+use super::result::{CauseResult, CauseVerdict, ParameterResult, Status};
 use super::search::{Found, Round};
 use super::trial::Tried;
 use super::words;
@@ -119,21 +119,21 @@ impl Found<'_> {
 /// and whether structure remains.
 pub fn judged(mut causes: Vec<String>, rivals: Vec<String>, unexplained: bool) -> CauseVerdict {
     let status = match (unexplained, causes.is_empty(), rivals.is_empty()) {
-        (true, ..) => "unexplained",
-        (false, true, _) => "adequate",
-        (false, false, true) => "explained",
-        (false, false, false) => "ambiguous",
+        (true, ..) => Status::Unexplained,
+        (false, true, _) => Status::Adequate,
+        (false, false, true) => Status::Explained,
+        (false, false, false) => Status::Ambiguous,
     };
     if unexplained && !causes.iter().any(|id| id == UNKNOWN) {
         causes.push(UNKNOWN.into());
     }
-    let indistinguishable_from = if status == "ambiguous" {
+    let indistinguishable_from = if status == Status::Ambiguous {
         rivals
     } else {
         vec![]
     };
     let mut verdict = CauseVerdict {
-        status: status.into(),
+        status,
         causes,
         indistinguishable_from,
         ..Default::default()
@@ -214,19 +214,19 @@ fn in_words(verdict: &CauseVerdict) -> Message {
     };
     let known: Vec<&String> = verdict.causes.iter().filter(|id| *id != UNKNOWN).collect();
     let causes = || ("causes", all(&known, "and_also"));
-    match &*verdict.status {
-        "adequate" => words::message("adequate", []),
-        "explained" => words::message("explained", [causes()]),
-        "ambiguous" => {
+    match verdict.status {
+        Status::Adequate => words::message("adequate", []),
+        Status::Explained => words::message("explained", [causes()]),
+        Status::Ambiguous => {
             let others: Vec<&String> = verdict.indistinguishable_from.iter().collect();
             words::message("ambiguous", [causes(), ("others", all(&others, "or_also"))])
         }
-        _ if known.is_empty() => words::message("unexplained", []),
-        _ if known.len() > MOST_NAMED => words::message(
+        Status::Unexplained if known.is_empty() => words::message("unexplained", []),
+        Status::Unexplained if known.len() > MOST_NAMED => words::message(
             "many",
             [("count", words::number(known.len() as f64, 0)), causes()],
         ),
-        _ => words::message("remains", [causes()]),
+        Status::Unexplained => words::message("remains", [causes()]),
     }
 }
 

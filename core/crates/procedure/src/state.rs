@@ -10,6 +10,7 @@ use super::tilt::Tilt;
 use gyradius_base::message::Message;
 use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
+use gyradius_diagnosis::Status;
 use gyradius_identification::QuantityResult;
 use gyradius_planning::Step;
 use gyradius_recording::Suspension;
@@ -194,8 +195,8 @@ pub struct ResultView {
 /// What the criticism says in short.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CritiqueView {
-    /// `adequate`, `explained`, `ambiguous` or `unexplained`.
-    pub status: String,
+    /// Which of the four verdicts.
+    pub status: Status,
     /// In words.
     #[serde(flatten, with = "text_and_said")]
     pub message: Message,

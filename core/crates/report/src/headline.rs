@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::source::ReportSource;
+use gyradius_diagnosis::Status;
 use gyradius_identification::routes::guard::{Limit, verdict};
 use gyradius_identification::{QuantityResult, Verdict};
 use gyradius_recording::Quantity;
@@ -45,7 +46,7 @@ impl Headline {
 fn extended(source: &ReportSource) -> BTreeMap<String, QuantityResult> {
     let critique = source.criticised().map(|criticism| &criticism.critique);
     critique
-        .filter(|critique| critique.verdict.status != "adequate")
+        .filter(|critique| critique.verdict.status != Status::Adequate)
         .map_or_else(BTreeMap::new, |critique| {
             critique.extended.quantities.clone()
         })

@@ -2,8 +2,8 @@
 
 use super::causes::{CAUSES, Cause};
 use super::model::{Fitted, Setting};
-use super::words::{self, Standing};
-use crate::result::CauseResult;
+use super::words;
+use crate::result::{CauseResult, Status};
 use gyradius_base::error::{Error, Result};
 use gyradius_identification::estimate::Observed;
 
@@ -127,17 +127,17 @@ impl<'a> Choice<'a> {
     }
 
     /// What follows.
-    pub fn standing(&self) -> Standing {
+    pub fn standing(&self) -> Status {
         let extended = self.extended();
         match (
             extended.p_value() < CONTRADICTION,
             extended.causes.is_empty(),
             self.rivals.is_empty(),
         ) {
-            (true, _, _) => Standing::Unexplained,
-            (false, true, _) => Standing::Adequate,
-            (false, false, true) => Standing::Explained,
-            (false, false, false) => Standing::Ambiguous,
+            (true, _, _) => Status::Unexplained,
+            (false, true, _) => Status::Adequate,
+            (false, false, true) => Status::Explained,
+            (false, false, false) => Status::Ambiguous,
         }
     }
 }

@@ -19,13 +19,14 @@ use gyradius_identification::{Analysis, Measurement, QuantityResult, solved_peri
 use gyradius_identification::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE};
 use gyradius_recording::LoadedSession;
 
-use super::result::{CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing};
+use super::result::{
+    CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing, Status,
+};
 use super::words::message;
 use super::{FORMAT, shifts};
 pub use causes::CAUSES;
 use choice::Choice;
 use model::{Fitted, HeldOut, Setting};
-use words::Standing;
 
 /// Criticises a session by its periods; `analysis` is that of the same session.
 ///
@@ -163,7 +164,7 @@ fn cause_results(setting: &Setting, choice: &Choice) -> Vec<CauseResult> {
     let mut others: Vec<CauseResult> = choice.rounds.first().map_or(vec![], |r| r.results(setting));
     others.retain(|cause| taken.iter().all(|t| t.id != cause.id));
     let unknown =
-        (choice.standing() == Standing::Unexplained).then(|| words::unknown(setting, choice));
+        (choice.standing() == Status::Unexplained).then(|| words::unknown(setting, choice));
     taken.into_iter().chain(unknown).chain(others).collect()
 }
 
@@ -175,13 +176,13 @@ fn verdict(setting: &Setting, choice: &Choice) -> CauseVerdict {
         .iter()
         .map(|c| c.id.into())
         .collect();
-    if standing == Standing::Unexplained {
+    if standing == Status::Unexplained {
         causes.push("unknown".into());
     }
     let next_swing = next_swing::next_swing(setting, choice.extended(), &choice.rivals);
     let said = words::verdict(choice);
     CauseVerdict {
-        status: standing.name().into(),
+        status: standing,
         causes,
         indistinguishable_from: choice.rival_names(),
         message: said,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::causes::{CauseNumber, Shown};
 use super::choice::Choice;
 use super::model::{Fitted, HeldOut, Setting};
-use crate::result::{CauseResult, Discrepancy, ParameterResult};
+use crate::result::{CauseResult, Discrepancy, DiscrepancyKind, ParameterResult, Status};
 use crate::words;
 use gyradius_base::message::{Argument, Message};
 use gyradius_identification::estimate::{Observation, Observed};
@@ -21,31 +21,6 @@ const TOLD: f64 = 2.0;
 const EARTH_M_S2: std::ops::Range<f64> = 9.75..9.85;
 /// A swing is hinted at where without it so much of the contradiction is left at most.
 const MOST_LEFT: f64 = 0.2;
-
-/// What follows from a choice.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Standing {
-    /// Nothing is missing.
-    Adequate,
-    /// By causes that nothing else replaces.
-    Explained,
-    /// By causes that others could replace.
-    Ambiguous,
-    /// Contradictions remain.
-    Unexplained,
-}
-
-impl Standing {
-    /// As the format spells it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Standing::Adequate => "adequate",
-            Standing::Explained => "explained",
-            Standing::Ambiguous => "ambiguous",
-            Standing::Unexplained => "unexplained",
-        }
-    }
-}
 
 /// A figure with two digits of its uncertainty; a pure number has no unit.
 pub fn figure(q: Quantity, unit: &str) -> String {
@@ -88,7 +63,7 @@ pub fn discrepancies(base: &Fitted) -> Vec<Discrepancy> {
         })
         .collect();
     // A period and the dimension that it contradicts differ by as much: the swing is named first.
-    let order = |d: &Discrepancy| (-(10.0 * d.sigma).round() as i64, d.what.clone());
+    let order = |d: &Discrepancy| (-(10.0 * d.sigma).round() as i64, d.what);
     found.sort_by_key(order);
     found
 }
@@ -126,7 +101,7 @@ fn between_swings(base: &Fitted, observation: &Observation, held: HeldOut) -> Di
     );
     Discrepancy::of(
         &swing,
-        "between_swings",
+        DiscrepancyKind::BetweenSwings,
         (relative, "1"),
         held.z.abs(),
         said,
@@ -183,7 +158,7 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
         );
         Discrepancy::of(
             "",
-            "dimension",
+            DiscrepancyKind::Dimension,
             (prior.value - held.predicted, unit),
             held.z.abs(),
             said,
@@ -394,11 +369,11 @@ pub fn verdict(choice: &Choice) -> Message {
     };
     let hangs = || ("hangs", words::part(consequences(choice)));
     match choice.standing() {
-        Standing::Adequate => words::message("periods_adequate", []),
-        Standing::Explained => words::message("periods_explained", [causes()]),
-        Standing::Ambiguous => words::message("periods_ambiguous", [causes(), others(), hangs()]),
-        Standing::Unexplained if named.is_empty() => words::message("periods_contradiction", []),
-        Standing::Unexplained => {
+        Status::Adequate => words::message("periods_adequate", []),
+        Status::Explained => words::message("periods_explained", [causes()]),
+        Status::Ambiguous => words::message("periods_ambiguous", [causes(), others(), hangs()]),
+        Status::Unexplained if named.is_empty() => words::message("periods_contradiction", []),
+        Status::Unexplained => {
             let instead =
                 (!rivals.is_empty()).then(|| words::message("periods_instead", [others()]));
             words::message(

@@ -2,7 +2,7 @@
 
 use super::super::findings::{Record, structure_of};
 use super::super::point::Part;
-use super::super::result::Discrepancy;
+use super::super::result::{Discrepancy, DiscrepancyKind};
 use super::super::seen::Seen;
 use super::super::white::spectrum;
 use super::super::words;
@@ -102,7 +102,13 @@ fn across(swing: &Swing) -> Option<Discrepancy> {
                 ("most_hz", words::number(most_hz, 3)),
             ],
         );
-        Discrepancy::of(swing.id, "across_the_axis", (share, "1"), sigma, said)
+        Discrepancy::of(
+            swing.id,
+            DiscrepancyKind::AcrossTheAxis,
+            (share, "1"),
+            sigma,
+            said,
+        )
     })
 }
 

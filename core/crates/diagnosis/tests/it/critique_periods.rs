@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::told::told_in_every_language;
-use gyradius_diagnosis::{Critique, criticise_periods};
+use gyradius_diagnosis::{Critique, DiscrepancyKind, Status, criticise_periods};
 use gyradius_identification::{MeasureOptions, analyse};
 use gyradius_recording::import::{ImportOptions, ImportedData, import_files};
 use gyradius_recording::{
@@ -263,7 +263,7 @@ fn named(
         }
         assert!(is_named || is_open, "{:?}", critique.verdict);
         assert!(
-            ["explained", "ambiguous"].contains(&critique.verdict.status.as_str()),
+            [Status::Explained, Status::Ambiguous].contains(&critique.verdict.status),
             "{:?}",
             critique.verdict
         );
@@ -296,7 +296,7 @@ fn complete_sessions_are_adequate() {
         };
         let wanted = if i % 2 == 0 { ALL } else { YAW_AND_SWAY };
         let critique = criticised(&drawn(&mut rng, &hull, &Hidden::default(), rig, wanted));
-        if critique.verdict.status != "adequate" {
+        if critique.verdict.status != Status::Adequate {
             wrong += 1;
             show(&critique);
         }
@@ -341,7 +341,8 @@ fn at_one_length_a_wrong_tape_is_ambiguous_and_a_swing_is_proposed() {
     });
     for critique in &all {
         assert_eq!(
-            critique.verdict.status, "ambiguous",
+            critique.verdict.status,
+            Status::Ambiguous,
             "{:?}",
             critique.verdict
         );
@@ -459,11 +460,10 @@ fn the_papers_keelboat_is_flagged_with_a_ranking() {
     let critique = criticised(&shipped("keelboat"));
     show(&critique);
     // Errata: the sway periods imply 3.591 and 3.625 m, the tape said 3.477 ± 0.006 m.
-    assert!(["ambiguous", "unexplained"].contains(&critique.verdict.status.as_str()));
-    let tape = critique
-        .discrepancies
-        .iter()
-        .find(|d| d.what == "dimension" && d.message.english.contains("line length"));
+    assert!([Status::Ambiguous, Status::Unexplained].contains(&critique.verdict.status));
+    let tape = critique.discrepancies.iter().find(|d| {
+        d.what == DiscrepancyKind::Dimension && d.message.english.contains("line length")
+    });
     assert!(
         tape.unwrap().sigma > 10.0 && (tape.unwrap().size + 0.131).abs() < 0.02,
         "{tape:?}"
@@ -511,7 +511,7 @@ fn the_papers_model_hull_contradicts_itself_at_one_spacing() {
     let critique = criticised(&shipped("model-hull"));
     show(&critique);
     // Its README: the rows differ by a per cent or so.
-    assert_eq!(critique.verdict.status, "unexplained");
+    assert_eq!(critique.verdict.status, Status::Unexplained);
     assert_eq!(critique.discrepancies[0].swing, "level-1084mm");
 }
 
@@ -568,7 +568,7 @@ fn no_common_cause_accounts_for_the_spread_of_the_bar() {
     let Some(bar) = bar() else { return };
     let critique = criticised(&bar);
     show(&critique);
-    assert_eq!(critique.verdict.status, "unexplained");
+    assert_eq!(critique.verdict.status, Status::Unexplained);
     assert!(critique.verdict.causes.iter().any(|c| c == "unknown"));
     assert!(critique.discrepancies.len() >= 6);
 }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::told::told_in_every_language;
-use gyradius_diagnosis::{Critique, criticise};
+use gyradius_diagnosis::{Critique, DiscrepancyKind, Status, criticise};
 use gyradius_recording::import::{ColumnMapping, ImportOptions, ImportedData, import_files};
 use gyradius_recording::{
     Body, Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording,
@@ -170,9 +170,9 @@ fn named(quadratic: f64, dry: f64, causes: &[&str]) -> usize {
     let mut rng = rng();
     let right = |critique: &Critique| {
         let status = if causes.is_empty() {
-            "adequate"
+            Status::Adequate
         } else {
-            "explained"
+            Status::Explained
         };
         critique.verdict.causes == causes && critique.verdict.status == status
     };
@@ -247,7 +247,7 @@ fn the_phone_pendulum_is_not_explained_away() {
         return;
     };
     let critique = criticised(&session(recording, compound(), vec![]));
-    assert_eq!(critique.verdict.status, "unexplained");
+    assert_eq!(critique.verdict.status, Status::Unexplained);
     let period = critique.baseline.quantities["small_period_swing_s"]
         .value
         .scalar()
@@ -257,7 +257,7 @@ fn the_phone_pendulum_is_not_explained_away() {
         critique
             .discrepancies
             .iter()
-            .any(|d| d.what == "period_vs_amplitude")
+            .any(|d| d.what == DiscrepancyKind::PeriodVsAmplitude)
     );
     assert!(critique.extended.rms_over_noise < critique.baseline.rms_over_noise);
 }
@@ -282,7 +282,7 @@ fn the_ducted_fan_is_not_explained_away() {
         ..compound()
     };
     let critique = criticised(&session(recording, lines, vec![Excitation::Yaw]));
-    assert_eq!(critique.verdict.status, "unexplained");
+    assert_eq!(critique.verdict.status, Status::Unexplained);
     let period = critique.baseline.quantities["small_period_swing_s"]
         .value
         .scalar()

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use gyradius_diagnosis::{CauseVerdict, Critique, NextSwing};
+use gyradius_diagnosis::{CauseVerdict, Critique, NextSwing, Status};
 use gyradius_planning::{PlannedSwing, Step};
 use gyradius_procedure::{Event, Phase, Recommend, Rehearsal, Task, practice_task};
 use gyradius_recording::{Excitation, Quantity, load_session};
@@ -134,7 +134,7 @@ fn tells_more(seed: u64) -> bool {
     let mut rehearsal = Rehearsal::create(folder.path().join("p"), rig, task, seed).unwrap();
     play(&mut rehearsal, &[Phase::Suggest, Phase::Done]);
     let before = verdict(&rehearsal);
-    if before.status != "ambiguous" || !candidates(&before).contains(TRUTH) {
+    if before.status != Status::Ambiguous || !candidates(&before).contains(TRUTH) {
         println!("{before:?}");
         return false;
     }
@@ -172,7 +172,7 @@ fn tells_more(seed: u64) -> bool {
     println!("{before:?}\n{after:?}");
     let found = candidates(&after);
     found.contains(TRUTH)
-        && after.status != "unexplained"
+        && after.status != Status::Unexplained
         && found.len() <= candidates(&before).len()
 }
 

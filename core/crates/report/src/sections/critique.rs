@@ -10,7 +10,7 @@ use crate::table::{figures, list, table};
 use crate::words;
 use gyradius_diagnosis::{
     CauseResult, Criticism, Critique, Discrepancy, LearnedForce, ModelResult, NextSwing,
-    ParameterResult,
+    ParameterResult, Status,
 };
 use gyradius_identification::{QuantityResult, Value};
 
@@ -57,15 +57,15 @@ fn written(criticism: &Criticism, out: &mut Markup) {
 
 /// True where nothing is missing: both simulations are one.
 fn is_adequate(critique: &Critique) -> bool {
-    critique.verdict.status == "adequate"
+    critique.verdict.status == Status::Adequate
 }
 
 fn verdict(critique: &Critique, out: &mut Markup) {
-    let (word, class) = match &*critique.verdict.status {
-        "adequate" => ("Nothing is missing", "verdict pass"),
-        "explained" => ("Explained", "verdict pass"),
-        "ambiguous" => ("Ambiguous", "verdict undecided"),
-        _ => ("Unexplained", "verdict fail"),
+    let (word, class) = match critique.verdict.status {
+        Status::Adequate => ("Nothing is missing", "verdict pass"),
+        Status::Explained => ("Explained", "verdict pass"),
+        Status::Ambiguous => ("Ambiguous", "verdict undecided"),
+        Status::Unexplained => ("Unexplained", "verdict fail"),
     };
     out.within("p", &[("class", class)], |out| {
         out.element("strong", &[], word);
@@ -374,7 +374,9 @@ fn row(found: &Discrepancy) -> Vec<String> {
         } else {
             found.swing.clone()
         },
-        words::sentence_case(&words::spaced(&found.what.replace("_vs_", " against "))),
+        words::sentence_case(&words::spaced(
+            &found.what.name().replace("_vs_", " against "),
+        )),
         joined(&significant(found.size, 3), &words::unit_text(&found.unit)),
         format!("{} σ", sigmas(found.sigma)),
         words::sentence_case(&found.message.english),

@@ -1,7 +1,7 @@
 //! The part on what the simulation gets wrong: what it says, which figures head the report, and
 //! that no data break it.
 
-use gyradius_diagnosis::{Criticism, Critique, SwingTrace};
+use gyradius_diagnosis::{Criticism, Critique, Status, SwingTrace};
 use gyradius_report::{ReportSource, figures, html};
 
 use crate::report::degenerate::{BAD, assert_finite};
@@ -128,7 +128,7 @@ fn the_extended_figures_head_the_report() {
 
 #[test]
 fn the_base_figures_head_the_report_where_nothing_is_missing() {
-    let source = changed(|critique| critique.verdict.status = "adequate".into());
+    let source = changed(|critique| critique.verdict.status = Status::Adequate);
     let page = html(&source);
     assert!(page.contains("<strong>Nothing is missing</strong>"));
     assert!(page.contains("<td class=\"value\">1.05660 ± 0.00093 m</td>"));
