@@ -12,7 +12,7 @@ use gyradius_base::message::warnings_and_said;
 use gyradius_recording::{ModeName, Repair};
 
 /// A session's or a bare recording's result.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Measurement {
     /// `gyradius-measurement/1`.
     pub format: String,
@@ -34,6 +34,7 @@ pub struct Measurement {
     pub verdicts: Vec<Verdict>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
 }
 
@@ -45,7 +46,7 @@ impl Measurement {
 }
 
 /// One swing's modes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct SwingResult {
     /// The swing's id.
     pub id: String,
@@ -57,6 +58,7 @@ pub struct SwingResult {
     pub repairs: Vec<Repair>,
     /// What a reader must know of this swing.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
@@ -73,7 +75,7 @@ impl SwingResult {
 }
 
 /// One mode of one swing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ModeResult {
     /// Name by shape.
     pub mode: ModeName,
@@ -107,7 +109,7 @@ pub struct ModeResult {
 }
 
 /// Period and decay at one amplitude.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct AmplitudePoint {
     /// Middle of the window, s.
     pub t_s: f64,
@@ -124,7 +126,7 @@ pub struct AmplitudePoint {
 }
 
 /// A quantity with its uncertainty. `value` is a number, a vector or a matrix as the contract says.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct QuantityResult {
     /// Value: number, `[3]` or `[3][3]`.
     pub value: serde_json::Value,
@@ -138,7 +140,7 @@ pub struct QuantityResult {
 }
 
 /// A single route to a quantity.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Route {
     /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum`, `compound`, `lamboley`,
     /// `incline`, `tilted_yaw`, …
@@ -156,7 +158,7 @@ pub struct Route {
 }
 
 /// One line of an uncertainty budget.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct BudgetLine {
     /// The input.
     pub input: String,
@@ -165,7 +167,7 @@ pub struct BudgetLine {
 }
 
 /// One sitting of the consistency court.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Claim {
     /// What is claimed: `line_length`, `spacing`, `top_spacing`, `gravity`, `hull_pitch`, or a
     /// route such as `k_yaw_m`.
@@ -186,6 +188,7 @@ pub struct Claim {
     pub flagged: bool,
     /// A sentence for the report.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
     /// Routes: how many pairs of swings stand behind this one, which differs most.
     #[serde(skip_serializing_if = "is_one", default = "one")]
@@ -196,7 +199,7 @@ pub struct Claim {
 }
 
 /// A guard-banded verdict against a class limit (JCGM 106).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Verdict {
     /// The quantity.
     pub quantity: String,
