@@ -13,7 +13,7 @@ LOGS := build/logs
 STEP := tests/step $(LOGS)
 CRATES := --workspace --exclude gyradius-python
 
-.PHONY: help demo check test graph lint lint-python release-package bench gallery package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test graph schemas lint lint-python release-package bench gallery package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -161,6 +161,10 @@ peers: release-package blind-tools
 
 blind-tools: $(BIN)/maturin
 	@$(BIN)/python -m pip --quiet install -r tests/requirements.txt
+
+# The schemas of the program's JSON, from its types.
+schemas:
+	@GYRADIUS_WRITE_SCHEMAS=1 cargo test -p gyradius-core --test it committed_schemas
 
 # Which crate uses which, in ARCHITECTURE.md.
 graph:

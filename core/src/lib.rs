@@ -1,7 +1,7 @@
 //! Inertia of a rigid body from the recordings of a phone that swings with it on two lines.
 //!
-//! This crate holds no code of its own: it is what the faces (Python, Kotlin, Swift) see of the
-//! member crates under `core/crates`. Which of them uses which is shown in `ARCHITECTURE.md` and
+//! This crate holds no science of its own: it is what the faces (Python, Kotlin, Swift) see of the
+//! member crates, and the schemas of what they write. The crates stand under `core/crates`. Which of them uses which is shown in `ARCHITECTURE.md` and
 //! held by their `Cargo.toml`.
 //!
 //! # Conventions
@@ -9,6 +9,8 @@
 //! up, right-handed; yaw turns about z, pitch about y, roll about x. Positive pitch *angles in the
 //! session file* (`hull_pitch_deg`) and ψ are bow up. A standard uncertainty is `u` (or `_se_` for
 //! a fitted figure), one sigma.
+
+pub mod schemas;
 
 pub use gyradius_base::{Error, Result, constants, error, frames, language, message, progress};
 pub use gyradius_diagnosis as diagnosis;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// A language of the messages that an operator reads or hears.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Language {
     /// As everywhere else.

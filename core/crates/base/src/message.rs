@@ -8,7 +8,7 @@ use crate::catalogue::{self, format};
 use crate::language::Language;
 
 /// A sentence: its key, what it names, and the English of both.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Message {
     /// Key in the Fluent files; empty where there is no more of it than English.
     pub key: String,
@@ -19,7 +19,7 @@ pub struct Message {
 }
 
 /// Something that a sentence names.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Argument {
     /// A number with the decimals that it is shown with.
@@ -197,7 +197,7 @@ macro_rules! english_and_said {
             use super::Message;
 
             /// The two keys.
-            #[derive(Serialize, Deserialize)]
+            #[derive(Serialize, Deserialize, schemars::JsonSchema)]
             pub struct $English {
                 /// The message in English.
                 #[serde(default)]
@@ -239,7 +239,7 @@ pub mod warnings_and_said {
     use super::Message;
 
     /// The two keys.
-    #[derive(Serialize, Deserialize)]
+    #[derive(Serialize, Deserialize, schemars::JsonSchema)]
     pub struct WarningsAndSaid {
         /// What a reader must know, in English.
         #[serde(default)]

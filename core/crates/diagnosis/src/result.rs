@@ -17,7 +17,7 @@ use gyradius_recording::Excitation;
 use super::named::named;
 
 /// The criticism of a session.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Critique {
     /// `gyradius-critique/1`.
     pub format: String,
@@ -41,6 +41,7 @@ pub struct Critique {
     pub learned: Option<LearnedForce>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
 }
 
@@ -57,7 +58,7 @@ impl Critique {
 }
 
 /// A simulation fitted to the session.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ModelResult {
     /// Residual over noise of the samples that it was fitted to: 1 where nothing is left.
     pub rms_over_noise: Option<f64>,
@@ -110,7 +111,7 @@ named! {
 }
 
 /// One thing that the base simulation gets wrong.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
@@ -124,6 +125,7 @@ pub struct Discrepancy {
     pub sigma: f64,
     /// In words.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
 }
 
@@ -155,7 +157,7 @@ impl NextSwing {
 }
 
 /// A cause that was tried.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CauseResult {
     /// Its name in the contract.
     pub id: String,
@@ -167,6 +169,7 @@ pub struct CauseResult {
     pub parameters: BTreeMap<String, ParameterResult>,
     /// What it is and how strong, in words.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
     /// Whether the extended model has it.
     #[serde(default)]
@@ -174,7 +177,7 @@ pub struct CauseResult {
 }
 
 /// A fitted parameter.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ParameterResult {
     /// Value.
     pub value: f64,
@@ -185,7 +188,7 @@ pub struct ParameterResult {
 }
 
 /// What follows from it all.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CauseVerdict {
     /// Which of the four verdicts.
     pub status: Status,
@@ -197,11 +200,12 @@ pub struct CauseVerdict {
     pub next_swing: Option<NextSwing>,
     /// In words.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
 }
 
 /// A swing worth making.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct NextSwing {
     /// The swing of the session that it hangs like but for what is told here.
     #[serde(default)]
@@ -222,11 +226,12 @@ pub struct NextSwing {
     pub sigma: f64,
     /// In words.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
 }
 
 /// What the extension gained.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Gain {
     /// Held-out residual of the base simulation over that of the extended one.
     pub heldout_rms_ratio: Option<f64>,
@@ -240,7 +245,7 @@ pub struct Gain {
 }
 
 /// A generalised force learned from the data inside the simulation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct LearnedForce {
     /// `yaw`, `turn` (pitch or roll), `across` or `along`.
     pub coordinate: String,
@@ -269,12 +274,13 @@ pub struct Criticism {
 }
 
 /// Samples of a swing's most telling channel against both simulations.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct SwingTrace {
     /// The swing.
     pub swing: String,
     /// The channel, in words.
     #[serde(flatten, with = "channel_and_said")]
+    #[schemars(with = "channel_and_said::ChannelAndSaid")]
     pub channel: Message,
     /// Unit of the readings.
     pub unit: String,

@@ -14,7 +14,7 @@ use gyradius_recording::{ModeName, Repair};
 use super::value::Value;
 
 /// A session's or a bare recording's result.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Measurement {
     /// `gyradius-measurement/1`.
     pub format: String,
@@ -36,6 +36,7 @@ pub struct Measurement {
     pub verdicts: Vec<Verdict>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
 }
 
@@ -47,7 +48,7 @@ impl Measurement {
 }
 
 /// One swing's modes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct SwingResult {
     /// The swing's id.
     pub id: String,
@@ -59,6 +60,7 @@ pub struct SwingResult {
     pub repairs: Vec<Repair>,
     /// What a reader must know of this swing.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
@@ -75,7 +77,7 @@ impl SwingResult {
 }
 
 /// One mode of one swing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ModeResult {
     /// Name by shape.
     pub mode: ModeName,
@@ -109,7 +111,7 @@ pub struct ModeResult {
 }
 
 /// Period and decay at one amplitude.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct AmplitudePoint {
     /// Middle of the window, s.
     pub t_s: f64,
@@ -126,7 +128,7 @@ pub struct AmplitudePoint {
 }
 
 /// A quantity with its uncertainty.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct QuantityResult {
     /// Value.
     pub value: Value,
@@ -140,7 +142,7 @@ pub struct QuantityResult {
 }
 
 /// A single route to a quantity.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Route {
     /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum`, `compound`, `lamboley`,
     /// `incline`, `tilted_yaw`, …
@@ -158,7 +160,7 @@ pub struct Route {
 }
 
 /// One line of an uncertainty budget.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct BudgetLine {
     /// The input.
     pub input: String,
@@ -167,7 +169,7 @@ pub struct BudgetLine {
 }
 
 /// One sitting of the consistency court.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Claim {
     /// What is claimed: `line_length`, `spacing`, `top_spacing`, `gravity`, `hull_pitch`, or a
     /// route such as `k_yaw_m`.
@@ -188,6 +190,7 @@ pub struct Claim {
     pub flagged: bool,
     /// A sentence for the report.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
     /// Routes: how many pairs of swings stand behind this one, which differs most.
     #[serde(skip_serializing_if = "is_one", default = "one")]
@@ -198,7 +201,7 @@ pub struct Claim {
 }
 
 /// A guard-banded verdict against a class limit (JCGM 106).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Verdict {
     /// The quantity.
     pub quantity: String,

@@ -4,15 +4,27 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 /// The value of a quantity or its standard uncertainty. In JSON: a number, `[3]` or `[3][3]`, with
 /// `null` for a number that is not finite.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(untagged)]
 pub enum Value {
     /// A number.
-    Scalar(#[serde(deserialize_with = "number")] f64),
+    Scalar(
+        #[serde(deserialize_with = "number")]
+        #[schemars(with = "Option<f64>")]
+        f64,
+    ),
     /// Three numbers, along x, y and z.
-    Vector(#[serde(deserialize_with = "vector")] [f64; 3]),
+    Vector(
+        #[serde(deserialize_with = "vector")]
+        #[schemars(with = "[Option<f64>; 3]")]
+        [f64; 3],
+    ),
     /// Three by three numbers, by rows.
-    Matrix(#[serde(deserialize_with = "matrix")] [[f64; 3]; 3]),
+    Matrix(
+        #[serde(deserialize_with = "matrix")]
+        #[schemars(with = "[[Option<f64>; 3]; 3]")]
+        [[f64; 3]; 3],
+    ),
 }
 
 impl Value {

@@ -11,7 +11,7 @@ use gyradius_mechanics::RigidBody;
 use gyradius_recording::{Quantity, Session};
 
 /// Types of boats of which rough ratios are known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BoatType {
     /// With a ballast keel, full size.
@@ -109,7 +109,7 @@ impl BoatType {
 }
 
 /// What a user tells of a hull. Gyradii and depth that are told go before those of the type.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct RoughHull {
     /// Everything that hangs, kg.
@@ -133,7 +133,7 @@ pub struct RoughHull {
 }
 
 /// A hull as the plan assumes it: each figure with how far it may be off, and where it comes from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Hull {
     /// Everything that hangs, kg.
     pub mass_kg: f64,

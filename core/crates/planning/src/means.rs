@@ -7,7 +7,7 @@ use gyradius_base::error::{Error, Result};
 use gyradius_recording::Quantity;
 
 /// What is at hand. Every field has a default, so that a request need only say what differs.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Means {
     /// Room for the lines, between what they hang from and the suspension points on the hull, m.

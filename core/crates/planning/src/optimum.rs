@@ -9,7 +9,7 @@ use gyradius_identification::routes::double_pendulum::{
 };
 
 /// The best dimensions for a hull, whether there is room for them or not.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Optima {
     /// Line length for the pitch gyradius with the depth of the centre of mass held as known, by
     /// (19), m: Figs. 16 and 17 of the paper.

@@ -21,7 +21,7 @@ use gyradius_identification::{MeasureOptions, Measurement, measure};
 use gyradius_recording::{LoadedSession, Orientation, Quantity, Suspension};
 
 /// What is asked for, as apps and commands send it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Request {
     /// What the plan is for, free text.

@@ -19,7 +19,7 @@ use gyradius_recording::{ModeName, Suspension};
 pub const FORMAT: &str = "gyradius-plan/1";
 
 /// What to do, and what it is expected to give.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Plan {
     /// `gyradius-plan/1`.
     pub format: String,
@@ -50,7 +50,7 @@ pub struct Plan {
 }
 
 /// One way to hang the hull.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct HangingAdvice {
     /// Points of the square frame of Fig. 21, as Table 4 has them: `B-F`.
     pub frame_points: String,
@@ -62,11 +62,12 @@ pub struct HangingAdvice {
     pub swings: Vec<String>,
     /// In words.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
 }
 
 /// What a planned swing will show.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PredictedSwing {
     /// The swing.
     pub id: String,
@@ -80,7 +81,7 @@ pub struct PredictedSwing {
 }
 
 /// A beat, (10)–(13).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Beat {
     /// From one minimum to the next, s; absent where yaw and sway keep step.
     pub period_s: Option<f64>,
@@ -91,7 +92,7 @@ pub struct Beat {
 }
 
 /// A quantity and how well it will be known.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PredictedQuantity {
     /// As it is assumed, m or degrees.
     pub value: f64,

@@ -10,7 +10,7 @@ use gyradius_recording::{AddedMass, End, Excitation, ModeName, Suspension};
 /// One thing to do, in the order of the plan.
 // A plan has a handful of steps and mostly of the large kind: a box would buy nothing.
 #[allow(clippy::large_enum_variant)]
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Step {
     /// Hang it so, set it going, record.
@@ -20,7 +20,7 @@ pub enum Step {
 }
 
 /// A swing to be made.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PlannedSwing {
     /// Unique id, that of the swing in the session to come.
     pub id: String,
@@ -41,7 +41,7 @@ pub struct PlannedSwing {
 }
 
 /// An incline test to be made.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PlannedIncline {
     /// The end that the weight hangs from.
     pub end: End,

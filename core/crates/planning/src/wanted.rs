@@ -18,7 +18,7 @@ const NAMES: [(&str, &str, bool); 5] = [
 ];
 
 /// A standard uncertainty that is wanted: `k_yaw=0.1%`, `k_pitch=2mm`, `depth=0.005m`, `psi=1deg`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Wanted {
     /// The quantity, by the name that measurements have.
     pub quantity: String,

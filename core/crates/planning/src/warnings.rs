@@ -30,7 +30,19 @@ pub const NEAR_IN_PHASE: f64 = 0.03;
 const WATCHED_PERIODS: f64 = 4.0;
 
 /// What a warning is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum WarningKind {
     /// Yaw has nearly the period of the in-phase pitch (or roll) mode: Kane and Tseng.
@@ -52,7 +64,7 @@ pub enum WarningKind {
 }
 
 /// One warning.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Warning {
     /// What it is about: the key of its sentence.
     pub kind: WarningKind,

@@ -14,7 +14,7 @@ use gyradius_planning::Step;
 pub(super) const FORMAT: &str = "gyradius-procedure/1";
 
 /// One line of the journal.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(tag = "entry", rename_all = "snake_case")]
 #[allow(clippy::large_enum_variant)]
 pub(super) enum Entry {

@@ -7,7 +7,7 @@ use gyradius_recording::recorder::{Header, SensorInfo, Stream};
 use gyradius_recording::{Quantity, Sensor};
 
 /// Something that happened.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(tag = "event", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Event {
     /// The operator begins.
@@ -75,7 +75,7 @@ pub enum Event {
 }
 
 /// Samples of one stream.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Batch {
     /// Their stream.
     pub channel: Channel,
@@ -86,7 +86,7 @@ pub struct Batch {
 }
 
 /// A stream of samples, by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
     /// Rotation rate, rad/s.
@@ -108,7 +108,7 @@ impl From<Channel> for Stream {
 }
 
 /// The phone as it describes itself.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PhoneInfo {
     /// Model.
     pub model: String,
@@ -117,7 +117,7 @@ pub struct PhoneInfo {
 }
 
 /// One sensor of the phone.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PhoneSensor {
     /// The stream that it fills.
     pub channel: Channel,
@@ -149,7 +149,9 @@ impl PhoneInfo {
 }
 
 /// How the phone is fixed to the hull.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Placement {
     /// Flat on a surface that is level when the hull is, screen up, top edge to the bow: tilts are
@@ -166,7 +168,7 @@ pub enum Placement {
 ///
 /// An incline must be given its `mass_kg`, `arm_m` and `depth_m`: nothing else says how well they
 /// are known.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Measured {
     /// Length of the lines, m.

@@ -27,7 +27,7 @@ const FAR_PART: f64 = 0.3;
 const FAR_DEG: f64 = 1.0;
 
 /// What is to be thought of a recording.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Judgement {
     /// What the operator is advised to do; it is theirs to decide.
     pub recommend: Recommend,
@@ -49,7 +49,7 @@ pub struct Judgement {
 }
 
 /// Advice for the end of a recording.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Recommend {
     /// It is good.
@@ -59,7 +59,7 @@ pub enum Recommend {
 }
 
 /// The tilt that a weight makes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct InclineReading {
     /// Angle between gravity at rest and with the weight, degrees.
     pub angle_deg: f64,

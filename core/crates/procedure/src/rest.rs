@@ -26,7 +26,7 @@ const LEAST_TILT_RAD: f64 = 0.0017;
 const SIGMAS: f64 = 6.0;
 
 /// The sensors at rest.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Rest {
     /// Length of the still part, s.
     pub still_s: f64,
@@ -40,7 +40,7 @@ pub struct Rest {
 }
 
 /// One sensor at rest.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct SensorRest {
     /// Samples.
     pub samples: usize,
@@ -56,7 +56,7 @@ pub struct SensorRest {
 }
 
 /// How a hull moved.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Moving {
     /// Largest rate against the mean over the last seconds, degrees per s.
     pub rate_deg_s: f64,

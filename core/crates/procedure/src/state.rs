@@ -17,7 +17,7 @@ use gyradius_recording::Suspension;
 use gyradius_signal::online::Estimate;
 
 /// Everything that a screen shows.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct State {
     /// Where the procedure stands.
     pub phase: Phase,
@@ -50,7 +50,9 @@ pub struct State {
 }
 
 /// Where the procedure stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
     /// Nothing has been done.
@@ -82,7 +84,9 @@ pub enum Phase {
 }
 
 /// What an operator can do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Action {
@@ -103,7 +107,7 @@ pub enum Action {
 }
 
 /// The present step.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct StepView {
     /// Its place among the steps, from 0.
     pub index: usize,
@@ -120,7 +124,7 @@ pub struct StepView {
 }
 
 /// How far the whole is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Progress {
     /// Steps that are done or left out.
     pub steps_done: usize,
@@ -133,7 +137,7 @@ pub struct Progress {
 }
 
 /// The rest while it is taken.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct RestView {
     /// So long everything has been still, s.
     pub still_s: f64,
@@ -146,7 +150,7 @@ pub struct RestView {
 }
 
 /// The recording while it runs, or as far as it goes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Default)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Default, schemars::JsonSchema)]
 pub struct RecordingView {
     /// File inside the procedure's folder.
     pub file: String,
@@ -171,7 +175,7 @@ pub struct RecordingView {
 }
 
 /// Work for another thread.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Work {
     /// The session is written and measured: seconds.
@@ -181,7 +185,7 @@ pub enum Work {
 }
 
 /// The result.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ResultView {
     /// Folder of the session, inside the procedure's.
     pub session: String,
@@ -189,16 +193,18 @@ pub struct ResultView {
     pub quantities: BTreeMap<String, QuantityResult>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
 }
 
 /// What the criticism says in short.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CritiqueView {
     /// Which of the four verdicts.
     pub status: Status,
     /// In words.
     #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
     /// How many causes these swings cannot tell apart; 0 where none is in doubt.
     pub causes: usize,

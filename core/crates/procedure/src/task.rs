@@ -6,7 +6,7 @@ use gyradius_planning::{Plan, Step};
 use gyradius_recording::{Attachment, Body, Quantity, Session, Site};
 
 /// What is known of the hull, and what is to be done with it, in order.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Task {
     /// Title of the session to come.
     pub title: String,

@@ -14,7 +14,7 @@ const OVER_NS: u64 = 2_000_000_000;
 const GRAVITY: std::ops::Range<f64> = 8.0..12.0;
 
 /// A tilt, and what it is against.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Tilt {
     /// What the angles are against.
     pub against: Against,
@@ -28,7 +28,7 @@ pub struct Tilt {
 }
 
 /// What a tilt is against.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Against {
     /// The phone's own plane, which lies flat on the hull: as good as it lies.

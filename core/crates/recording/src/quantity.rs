@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as
 /// exact).
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Quantity {
     /// The value.
     pub value: f64,

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::samples::{Repair, RepairKind, Sensor};
 
 /// Where a recording came from, as `[[recorded]]` of the session.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Recorded {
     /// The recording: file name in the session.
     pub file: String,
@@ -30,7 +30,7 @@ pub struct Recorded {
 }
 
 /// One sensor as the phone describes it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct RecordedSensor {
     /// The stream that it filled, e.g. `gyroscope`.
     pub stream: String,
@@ -44,7 +44,7 @@ pub struct RecordedSensor {
 pub const DISTURBED: &str = "disturbed";
 
 /// A mark.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct RecordedEvent {
     /// When, s of the recording.
     pub t_s: f64,
@@ -53,7 +53,7 @@ pub struct RecordedEvent {
 }
 
 /// Something that the recorder's file had lost.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct RecordedRepair {
     /// Last sample before it, s of the recording.
     pub from_s: Option<f64>,

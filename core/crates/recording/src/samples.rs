@@ -3,7 +3,19 @@
 use serde::{Deserialize, Serialize};
 
 /// Which sensor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Sensor {
     /// Rotation rate, rad/s.
@@ -33,7 +45,7 @@ impl Sensor {
 
 /// Three axes of one sensor on its own clock, phone axes. All vectors have the same length; `t_s`
 /// increases strictly.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Triad {
     /// Time stamps, s.
     pub t_s: Vec<f64>,
@@ -42,7 +54,7 @@ pub struct Triad {
 }
 
 /// A phone's recording after its repairs.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Recording {
     /// File name as the user knows it.
     pub name: String,
@@ -60,7 +72,7 @@ pub struct Recording {
 }
 
 /// A rangefinder's track.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Track {
     /// File name as the user knows it.
     pub name: String,
@@ -73,7 +85,7 @@ pub struct Track {
 }
 
 /// A list of periods in time order.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PeriodList {
     /// File name as the user knows it.
     pub name: String,
@@ -86,7 +98,7 @@ pub struct PeriodList {
 }
 
 /// A two-gate timer's log: one entry per beam edge, with the state of both gates after it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct GateEvents {
     /// Time of each edge, s, increasing.
     pub t_s: Vec<f64>,
@@ -97,7 +109,19 @@ pub struct GateEvents {
 }
 
 /// The kinds of damage a recording can have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum RepairKind {
     /// Time stamps scatter about their rate by more than a twentieth of the interval: used as they
@@ -124,7 +148,7 @@ pub enum RepairKind {
 }
 
 /// One kind of damage of one sensor: how often, where first and last, what was done.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Repair {
     /// Kind.
     pub kind: RepairKind,

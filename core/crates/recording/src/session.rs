@@ -10,7 +10,7 @@ use super::toml_swing::EXCITATIONS;
 use super::toml_write::name_of;
 
 /// One hull, measured in one sitting (`gyradius-session/1`).
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Session {
     /// Title, free text.
     pub title: String,
@@ -32,7 +32,7 @@ pub struct Session {
 }
 
 /// The body as stated.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Body {
     /// Name, free text.
     pub name: String,
@@ -46,7 +46,7 @@ pub struct Body {
 }
 
 /// The place.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Site {
     /// Free-fall acceleration as stated, m/s².
     pub gravity_m_s2: Option<Quantity>,
@@ -59,7 +59,7 @@ pub struct Site {
 }
 
 /// A body that rides on the hull and is taken off the result.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Attachment {
     /// Name, free text.
     pub name: String,
@@ -72,7 +72,7 @@ pub struct Attachment {
 }
 
 /// A mass added for one swing.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct AddedMass {
     /// Mass, kg.
     pub mass_kg: Quantity,
@@ -81,7 +81,7 @@ pub struct AddedMass {
 }
 
 /// One swing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Swing {
     /// Unique id.
     pub id: String,
@@ -98,7 +98,7 @@ pub struct Swing {
 }
 
 /// What a swing left behind.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SwingData {
     /// A phone's recording: file name in the session.
@@ -118,7 +118,19 @@ pub enum SwingData {
 }
 
 /// What an operator can mean to excite.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Excitation {
@@ -172,7 +184,19 @@ impl Excitation {
 /// `Sway` is the simple-pendulum motion along the line that joins the suspension points
 /// (athwartships on an athwartships suspension, fore and aft on a fore-and-aft one). `…InPhase` is
 /// the long-period, `…OutOfPhase` the short-period mode of the double pendulum (errata to eq. 16).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum ModeName {
@@ -187,7 +211,7 @@ pub enum ModeName {
 }
 
 /// Which suspension.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SuspensionKind {
     /// Two lines.
@@ -197,7 +221,7 @@ pub enum SuspensionKind {
 }
 
 /// The direction that joins the suspension points (bifilar) or the swing axis (compound).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum Orientation {
@@ -206,7 +230,7 @@ pub enum Orientation {
 }
 
 /// How the body hung, as stated.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Suspension {
     /// Bifilar or compound.
     pub kind: SuspensionKind,
@@ -227,7 +251,7 @@ pub struct Suspension {
 }
 
 /// Which end an incline weight hung from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
 pub enum End {
@@ -236,7 +260,7 @@ pub enum End {
 }
 
 /// An incline test.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Incline {
     /// The end.
     pub end: End,
@@ -251,7 +275,7 @@ pub struct Incline {
 }
 
 /// Where an incline's angle comes from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InclineAngle {
     /// Read off, degrees.

@@ -17,7 +17,7 @@ pub struct ChannelGroup {
 
 /// What [`decompose`](super::decompose) may look for. The default leaves every decision to the
 /// data.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct DecomposeOptions {
     /// Most modes to look for.
     pub max_modes: usize,
@@ -39,7 +39,7 @@ impl Default for DecomposeOptions {
 }
 
 /// Amplitude spectrum of every channel, thinned for plots.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Spectrum {
     /// Frequencies, Hz.
     pub freq_hz: Vec<f64>,
@@ -54,7 +54,7 @@ pub struct Spectrum {
 /// damped mode `z_m(t) = exp((−α + iω)(t − t_ref))`. `t_ref_s` is the start of the analysed span.
 /// Channels count through the groups in the order given. Modes are sorted by strength (largest
 /// signal-to-noise first).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Decomposition {
     /// Reference time of amplitudes and phases, s.
     pub t_ref_s: f64,
@@ -75,11 +75,12 @@ pub struct Decomposition {
     pub rms_over_noise: f64,
     /// What a reader should know.
     #[serde(flatten, with = "warnings_and_said")]
+    #[schemars(with = "warnings_and_said::WarningsAndSaid")]
     pub warnings: Vec<Message>,
 }
 
 /// One damped oscillation.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct FittedMode {
     /// Angular frequency ω of the damped oscillation at the record's effective (energy-weighted)
     /// mean amplitude, rad/s.
@@ -91,6 +92,7 @@ pub struct FittedMode {
     /// Its standard error, 1/s.
     pub alpha_se_per_s: f64,
     /// Complex amplitude of each channel at `t_ref_s`, channel unit.
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub shape: Vec<Complex64>,
     /// Standard error of each of the real and imaginary parts, channel unit.
     pub shape_se: Vec<f64>,
@@ -105,7 +107,7 @@ pub struct FittedMode {
 ///
 /// With E(t) the envelope, E(t_ref) = 1: `ω(t) = omega_small + shift · E^power`, `dE/dt = −E (alpha
 /// + beta · E)`. All zero where the data show no dependence.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct AmplitudeLaw {
     /// Small-amplitude angular frequency, rad/s (equal to `omega_rad_s` where there is no
     /// dependence).
@@ -145,10 +147,11 @@ impl FittedMode {
 }
 
 /// A line at a whole-number combination of mode frequencies.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CombinationTone {
     /// Multiples of each mode's frequency, in the order of `Decomposition::modes`.
     pub multiples: Vec<i32>,
     /// Complex amplitude of each channel at `t_ref_s`.
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub shape: Vec<Complex64>,
 }

@@ -28,7 +28,7 @@ pub struct Practised {
     pub truth: String,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct TruthFile<'a> {
     format: &'static str,
     title: &'a str,
@@ -37,7 +37,7 @@ struct TruthFile<'a> {
     swings: Vec<SwingTruth<'a>>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct SwingTruth<'a> {
     id: &'a str,
     truth: &'a BTreeMap<&'static str, f64>,

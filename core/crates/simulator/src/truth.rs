@@ -134,7 +134,7 @@ pub fn keys() -> Vec<(&'static str, Key)> {
 }
 
 /// What `[truth]` says.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, schemars::JsonSchema)]
 pub struct Truth(BTreeMap<&'static str, f64>);
 
 impl Truth {

@@ -49,7 +49,7 @@ impl Hanging {
 }
 
 /// A mode's name with the angle that measures its size.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct NamedMode {
     /// Name by shape.
     pub name: ModeName,

@@ -15,7 +15,7 @@ use gyradius_recording::Quantity;
 pub type Numbers = BTreeMap<String, f64>;
 
 /// A named number of a route.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Slot {
     /// Name, unit included. `#` stands for 1, 2, 3 … without gaps.
     pub name: &'static str,
@@ -26,7 +26,7 @@ pub struct Slot {
 }
 
 /// A route that can be looked up and evaluated.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, schemars::JsonSchema)]
 pub struct CatalogueEntry {
     /// Name, permanent.
     pub name: &'static str,

@@ -14,7 +14,7 @@ const LOW_AMPLITUDE_DEG: f64 = 2.0;
 const SILENT_AFTER_S: f64 = 1.0;
 
 /// One piece of advice.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Advice {
     /// A sensor gives no more samples.

@@ -7,7 +7,7 @@ use super::gaps::GapList;
 use gyradius_recording::Sensor;
 
 /// Everything that is known at a moment.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Estimate {
     /// The newest stamp of all sensors, s; 0 before the first sample.
     pub now_s: f64,
@@ -22,7 +22,7 @@ pub struct Estimate {
 }
 
 /// What a sensor does.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct SensorState {
     /// Which one.
     pub sensor: Sensor,
@@ -43,7 +43,7 @@ pub struct SensorState {
 }
 
 /// The free swing as it stands.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct SwingState {
     /// Where the free swing begins, s: what comes before it is waiting, handling or another swing.
     pub from_s: f64,
@@ -70,7 +70,7 @@ pub struct SwingState {
 }
 
 /// A motion beside the main one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Line {
     /// Its period, s.
     pub period_s: f64,
@@ -83,7 +83,7 @@ pub struct Line {
 }
 
 /// What a motion beside the main one looks like.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LineKind {
     /// The lines swing and the hull hardly turns.
@@ -95,7 +95,7 @@ pub enum LineKind {
 }
 
 /// How long until the period is as certain as wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TimeLeft {
     /// It is.

@@ -8,7 +8,7 @@ use gyradius_recording::Sensor;
 const LISTED: usize = 100;
 
 /// A time without samples.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Gap {
     /// Whose.
     pub sensor: Sensor,
@@ -19,7 +19,7 @@ pub struct Gap {
 }
 
 /// Every gap of a recording, as far as a list of them is of use.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct GapList {
     /// The gaps, first to last: the hundred longest of each sensor.
     pub listed: Vec<Gap>,
