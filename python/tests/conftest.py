@@ -44,7 +44,7 @@ def seed() -> int:
     """The same in every run, unless ``GYRADIUS_SEED`` is ``random`` or a number."""
     wanted = os.environ.get("GYRADIUS_SEED", "20140101")
     drawn = time.time_ns() if wanted == "random" else int(wanted)
-    print("seed", drawn)
+    print("seed", drawn, file=sys.stderr)
     return drawn
 
 

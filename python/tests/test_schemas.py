@@ -17,6 +17,8 @@ SCHEMAS = ROOT / "tests" / "schemas"
 SESSIONS = ROOT / "python" / "gyradius" / "sessions"
 # Classes whose name in the core is another.
 IN_THE_CORE = {"Quantity": "QuantityResult"}
+# `from` is a keyword of Python.
+CALLED_FROM = {"source": "from", "sources": "from"}
 CLASSES = [
     ("measurement", measurement.Measurement),
     *(
@@ -63,6 +65,7 @@ def test_a_class_has_fields_that_the_schema_knows(name: str, kind: type) -> None
     called = IN_THE_CORE.get(kind.__name__, kind.__name__)
     described = whole if whole["title"] == called else whole["$defs"][called]
     fields = {field.name for field in dataclasses.fields(kind) if not field.name.startswith("_")}
+    fields = {CALLED_FROM.get(name, name) for name in fields}
     assert fields <= set(described["properties"]), fields - set(described["properties"])
 
 

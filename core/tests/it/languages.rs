@@ -189,14 +189,14 @@ fn a_number_below_zero_has_a_minus_sign_and_no_hyphen() {
 
 /// Everything that the measurement of a session says, with its sentence; inputs of budgets by their
 /// labels.
-fn told(measured: &Measurement) -> Vec<(&str, Message)> {
+fn told(measured: &Measurement) -> Vec<(String, Message)> {
     let of_swings = measured.swings.iter().flat_map(|swing| &swing.warnings);
     let claims = measured.consistency.iter().map(|claim| &claim.message);
     let all = of_swings.chain(&measured.warnings).chain(claims);
-    let mut all: Vec<(&str, Message)> =
-        all.map(|one| (one.english.as_str(), one.clone())).collect();
+    let mut all: Vec<(String, Message)> =
+        all.map(|one| (one.english.clone(), one.clone())).collect();
     let lines = measured.budget.values().flatten();
-    all.extend(lines.map(|line| (line.input.as_str(), identification::input(&line.input))));
+    all.extend(lines.map(|line| (line.input.to_string(), line.input.message())));
     all
 }
 

@@ -9,7 +9,7 @@ use gyradius_core::diagnosis::{
 use gyradius_core::recording::Excitation;
 
 use super::sentence::Sentence;
-use super::{NumbersByName, QuantitiesByName};
+use super::{QuantitiesByName, ShiftsByName};
 
 /// A fitted parameter of a cause, by name.
 #[derive(Debug, Clone, PartialEq, uniffi::Record)]
@@ -196,7 +196,7 @@ pub struct Gain {
     /// Change of the yaw gyradius, m.
     pub k_yaw_shift_m: Option<f64>,
     /// Change of every quantity that both models give.
-    pub shifts: NumbersByName,
+    pub shifts: ShiftsByName,
 }
 
 /// A generalised force learned from the data inside the simulation.

@@ -6,6 +6,10 @@ use gyradius_core::identification::{
 };
 use gyradius_core::recording::{ModeName, Repair};
 
+use super::names::{
+    AmplitudeUnitName, DecisionName, InputName, MethodName, QuantityKey, RelationSign, RouteName,
+    SubjectName,
+};
 use super::sentence::Sentence;
 use super::{BudgetsByName, Count, Ends, QuantitiesByName, RoutesByName};
 
@@ -80,11 +84,11 @@ pub struct Correlation {
 }
 
 /// A correlation of the core.
-pub type CorrelationTuple = (String, String, f64);
+pub type CorrelationTuple = (QuantityKey, QuantityKey, f64);
 uniffi::custom_type!(CorrelationTuple, Correlation, {
     remote,
-    lower: |tuple| Correlation { one: tuple.0, other: tuple.1, r: tuple.2 },
-    try_lift: |of| Ok((of.one, of.other, of.r)),
+    lower: |tuple| Correlation { one: tuple.0.to_string(), other: tuple.1.to_string(), r: tuple.2 },
+    try_lift: |of| Ok((of.one.parse()?, of.other.parse()?, of.r)),
 });
 
 /// The result of a session. Foundation has a `Measurement` of its own.
@@ -152,7 +156,7 @@ pub struct ModeResult {
     /// Amplitude at the start of the span.
     pub amplitude: Option<f64>,
     /// `rad`, `m`, or `rad/s` where only the rate is known.
-    pub amplitude_unit: String,
+    pub amplitude_unit: AmplitudeUnitName,
     /// Phase at the start of the span, rad: the motion is amplitude · cos(ωt + phase).
     pub phase_rad: Option<f64>,
     /// Energy relative to the strongest mode of the swing, dB.
@@ -192,14 +196,14 @@ pub struct QuantityResult {
     /// 95 % interval of a number.
     pub interval_95: Option<Ends>,
     /// How it was got.
-    pub method: String,
+    pub method: MethodName,
 }
 
 /// A single route to a quantity.
 #[uniffi::remote(Record)]
 pub struct Route {
     /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum` …
-    pub method: String,
+    pub method: RouteName,
     /// Value.
     pub value: f64,
     /// One standard uncertainty.
@@ -216,7 +220,7 @@ pub struct Route {
 #[uniffi::remote(Record)]
 pub struct BudgetLine {
     /// The input.
-    pub input: String,
+    pub input: InputName,
     /// |sensitivity| × u(input), unit of the quantity.
     pub u_contribution: f64,
 }
@@ -225,7 +229,7 @@ pub struct BudgetLine {
 #[uniffi::remote(Record)]
 pub struct Claim {
     /// What is claimed: a stated dimension, or a route such as `k_yaw_m`.
-    pub claim: String,
+    pub claim: SubjectName,
     /// As stated, or by the first route.
     pub stated: f64,
     /// Its standard uncertainty.
@@ -252,9 +256,9 @@ pub struct Claim {
 #[uniffi::remote(Record)]
 pub struct Verdict {
     /// The quantity.
-    pub quantity: String,
+    pub quantity: QuantityKey,
     /// `>=` or `<=`.
-    pub relation: String,
+    pub relation: RelationSign,
     /// The limit.
     pub limit: f64,
     /// Guard band, in the unit of the quantity.
@@ -262,5 +266,5 @@ pub struct Verdict {
     /// Probability that the true value conforms.
     pub conformance_probability: f64,
     /// `pass`, `fail` or `undecided`.
-    pub verdict: String,
+    pub verdict: DecisionName,
 }

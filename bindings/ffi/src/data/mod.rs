@@ -9,6 +9,7 @@
 pub mod critique;
 pub mod inertia;
 pub mod live;
+pub mod names;
 pub mod plan;
 pub mod procedure;
 pub mod readings;
@@ -19,7 +20,7 @@ pub mod sentence;
 
 use std::collections::{BTreeMap, HashMap};
 
-use gyradius_core::identification::{BudgetLine, QuantityResult, Route};
+use gyradius_core::identification::{BudgetLine, QuantityName, QuantityResult, Route};
 use gyradius_core::planning::PredictedQuantity;
 use gyradius_core::recording::ModeName;
 
@@ -123,28 +124,49 @@ pub struct NamedRoutes {
 
 /// Declares that a map of the core, sorted by name, crosses as a list of records in that order.
 macro_rules! by_name {
-    ($alias:ident, $value:ty, $record:ident, $field:ident) => {
+    ($alias:ident, $key:ty, $value:ty, $record:ident, $field:ident) => {
         #[doc = concat!("`", stringify!($record), "`s as the core holds them.")]
-        pub type $alias = BTreeMap<String, $value>;
+        pub type $alias = BTreeMap<$key, $value>;
         uniffi::custom_type!($alias, Vec<$record>, {
             remote,
-            lower: |map| map.into_iter().map(|(name, $field)| $record { name, $field }).collect(),
-            try_lift: |list| Ok(list.into_iter().map(|one| (one.name, one.$field)).collect()),
+            lower: |map| {
+                let named = |(name, $field): ($key, $value)| $record { name: name.to_string(), $field };
+                map.into_iter().map(named).collect()
+            },
+            try_lift: |list| {
+                let keyed = |one: $record| Ok((one.name.parse()?, one.$field));
+                list.into_iter().map(keyed).collect()
+            },
         });
     };
 }
 
-by_name!(NumbersByName, f64, NamedNumber, value);
-by_name!(TextsByName, String, NamedText, text);
-by_name!(QuantitiesByName, QuantityResult, NamedQuantity, quantity);
+by_name!(NumbersByName, String, f64, NamedNumber, value);
+by_name!(TextsByName, String, String, NamedText, text);
+by_name!(
+    QuantitiesByName,
+    QuantityName,
+    QuantityResult,
+    NamedQuantity,
+    quantity
+);
+by_name!(ShiftsByName, QuantityName, f64, NamedNumber, value);
+by_name!(SourcesByName, QuantityName, String, NamedText, text);
 by_name!(
     PredictionsByName,
+    QuantityName,
     PredictedQuantity,
     NamedPrediction,
     quantity
 );
-by_name!(BudgetsByName, Vec<BudgetLine>, NamedBudget, lines);
-by_name!(RoutesByName, Vec<Route>, NamedRoutes, routes);
+by_name!(
+    BudgetsByName,
+    QuantityName,
+    Vec<BudgetLine>,
+    NamedBudget,
+    lines
+);
+by_name!(RoutesByName, QuantityName, Vec<Route>, NamedRoutes, routes);
 
 /// A number for each mode.
 pub type NumbersByMode = BTreeMap<ModeName, f64>;

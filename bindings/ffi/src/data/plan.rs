@@ -7,8 +7,11 @@ use gyradius_core::planning::{
 };
 use gyradius_core::recording::{AddedMass, End, Excitation, Quantity, Suspension};
 
+use super::names::QuantityKey;
 use super::sentence::Sentence;
-use super::{BudgetsByName, NumbersByMode, NumbersByName, PredictionsByName, TextsByName};
+use super::{
+    BudgetsByName, NumbersByMode, NumbersByName, PredictionsByName, SourcesByName, TextsByName,
+};
 
 /// What is asked of the planner.
 pub type PlanRequest = Request;
@@ -107,7 +110,7 @@ pub struct AssumedHull {
     /// ψ, bow up, degrees.
     pub psi_deg: Quantity,
     /// Where each figure comes from.
-    pub sources: TextsByName,
+    pub sources: SourcesByName,
 }
 
 /// What to do, and what it is expected to give.
@@ -200,7 +203,7 @@ pub struct HangingAdvice {
     /// Dimensions.
     pub suspension: Suspension,
     /// What it measures.
-    pub gives: Vec<String>,
+    pub gives: Vec<QuantityKey>,
     /// The swings made on it.
     pub swings: Vec<String>,
     /// In words.

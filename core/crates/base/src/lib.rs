@@ -12,6 +12,7 @@ pub mod error;
 pub mod frames;
 pub mod language;
 pub mod message;
+pub mod named;
 pub mod parallel;
 pub mod progress;
 

@@ -1,13 +1,13 @@
 //! The swings of a session that a simulation can be fitted to, and where the fit begins.
 
 use gyradius_base::error::Result;
-use gyradius_base::frames::{Rotation, Vec3, world_from_hull_pitched};
+use gyradius_base::frames::{Rotation, world_from_hull_pitched};
 use gyradius_identification::Evidence;
 use gyradius_identification::by_samples::nearest_fits;
 use gyradius_identification::estimate::System;
 use gyradius_identification::measure::{Prepared, SwingWork, estimate};
 use gyradius_identification::parameters::Layout;
-use gyradius_identification::samples::{Own, Samples, Sensor, SwingSetup};
+use gyradius_identification::samples::{Own, Samples, Sensor, SwingSetup, place};
 use gyradius_identification::theory::swing_periods;
 use gyradius_recording::{Quantity, Repair, RepairKind, Session};
 
@@ -244,10 +244,10 @@ fn median(layout: &Layout, begun: &[Begun]) -> Vec<f64> {
 
 fn own_of(own: &Own) -> [f64; OWN] {
     let mut values = [0.0; OWN];
-    values[..13].copy_from_slice(&own.values[..13]);
-    values[13..].copy_from_slice(&own.values[19..25]);
+    values[..BIAS].copy_from_slice(&own.values[..BIAS]);
+    values[BIAS..].copy_from_slice(&own.values[place::BIAS]);
     // A single swing that lost its way may even gain energy: such a start runs away.
-    values[8..13]
+    values[place::DAMPING]
         .iter_mut()
         .for_each(|rate| *rate = rate.clamp(0.0, MOST_DAMPING_PER_S));
     values
@@ -264,12 +264,9 @@ fn mounts(begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
         let b = &mut begun[i];
         let pitch = world_from_hull_pitched(x[b.setup.index.pitch_deg].to_radians());
         let centre_m = b.setup.centre_m(x);
-        let pose = |own: &Own| {
-            let place = Vec3::new(own.values[13], own.values[14], own.values[15]);
-            Mount {
-                place: pitch.inverse() * (place - centre_m),
-                hull_from_phone: renormalised(pitch.inverse() * own.nominal),
-            }
+        let pose = |own: &Own| Mount {
+            place: pitch.inverse() * (own.phone_m() - centre_m),
+            hull_from_phone: renormalised(pitch.inverse() * own.nominal),
         };
         let ways = if b.tells_bow_from_stern {
             vec![b.own.clone()]

@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use gyradius_identification::{COVERAGE_95, QuantityResult};
+use gyradius_identification::{COVERAGE_95, QuantityName, QuantityResult};
 use gyradius_recording::Quantity;
 
 use super::fitting::{Fitted, Places};
@@ -33,13 +33,13 @@ const HALVINGS: usize = 60;
 /// The body by another model, with that model's odds against the one that is believed.
 pub struct Otherwise {
     odds: f64,
-    quantities: BTreeMap<String, QuantityResult>,
+    quantities: BTreeMap<QuantityName, QuantityResult>,
 }
 
 impl Otherwise {
     /// No model counts for more than the one that is believed: what is passed over for the
     /// structure that it leaves may have gained far more.
-    fn new(odds: f64, quantities: BTreeMap<String, QuantityResult>) -> Self {
+    fn new(odds: f64, quantities: BTreeMap<QuantityName, QuantityResult>) -> Self {
         Self {
             odds: odds.min(1.0),
             quantities,
@@ -271,7 +271,7 @@ fn above_zero(score: f64, information: f64, prior_u: f64) -> Option<(f64, f64, f
 
 /// Widens intervals until they hold 95 % of all models together; the uncertainty is the half of one
 /// over that of a normal variable.
-pub fn widen(quantities: &mut BTreeMap<String, QuantityResult>, otherwise: &[Otherwise]) {
+pub fn widen(quantities: &mut BTreeMap<QuantityName, QuantityResult>, otherwise: &[Otherwise]) {
     let number = |q: &QuantityResult| Some((q.value.scalar()?, q.u.scalar()?));
     for (name, quantity) in quantities {
         let Some((value, u)) = number(quantity) else {
@@ -321,6 +321,7 @@ fn half_width_95(all: &[(f64, f64, f64)]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use gyradius_identification::Method;
 
     #[test]
     fn one_model_keeps_its_interval_and_two_share_theirs() {
@@ -335,14 +336,14 @@ mod tests {
     #[test]
     fn a_model_passed_over_counts_like_the_one_believed() {
         let body = |value: f64, u: f64| {
-            let method = "joint_estimate".into();
+            let method = Method::JointEstimate;
             let quantity = QuantityResult {
                 value: value.into(),
                 u: u.into(),
                 interval_95: None,
                 method,
             };
-            BTreeMap::from([("k_yaw_m".to_string(), quantity)])
+            BTreeMap::from([(QuantityName::KYaw, quantity)])
         };
         let mut believed = body(1.0, 0.1);
         widen(

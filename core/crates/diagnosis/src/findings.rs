@@ -4,6 +4,7 @@ use num_complex::Complex64;
 
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
+use gyradius_identification::InputKind;
 use gyradius_identification::parameters::Role;
 use gyradius_identification::samples::Sensor;
 use gyradius_recording::{ModeName, RepairKind};
@@ -238,10 +239,10 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
             continue;
         }
         let change = point.x[*i] - parameter.prior.value;
-        let unit = unit_of(&parameter.name);
+        let unit = unit_of(parameter.name.kind);
         let stated = parameter.prior.value;
         let times = ("sigma", words::number(sigma.abs(), 1));
-        let said = if parameter.name == "phone_clock" {
+        let said = if parameter.name.kind == InputKind::PhoneClock {
             words::message(
                 "clock",
                 [
@@ -275,13 +276,11 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
     all
 }
 
-fn unit_of(name: &str) -> &'static str {
-    match name {
-        "gravity" => "m/s²",
-        "hull_pitch" => "°",
-        "phone_clock" => "1",
-        "line_length" | "spacing" | "top_spacing" | "axis_height" => "m",
-        _ => "kg",
+fn unit_of(kind: InputKind) -> &'static str {
+    match kind {
+        InputKind::PhoneClock => "1",
+        InputKind::Mass => "kg",
+        other => other.unit(),
     }
 }
 

@@ -44,7 +44,7 @@ use gyradius_base::error::Result;
 use gyradius_base::message::Message;
 use gyradius_base::progress::tell;
 use gyradius_identification::measure::{Prepared, prepare, title};
-use gyradius_identification::{MeasureOptions, QuantityResult, analyse};
+use gyradius_identification::{MeasureOptions, QuantityName, QuantityResult, analyse};
 use gyradius_recording::{LoadedData, LoadedSession, Quantity};
 
 use base::{Base, by_periods};
@@ -187,17 +187,17 @@ fn gain(
     Gain {
         heldout_rms_ratio: Some((before / after).sqrt()),
         log_score_per_sample: Some(0.5 * (before - after) / rows.max(1) as f64),
-        k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
+        k_yaw_shift_m: shifts.get(&QuantityName::KYaw).copied(),
         shifts,
     }
 }
 
 /// Changes of every quantity that both models give as a number.
 fn shifts(
-    before: &BTreeMap<String, QuantityResult>,
-    after: &BTreeMap<String, QuantityResult>,
-) -> BTreeMap<String, f64> {
-    let change = |(name, new): (&String, &QuantityResult)| {
+    before: &BTreeMap<QuantityName, QuantityResult>,
+    after: &BTreeMap<QuantityName, QuantityResult>,
+) -> BTreeMap<QuantityName, f64> {
+    let change = |(name, new): (&QuantityName, &QuantityResult)| {
         let old = before.get(name)?.value.scalar()?;
         Some((name.clone(), new.value.scalar()? - old))
     };

@@ -15,6 +15,7 @@ use super::point::{Model, Point};
 use super::result::NextSwing;
 use super::words;
 use gyradius_base::message::{Argument, Message};
+use gyradius_identification::samples::place;
 
 /// Changes of line length and spacing that are thought of, and angles of release, degrees.
 const LENGTHS: [f64; 4] = [0.5, 0.75, 1.0, 1.5];
@@ -231,12 +232,12 @@ impl Design<'_> {
             let angle = angle_deg.to_radians();
             let line_m = index.line_length.map_or(1.0, |i| there.x[i]);
             let own = &mut there.owns[S];
-            own[..8].fill(0.0);
+            own[place::START].fill(0.0);
             for motion in excited {
                 match motion {
-                    Motion::Yaw => own[3] = angle,
-                    Motion::Along => own[0] = angle * line_m,
-                    Motion::Turn => own[2] = angle,
+                    Motion::Yaw => own[place::YAW] = angle,
+                    Motion::Along => own[place::ALONG] = angle * line_m,
+                    Motion::Turn => own[place::TURN_ABOUT] = angle,
                 }
             }
             there

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use gyradius_base::error::Result;
 use gyradius_base::frames::{Rotation, Vec3, world_from_hull_pitched};
-use gyradius_identification::samples::Own;
+use gyradius_identification::samples::{Own, place};
 use gyradius_mechanics::effects::EffectValues;
 use gyradius_mechanics::sensors;
 use gyradius_mechanics::{Experiment, Fineness, Phone};
@@ -16,11 +16,11 @@ use super::result::ParameterResult;
 
 /// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and
 /// accelerometer (6).
-pub const OWN: usize = 19;
+pub const OWN: usize = BIAS + place::BIAS.end - place::BIAS.start;
 /// Where the damping rates begin.
-pub const DAMPING: usize = 8;
+pub const DAMPING: usize = place::DAMPING.start;
 /// Where the biases begin.
-pub const BIAS: usize = 13;
+pub const BIAS: usize = place::DAMPING.end;
 
 /// Where a phone sits, hull axes.
 #[derive(Debug, Clone)]

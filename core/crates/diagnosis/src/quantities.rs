@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use gyradius_base::error::{Error, Result};
 use gyradius_identification::outputs::write_quantities;
 use gyradius_identification::samples::Statement;
-use gyradius_identification::{Measurement, QuantityResult};
+use gyradius_identification::{Measurement, QuantityName, QuantityResult};
 use gyradius_recording::Quantity;
 
 use super::fitting::Places;
@@ -23,7 +23,7 @@ pub fn quantities(
     (point, matrix): (&Point, &DMatrix<f64>),
     inflation: f64,
     inclines: &[Option<Quantity>],
-) -> Result<BTreeMap<String, QuantityResult>> {
+) -> Result<BTreeMap<QuantityName, QuantityResult>> {
     let said = statements(model, (point, matrix), inflation)?;
     let base = model.base;
     let mut system = base.system.with(base.layout().clone());

@@ -11,7 +11,7 @@ use gyradius_base::message::Message;
 use gyradius_base::message::channel_and_said;
 use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
-use gyradius_identification::QuantityResult;
+use gyradius_identification::{QuantityName, QuantityResult};
 use gyradius_recording::Excitation;
 
 use super::named::named;
@@ -65,7 +65,7 @@ pub struct ModelResult {
     /// The same of samples that took no part in the fit.
     pub heldout_rms_over_noise: Option<f64>,
     /// The body by this simulation.
-    pub quantities: BTreeMap<String, QuantityResult>,
+    pub quantities: BTreeMap<QuantityName, QuantityResult>,
 }
 
 named! {
@@ -241,7 +241,7 @@ pub struct Gain {
     pub k_yaw_shift_m: Option<f64>,
     /// Change of every quantity that both models give.
     #[serde(default)]
-    pub shifts: BTreeMap<String, f64>,
+    pub shifts: BTreeMap<QuantityName, f64>,
 }
 
 /// A generalised force learned from the data inside the simulation.

@@ -5,6 +5,7 @@
 //! hull seen from its other end is another hull), swings that contradict the rest once more beside
 //! the rest; in the end all of them together.
 
+use super::names::{Input, InputKind};
 use crate::modes::NamedMode;
 use gyradius_base::error::Result;
 use gyradius_base::parallel::in_parallel;
@@ -16,7 +17,6 @@ use super::measurement::{ModeResult, SwingResult};
 use super::observe::{Evidence, hints_contradicted, parasites};
 use super::parameters::Layout;
 use super::samples::{FittedSwing, Statement};
-use super::words::period_label;
 
 /// A swing contradicts the others where leaving it out takes more off χ²: chance takes 30 of some
 /// ten figures once in a thousand times (χ² of 10 degrees of freedom).
@@ -398,7 +398,7 @@ fn periods(i: usize, modes: &[ModeResult], stated: &Swing) -> Vec<Observation> {
         what: Observed::Period(i, mode.mode),
         value: Quantity::new(mode.period_s, mode.period_se_s),
         u_amplitude: 0.0,
-        label: period_label(mode.mode, &stated.id),
+        label: Input::period(mode.mode, &stated.id),
     };
     modes
         .iter()
@@ -454,7 +454,7 @@ impl System<'_> {
                     what: Observed::Statement(self.statements.len()),
                     value: Quantity::new(statement.value, 1.0),
                     u_amplitude: 0.0,
-                    label: format!("samples of {}", self.session.swings[i].id),
+                    label: Input::of(InputKind::Samples, &self.session.swings[i].id),
                 });
                 self.statements.push(statement.clone());
             }

@@ -12,15 +12,20 @@ use gyradius_recording::{ModeName, Quantity};
 use super::alternatives::RouteCalculation;
 use super::estimate::{Observed, Solution, System};
 use super::measurement::Claim;
+use super::names::{InputKind, QuantityName, RouteMethod, Subject};
 use super::parameters::Role;
 use super::routes::ratio::line_length_m;
-use super::sentences::{inputs, message, name};
-use super::words::{claim_unit, unit_of};
+use super::sentences::{inputs, message, name, origins};
 
 /// A difference this large speaks up: chance does that once in 370 for a normal error.
 pub const FLAG_SIGMA: f64 = 3.0;
 /// Stated figures that can be tested, with the relative width to which they are opened.
-const TESTABLE: [&str; 4] = ["line_length", "spacing", "top_spacing", "gravity"];
+const TESTABLE: [InputKind; 4] = [
+    InputKind::LineLength,
+    InputKind::Spacing,
+    InputKind::TopSpacing,
+    InputKind::Gravity,
+];
 const OPENED_RELATIVE_U: f64 = 0.3;
 /// An implied figure less certain than this says nothing about a tape.
 const MOST_IMPLIED_RELATIVE_U: f64 = 0.05;
@@ -54,7 +59,7 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
             let implied = Quantity::new(implied, implied * relative);
             let swing = Argument::Id(system.session.swings[i].id.clone());
             Some(claim(
-                "line_length",
+                InputKind::LineLength,
                 stated,
                 implied,
                 message("by_sway", [("swing", swing)]),
@@ -72,7 +77,7 @@ fn stated_against_the_rest(system: &System, solution: &Solution) -> Vec<Claim> {
 
 fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
     let stated = &system.layout.parameters[i];
-    if stated.role != Role::Stated || !TESTABLE.contains(&stated.name.as_str()) {
+    if stated.role != Role::Stated || !TESTABLE.contains(&stated.name.kind) {
         return None;
     }
     let mut layout = system.layout.clone();
@@ -85,31 +90,32 @@ fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
         return None;
     }
     let budget = super::outputs::budget(&opened, &freed, &derived);
-    let largest: Vec<String> = budget
-        .iter()
-        .take(2)
-        .map(|line| spaced(&line.input))
-        .collect();
+    let largest = budget.iter().take(2).map(|line| &line.input);
     let implied = Quantity::new(derived.value, derived.u);
     Some(claim(
-        &stated.name,
+        stated.name.kind,
         stated.prior,
         implied,
-        message("by_all", [("inputs", inputs(&largest))]),
+        message("by_all", [("inputs", inputs(largest))]),
     ))
 }
 
-fn claim(name: &str, stated: Quantity, implied: Quantity, by: Message) -> Claim {
+fn claim(kind: InputKind, stated: Quantity, implied: Quantity, by: Message) -> Claim {
     let sigma =
         (implied.value - stated.value).abs() / stated.u.hypot(implied.u).max(f64::MIN_POSITIVE);
-    let bare = bare_claim(name, (stated, implied), sigma, by.english.clone());
+    let bare = bare_claim(
+        Subject::Stated(kind),
+        (stated, implied),
+        sigma,
+        by.english.clone(),
+    );
     bare.told(message(
         "stated",
         [
-            ("name", inputs(&[spaced(name)])),
-            ("stated", figure(&stated, claim_unit(name))),
+            ("name", Argument::Texts(vec![kind.in_words()])),
+            ("stated", figure(&stated, kind.unit())),
             ("by", Argument::Texts(vec![by])),
-            ("implied", figure(&implied, claim_unit(name))),
+            ("implied", figure(&implied, kind.unit())),
             ("verdict", verdict(sigma)),
             ("sigma", Argument::Number(sigma, 1)),
         ],
@@ -117,13 +123,13 @@ fn claim(name: &str, stated: Quantity, implied: Quantity, by: Message) -> Claim 
 }
 
 fn bare_claim(
-    name: &str,
+    claim: Subject,
     (stated, implied): (Quantity, Quantity),
     sigma: f64,
     from: String,
 ) -> Claim {
     Claim {
-        claim: name.into(),
+        claim,
         stated: stated.value,
         stated_u: stated.u,
         implied: implied.value,
@@ -156,12 +162,13 @@ fn verdict(sigma: f64) -> Argument {
 /// Single routes to the same quantity, method against method: of all pairs of swings the one that
 /// differs most.
 fn route_against_route(routes: &[RouteCalculation]) -> Vec<Claim> {
-    let mut by_methods: BTreeMap<[&str; 3], Vec<Pair>> = BTreeMap::new();
+    let mut by_methods: BTreeMap<(&QuantityName, RouteMethod, RouteMethod), Vec<Pair>> =
+        BTreeMap::new();
     for (i, a) in routes.iter().enumerate() {
         for b in routes[i + 1..].iter().filter(|b| b.quantity == a.quantity) {
             let (first, second) = if a.method <= b.method { (a, b) } else { (b, a) };
             let pairs = by_methods
-                .entry([a.quantity, first.method, second.method])
+                .entry((&a.quantity, first.method, second.method))
                 .or_default();
             pairs.extend(Pair::of(first, second));
         }
@@ -198,17 +205,18 @@ fn worst_of(pairs: &[Pair]) -> Option<Claim> {
     let least = pairs.iter().map(|p| p.sigma).fold(f64::INFINITY, f64::min);
     let quantity = |r: &RouteCalculation| Quantity::new(r.figure.value, r.figure.u());
     let (first, second) = (quantity(worst.first), quantity(worst.second));
-    let (name_of, unit) = (worst.first.quantity, unit_of(worst.first.quantity));
+    let about = &worst.first.quantity;
+    let unit = about.unit();
     let way = |r: &RouteCalculation| name(&format!("route.{}", r.method));
     let told = message(
         "against",
         [
-            ("quantity", name(&format!("quantity.{name_of}"))),
+            ("quantity", name(&format!("quantity.{about}"))),
             ("one", way(worst.first)),
-            ("one_from", inputs(&worst.first.from)),
+            ("one_from", origins(&worst.first.from)),
             ("first", figure(&first, unit)),
             ("other", way(worst.second)),
-            ("other_from", inputs(&worst.second.from)),
+            ("other_from", origins(&worst.second.from)),
             ("second", figure(&second, unit)),
             ("verdict", verdict(worst.sigma)),
             ("sigma", Argument::Number(worst.sigma, 1)),
@@ -220,11 +228,16 @@ fn worst_of(pairs: &[Pair]) -> Option<Claim> {
     );
     let from = format!(
         "{} against {}",
-        spaced(worst.second.method),
-        spaced(worst.first.method)
+        spaced(worst.second.method.name()),
+        spaced(worst.first.method.name())
     );
     let sigma_range = (pairs.len() > 1).then_some([least, worst.sigma]);
-    let bare = bare_claim(name_of, (first, second), worst.sigma, from);
+    let bare = bare_claim(
+        Subject::Quantity(about.clone()),
+        (first, second),
+        worst.sigma,
+        from,
+    );
     Some(
         Claim {
             pairs: pairs.len(),

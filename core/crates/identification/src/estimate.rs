@@ -12,6 +12,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{InclineAngle, ModeName, Quantity, Session, Swing};
 
+use super::names::{Input, InputKind};
 use super::parameters::{Layout, Role, SwingIndex};
 use super::samples::Statement;
 use super::theory::{incline_angle_deg, swing_periods};
@@ -45,7 +46,7 @@ pub struct Observation {
     /// Part of that uncertainty that comes from the correction for finite amplitude.
     pub u_amplitude: f64,
     /// For budgets: `yaw period of yaw-1`.
-    pub label: String,
+    pub label: Input,
 }
 
 impl Observation {
@@ -413,19 +414,11 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
                 .hypot(incline.arm_m.u / incline.arm_m.value);
             let drop = tangent * incline.depth_m.u / incline.arm_m.value;
             let u = read.u.hypot(slope * relative).hypot(slope * drop).max(1e-4);
-            let label = format!(
-                "incline {}",
-                if incline.end == gyradius_recording::End::Bow {
-                    "bow"
-                } else {
-                    "stern"
-                }
-            );
             Some(Observation {
                 what: Observed::Incline(i),
                 value: Quantity::new(read.value, u),
                 u_amplitude: 0.0,
-                label,
+                label: InputKind::incline(incline.end).into(),
             })
         })
         .collect()
@@ -437,6 +430,6 @@ fn moved_points((i, swing): (usize, &Swing)) -> Option<Observation> {
         what: Observed::Moved(i),
         value: Quantity::new(moved_m.value, moved_m.u.max(LEAST_MOVED_U_M)),
         u_amplitude: 0.0,
-        label: format!("suspension points of {}", swing.id),
+        label: Input::of(InputKind::SuspensionPoints, &swing.id),
     })
 }

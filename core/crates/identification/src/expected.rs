@@ -16,16 +16,14 @@ use gyradius_recording::{ModeName, Quantity, Session};
 use super::estimate::{Observation, Observed, System};
 use super::measure::PHONE_TILT_U_DEG;
 use super::measurement::{BudgetLine, Measurement, QuantityResult};
+use super::names::{Input, QuantityName};
 use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
-use super::samples::{Own, Recorded, Statement, SwingSetup, expected_statements};
+use super::samples::{Own, Recorded, Statement, SwingSetup, expected_statements, place};
 use super::theory::swing_periods;
-use super::words::period_label;
 
-/// Places of a start in a swing's own numbers: along the suspension, across it, turn about it, yaw.
-const START: usize = 4;
-/// Places of the damping rates.
-const DAMPING: std::ops::Range<usize> = 8..13;
+/// Numbers of a start: along the suspension, across it, turn about it, yaw.
+const START: usize = place::YAW + 1;
 
 /// What a swing to come would bring.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,9 +48,9 @@ pub struct Released {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Expected {
     /// As a measurement has them.
-    pub quantities: BTreeMap<String, QuantityResult>,
+    pub quantities: BTreeMap<QuantityName, QuantityResult>,
     /// Contributions of each input, largest first, with the names that a measurement gives them.
-    pub budget: BTreeMap<String, Vec<BudgetLine>>,
+    pub budget: BTreeMap<QuantityName, Vec<BudgetLine>>,
 }
 
 /// A session that was planned and the hull that it is expected to find: inertia about the centre of
@@ -130,7 +128,7 @@ impl<'a> Prospect<'a> {
         let mut own = Own::at_rest(Rotation::identity());
         own.values[..START].copy_from_slice(&released.start);
         // A force of rate · mass · speed takes half the rate off the amplitude.
-        own.values[DAMPING].fill(2.0 / released.decay_s);
+        own.values[place::DAMPING].fill(2.0 / released.decay_s);
         expected_statements(&setup, &self.x, &own, recorded)
     }
 
@@ -140,7 +138,7 @@ impl<'a> Prospect<'a> {
             what: Observed::Period(i, mode),
             value: Quantity::new(*period_s, period_s * u_relative),
             u_amplitude: 0.0,
-            label: period_label(mode, &self.session.swings[i].id),
+            label: Input::period(mode, &self.session.swings[i].id),
         })
     }
 }

@@ -12,6 +12,7 @@ pub mod expected;
 pub mod measure;
 mod measurement;
 pub mod modes;
+mod names;
 mod observe;
 pub mod outputs;
 pub mod parameters;
@@ -29,6 +30,9 @@ pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, m
 pub use measurement::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
     Verdict,
+};
+pub use names::{
+    AmplitudeUnit, Decision, Input, InputKind, Method, QuantityName, Relation, RouteMethod, Subject,
 };
 pub use observe::Evidence;
 pub use outputs::COVERAGE_95;

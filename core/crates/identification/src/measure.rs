@@ -24,6 +24,7 @@ use super::by_samples::by_samples;
 use super::court;
 use super::estimate::{Observation, Observed, Solution, System};
 use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
+use super::names::{AmplitudeUnit, Input, Subject};
 use super::observe::{
     Evidence, hints_contradicted, names_by_period, observe_recording, observe_track, parasites,
 };
@@ -32,7 +33,6 @@ use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
 use super::sentences::{message, name, plain};
 use super::twin::{Correction, corrections};
-use super::words::period_label;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-measurement/1";
@@ -312,7 +312,7 @@ fn conclude(
     for calculation in calculations {
         let known = result
             .alternatives
-            .entry(calculation.quantity.into())
+            .entry(calculation.quantity.clone())
             .or_default();
         known.push(calculation.route());
     }
@@ -335,7 +335,7 @@ fn conclude(
         let quantity = ("quantity", name(&format!("id.{}", limit.quantity)));
         match result
             .quantities
-            .get(&limit.quantity)
+            .get(limit.quantity.as_str())
             .and_then(|q| Some((q.value.scalar()?, q.u.scalar()?)))
         {
             Some((value, u)) => match verdict(Quantity::new(value, u), limit) {
@@ -351,11 +351,11 @@ fn conclude(
 
 /// The worst contradiction of each claim; the court's full list stands in `consistency`.
 fn worst_of_each(claims: &[Claim]) -> Vec<Message> {
-    let mut names: Vec<&str> = Vec::new();
+    let mut about: Vec<&Subject> = Vec::new();
     let mut said = Vec::new();
     for claim in claims.iter().filter(|c| c.flagged) {
-        if !names.contains(&claim.claim.as_str()) {
-            names.push(&claim.claim);
+        if !about.contains(&&claim.claim) {
+            about.push(&claim.claim);
             said.push(claim.message.clone());
         }
     }
@@ -451,11 +451,7 @@ fn mode_result(
         decay_time_se_s: (mode.alpha_per_s > 0.0)
             .then(|| mode.alpha_se_per_s / mode.alpha_per_s.powi(2)),
         amplitude,
-        amplitude_unit: if amplitude.is_some() {
-            evidence.amplitude_unit.into()
-        } else {
-            String::new()
-        },
+        amplitude_unit: amplitude.map_or(AmplitudeUnit::None, |_| evidence.amplitude_unit),
         phase_rad: Some(phase_rad(mode)),
         relative_db: 0.0,
         parasitic: false,
@@ -565,11 +561,7 @@ fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> M
         decay_time_s: None,
         decay_time_se_s: None,
         amplitude: amplitude_rad,
-        amplitude_unit: if amplitude_rad.is_some() {
-            "rad".into()
-        } else {
-            String::new()
-        },
+        amplitude_unit: amplitude_rad.map_or(AmplitudeUnit::None, |_| AmplitudeUnit::Radian),
         phase_rad: None,
         relative_db: 0.0,
         parasitic: false,
@@ -670,7 +662,7 @@ fn observations(
                 what: Observed::Period(i, mode.mode),
                 value: Quantity::new(value, observed.u.hypot(u_amplitude)),
                 u_amplitude,
-                label: period_label(mode.mode, &work.result.id),
+                label: Input::period(mode.mode, &work.result.id),
             });
         }
     }

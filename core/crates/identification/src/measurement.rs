@@ -11,6 +11,9 @@ use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
 use gyradius_recording::{ModeName, Repair};
 
+use super::names::{
+    AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
+};
 use super::value::Value;
 
 /// A session's or a bare recording's result.
@@ -23,13 +26,13 @@ pub struct Measurement {
     /// Every swing, in session order.
     pub swings: Vec<SwingResult>,
     /// The joint estimate, by quantity.
-    pub quantities: BTreeMap<String, QuantityResult>,
+    pub quantities: BTreeMap<QuantityName, QuantityResult>,
     /// Single routes to each quantity, beside the joint estimate.
-    pub alternatives: BTreeMap<String, Vec<Route>>,
+    pub alternatives: BTreeMap<QuantityName, Vec<Route>>,
     /// Contributions of each input to each quantity, largest first.
-    pub budget: BTreeMap<String, Vec<BudgetLine>>,
+    pub budget: BTreeMap<QuantityName, Vec<BudgetLine>>,
     /// Correlations between the scalar quantities: `[name, name, r]`.
-    pub correlations: Vec<(String, String, f64)>,
+    pub correlations: Vec<(QuantityName, QuantityName, f64)>,
     /// Every stated dimension against what the swings imply, every route against every other.
     pub consistency: Vec<Claim>,
     /// Verdicts against class limits, where asked for.
@@ -94,7 +97,7 @@ pub struct ModeResult {
     /// Amplitude at the start of the span.
     pub amplitude: Option<f64>,
     /// `rad` (angle of the body or of the lines), `m`, or `rad/s` where only the rate is known.
-    pub amplitude_unit: String,
+    pub amplitude_unit: AmplitudeUnit,
     /// Phase at the start of the span, rad: the motion is amplitude · cos(ωt + phase).
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub phase_rad: Option<f64>,
@@ -138,15 +141,14 @@ pub struct QuantityResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interval_95: Option<[f64; 2]>,
     /// How it was got.
-    pub method: String,
+    pub method: Method,
 }
 
 /// A single route to a quantity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Route {
-    /// `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum`, `compound`, `lamboley`,
-    /// `incline`, `tilted_yaw`, …
-    pub method: String,
+    /// The closed-form estimator.
+    pub method: RouteMethod,
     /// Value.
     pub value: f64,
     /// One standard uncertainty.
@@ -163,7 +165,7 @@ pub struct Route {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct BudgetLine {
     /// The input.
-    pub input: String,
+    pub input: Input,
     /// |sensitivity| × u(input), unit of the quantity.
     pub u_contribution: f64,
 }
@@ -171,9 +173,8 @@ pub struct BudgetLine {
 /// One sitting of the consistency court.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Claim {
-    /// What is claimed: `line_length`, `spacing`, `top_spacing`, `gravity`, `hull_pitch`, or a
-    /// route such as `k_yaw_m`.
-    pub claim: String,
+    /// What is claimed: a stated figure such as `line_length`, or a route such as `k_yaw_m`.
+    pub claim: Subject,
     /// As stated, or by the first route.
     pub stated: f64,
     /// Its standard uncertainty.
@@ -204,9 +205,9 @@ pub struct Claim {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Verdict {
     /// The quantity.
-    pub quantity: String,
+    pub quantity: QuantityName,
     /// `>=` or `<=`.
-    pub relation: String,
+    pub relation: Relation,
     /// The limit.
     pub limit: f64,
     /// Guard band, in the unit of the quantity.
@@ -214,7 +215,7 @@ pub struct Verdict {
     /// Probability that the true value conforms.
     pub conformance_probability: f64,
     /// `pass`, `fail` or `undecided`.
-    pub verdict: String,
+    pub verdict: Decision,
 }
 
 fn one() -> usize {

@@ -1,5 +1,6 @@
 //! From a swing's data to named modes with periods: the step from signal to physics.
 
+use super::names::AmplitudeUnit;
 use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
@@ -36,7 +37,7 @@ pub struct Evidence {
     /// The vertical in phone axes, where an accelerometer saw it.
     pub up: Option<Vec3>,
     /// Unit of the modes' amplitude: `rad` or `m`.
-    pub amplitude_unit: &'static str,
+    pub amplitude_unit: AmplitudeUnit,
     /// Repairs, those of the reader and what was trimmed.
     pub repairs: Vec<Repair>,
     /// What a reader must know of it.
@@ -91,7 +92,7 @@ fn found_in(
     id: &str,
     all: &[ChannelGroup],
     map: ChannelMap,
-    amplitude_unit: &'static str,
+    amplitude_unit: AmplitudeUnit,
     repairs: &[Repair],
     disturbed_s: &[f64],
 ) -> Result<Evidence> {
@@ -129,7 +130,7 @@ pub fn observe_recording(
         id,
         &all,
         map,
-        "rad",
+        AmplitudeUnit::Radian,
         &recording.repairs,
         &recording.disturbed_s,
     )?;
@@ -289,7 +290,14 @@ pub fn observe_track(
         t_s: track.t_s.clone(),
         channels: vec![track.y_m.clone()],
     }];
-    let mut evidence = found_in(id, &all, ChannelMap::default(), "m", &track.repairs, &[])?;
+    let mut evidence = found_in(
+        id,
+        &all,
+        ChannelMap::default(),
+        AmplitudeUnit::Metre,
+        &track.repairs,
+        &[],
+    )?;
     evidence.warnings.push(message("track_alone", []));
     evidence.named = name_track_modes(&evidence.found, hanging, swing);
     Ok(evidence)

@@ -8,6 +8,7 @@ use gyradius_recording::Session;
 
 use super::estimate::{Derived, Solution, System};
 use super::measurement::{BudgetLine, Measurement, QuantityResult};
+use super::names::{Input, InputKind, Method, QuantityName};
 use super::theory::hull_alone;
 use super::value::Value;
 
@@ -24,9 +25,6 @@ pub const COVERAGE_95: f64 = 1.959_963_984_540_054;
 /// A hanging tilted by less says nothing of the principal axes, degrees.
 const LEAST_TILT_DEG: f64 = 5.0;
 
-/// Scalar quantities by name: `(name, unit is degrees)`.
-const SCALARS: [&str; 5] = ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"];
-
 /// The body that a solution describes, with what rode on it taken off.
 struct Hull<'a> {
     session: &'a Session,
@@ -42,22 +40,24 @@ impl Hull<'_> {
         hull_alone(self.session, &self.system.layout, x, depth).ok()
     }
 
-    fn scalar(&self, name: &str, x: &[f64]) -> Option<f64> {
+    fn scalar(&self, name: &QuantityName, x: &[f64]) -> Option<f64> {
         let body = self.at(x)?;
         let k = |i: usize| (body.inertia_kg_m2[(i, i)] / body.mass_kg).sqrt();
         match name {
-            "k_roll_m" => Some(k(0)),
-            "k_pitch_m" => Some(k(1)),
-            "k_yaw_m" => Some(k(2)),
-            "cm_depth_m" => self.level_depth.map(|_| -body.cm_m.z),
-            "psi_deg" => Some(psi_rad(&body.inertia_kg_m2).to_degrees()),
-            _ => None,
+            QuantityName::KRoll => Some(k(0)),
+            QuantityName::KPitch => Some(k(1)),
+            QuantityName::KYaw => Some(k(2)),
+            QuantityName::CmDepth => self.level_depth.map(|_| -body.cm_m.z),
+            QuantityName::Psi => Some(psi_rad(&body.inertia_kg_m2).to_degrees()),
+            QuantityName::PrincipalGyradii
+            | QuantityName::Inertia
+            | QuantityName::SmallPeriod(_) => None,
         }
     }
 }
 
 /// A quantity of the hull alone at parameters of the session.
-pub fn hull_scalar(system: &System, name: &str, x: &[f64]) -> Option<f64> {
+pub fn hull_scalar(system: &System, name: &QuantityName, x: &[f64]) -> Option<f64> {
     Hull {
         session: system.session,
         system,
@@ -97,21 +97,21 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
         level_depth,
     };
     let tilted = with_principal_axes_turned(system, solution);
-    let mut determined: Vec<(&str, Derived)> = Vec::new();
-    for name in SCALARS {
-        let mut derived = solution.derive(&system.layout, |x| hull.scalar(name, x));
+    let mut determined: Vec<(QuantityName, Derived)> = Vec::new();
+    for name in QuantityName::SCALARS {
+        let mut derived = solution.derive(&system.layout, |x| hull.scalar(&name, x));
         let first_order = derived.as_ref().map_or(0.0, |d| d.u);
         if let (Some(d), Some(other)) = (derived.as_mut(), tilted.as_ref()) {
-            widen(d, other, |x| hull.scalar(name, x));
+            widen(d, other, |x| hull.scalar(&name, x));
         }
-        let shown = name != "psi_deg" || has_tilted_swings(system);
-        if let Some(derived) = derived.filter(|d| shown && is_determined(name, d)) {
+        let shown = name != QuantityName::Psi || has_tilted_swings(system);
+        if let Some(derived) = derived.filter(|d| shown && is_determined(&name, d)) {
             result
                 .quantities
-                .insert(name.into(), scalar_result(&derived));
+                .insert(name.clone(), scalar_result(&derived));
             let mut lines = budget(system, solution, &derived);
             second_order(&mut lines, derived.u, first_order);
-            result.budget.insert(name.into(), lines);
+            result.budget.insert(name.clone(), lines);
             determined.push((name, derived));
         }
     }
@@ -119,12 +119,19 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
         for (b, db) in &determined[i + 1..] {
             result
                 .correlations
-                .push((a.to_string(), b.to_string(), da.correlation(db)));
+                .push((a.clone(), b.clone(), da.correlation(db)));
         }
     }
-    let has = |name: &str| determined.iter().any(|(n, _)| *n == name);
-    if ["k_yaw_m", "k_pitch_m", "k_roll_m"].iter().all(|n| has(n)) {
-        write_tensor(&hull, solution, has("psi_deg"), result);
+    let has = |name: &QuantityName| determined.iter().any(|(n, _)| n == name);
+    if [
+        QuantityName::KYaw,
+        QuantityName::KPitch,
+        QuantityName::KRoll,
+    ]
+    .iter()
+    .all(has)
+    {
+        write_tensor(&hull, solution, has(&QuantityName::Psi), result);
     }
 }
 
@@ -154,7 +161,7 @@ fn second_order(lines: &mut Vec<BudgetLine>, u: f64, first_order: f64) {
     let u_contribution = (u * u - first_order * first_order).max(0.0).sqrt();
     if u_contribution > 1e-4 * u {
         lines.push(BudgetLine {
-            input: "unknown tilt of the principal axes".into(),
+            input: InputKind::UnknownTilt.into(),
             u_contribution,
         });
         lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));
@@ -170,9 +177,9 @@ fn has_tilted_swings(system: &System) -> bool {
         .any(|s| system.layout.parameters[s.pitch_deg].prior.value.abs() > LEAST_TILT_DEG)
 }
 
-fn is_determined(name: &str, derived: &Derived) -> bool {
+fn is_determined(name: &QuantityName, derived: &Derived) -> bool {
     let (small, certain) = match name {
-        "psi_deg" => (derived.u < MOST_ANGLE_U_DEG, false),
+        QuantityName::Psi => (derived.u < MOST_ANGLE_U_DEG, false),
         _ => {
             let relative_u = derived.u / derived.value.abs();
             (
@@ -190,7 +197,7 @@ fn scalar_result(derived: &Derived) -> QuantityResult {
         value: derived.value.into(),
         u: derived.u.into(),
         interval_95: Some([derived.value - half, derived.value + half]),
-        method: "joint_estimate".into(),
+        method: Method::JointEstimate,
     }
 }
 
@@ -207,9 +214,9 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
         Some(body)
     };
     let method = if psi_known {
-        "joint_estimate"
+        Method::JointEstimate
     } else {
-        "joint_estimate, hull axes taken as principal"
+        Method::JointEstimateAlongHullAxes
     };
     let gyradius =
         |i: usize| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i]));
@@ -219,11 +226,11 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
             value: Value::Vector(k.each_ref().map(|d| d.value)),
             u: Value::Vector(k.each_ref().map(|d| d.u)),
             interval_95: None,
-            method: method.into(),
+            method,
         };
         result
             .quantities
-            .insert("principal_gyradii_m".into(), entry);
+            .insert(QuantityName::PrincipalGyradii, entry);
     }
     if hull.session.body.mass_kg.is_none() {
         return;
@@ -244,22 +251,22 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
         value: Value::Matrix(values),
         u: Value::Matrix(us),
         interval_95: None,
-        method: method.into(),
+        method,
     };
-    result.quantities.insert("inertia_kg_m2".into(), entry);
+    result.quantities.insert(QuantityName::Inertia, entry);
 }
 
 /// Contributions by input, largest first; rows with the same name add in quadrature.
 pub fn budget(system: &System, solution: &Solution, derived: &Derived) -> Vec<BudgetLine> {
-    let mut squares: BTreeMap<String, f64> = BTreeMap::new();
-    let mut add = |name: String, square: f64| *squares.entry(name).or_default() += square;
+    let mut squares: BTreeMap<Input, f64> = BTreeMap::new();
+    let mut add = |name: Input, square: f64| *squares.entry(name).or_default() += square;
     for (row, observation) in system.observations.iter().enumerate() {
         let square = derived.by_row[row].powi(2);
         let by_amplitude = (observation.u_amplitude / observation.value.u)
             .powi(2)
             .min(1.0);
         add(observation.label.clone(), square * (1.0 - by_amplitude));
-        add("finite-amplitude correction".into(), square * by_amplitude);
+        add(InputKind::FiniteAmplitude.into(), square * by_amplitude);
     }
     let first_prior = system.observations.len();
     for (k, i) in solution.free.iter().enumerate() {

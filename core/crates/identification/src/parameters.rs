@@ -16,6 +16,7 @@ use gyradius_base::error::Result;
 use gyradius_base::message::Message;
 use gyradius_recording::{Quantity, Session, SwingData};
 
+use super::names::{Input, InputKind};
 use super::routes::corrections::{
     NORMAL_GRAVITY_U_M_S2, buoyant_gravity_m_s2, normal_gravity_m_s2,
 };
@@ -57,8 +58,8 @@ pub enum Role {
 /// One parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
-    /// Name for budgets and the consistency court (`line_length`, `spacing`, …).
-    pub name: String,
+    /// Name for budgets and consistency tests.
+    pub name: Input,
     /// Stated or unknown.
     pub role: Role,
     /// Prior value and its uncertainty; u = 0 holds it fixed.
@@ -120,17 +121,21 @@ impl Layout {
         yaw_periods_s: &[Option<f64>],
     ) -> Self {
         let mut builder = Builder::default();
-        let gravity = builder.stated("gravity", gravity);
+        let gravity = builder.stated(InputKind::Gravity, gravity);
         let clock = Quantity::new(0.0, PHONE_CLOCK_U_RELATIVE);
-        let clock = builder.stated_with_step("phone_clock", clock, CLOCK_STEP);
-        let mass = builder.stated("mass", session.body.mass_kg.unwrap_or(Quantity::exact(1.0)));
+        let clock = builder.stated_with_step(InputKind::PhoneClock, clock, CLOCK_STEP);
+        let mass = builder.stated(
+            InputKind::Mass,
+            session.body.mass_kg.unwrap_or(Quantity::exact(1.0)),
+        );
         let scale_m = length_scale_m(session, builder.value(gravity), yaw_periods_s);
-        let log_roll_share = builder.unknown("gyradius", ROLL_SHARE.ln(), ROLL_SHARE_LOG_U, 1e-6);
+        let log_roll_share =
+            builder.unknown(InputKind::Gyradius, ROLL_SHARE.ln(), ROLL_SHARE_LOG_U, 1e-6);
         let [pitch, yaw] =
-            [0, 1].map(|_| builder.unknown("gyradius", scale_m.ln(), WEAK_LOG_U, 1e-6));
+            [0, 1].map(|_| builder.unknown(InputKind::Gyradius, scale_m.ln(), WEAK_LOG_U, 1e-6));
         let log_gyradii = [log_roll_share, pitch, yaw];
         let product_xz = builder.unknown(
-            "product_xz",
+            InputKind::ProductXz,
             0.0,
             WEAK_PRODUCT * scale_m * scale_m,
             1e-6 * scale_m * scale_m,
@@ -138,7 +143,7 @@ impl Layout {
         let attachment_masses = session
             .attachments
             .iter()
-            .map(|a| builder.stated(&format!("mass of {}", a.name), a.mass_kg))
+            .map(|a| builder.stated(Input::of(InputKind::Mass, &a.name), a.mass_kg))
             .collect();
         let swings = (0..session.swings.len())
             .map(|i| builder.swing(session, i, pitch_deg.get(i).copied().flatten(), scale_m))
@@ -179,9 +184,9 @@ struct Builder {
 }
 
 impl Builder {
-    fn push(&mut self, name: &str, role: Role, prior: Quantity, step: f64) -> usize {
+    fn push(&mut self, name: Input, role: Role, prior: Quantity, step: f64) -> usize {
         self.parameters.push(Parameter {
-            name: name.into(),
+            name,
             role,
             prior,
             step,
@@ -193,16 +198,17 @@ impl Builder {
         self.parameters[index].prior.value
     }
 
-    fn unknown(&mut self, name: &str, value: f64, u: f64, step: f64) -> usize {
-        self.push(name, Role::Unknown, Quantity::new(value, u), step)
+    fn unknown(&mut self, name: impl Into<Input>, value: f64, u: f64, step: f64) -> usize {
+        self.push(name.into(), Role::Unknown, Quantity::new(value, u), step)
     }
 
-    fn stated(&mut self, name: &str, prior: Quantity) -> usize {
+    fn stated(&mut self, name: impl Into<Input>, prior: Quantity) -> usize {
         self.stated_with_step(name, prior, 1e-6 * prior.value.abs().max(1e-3))
     }
 
     /// The same figure stated for the same thing is the same parameter.
-    fn stated_with_step(&mut self, name: &str, prior: Quantity, step: f64) -> usize {
+    fn stated_with_step(&mut self, name: impl Into<Input>, prior: Quantity, step: f64) -> usize {
+        let name = name.into();
         let known = self
             .parameters
             .iter()
@@ -219,23 +225,27 @@ impl Builder {
     ) -> SwingIndex {
         let swing = &session.swings[i];
         let hung = &swing.suspension;
-        let spacing = hung.spacing_m.map(|q| self.stated("spacing", q));
+        let spacing = hung.spacing_m.map(|q| self.stated(InputKind::Spacing, q));
         let pitch = phone_pitch
             .or(hung.hull_pitch_deg)
             .unwrap_or(Quantity::new(0.0, UNSTATED_PITCH_U_DEG));
         SwingIndex {
-            line_length: hung.line_length_m.map(|q| self.stated("line_length", q)),
+            line_length: hung
+                .line_length_m
+                .map(|q| self.stated(InputKind::LineLength, q)),
             spacing,
             top_spacing: hung
                 .top_spacing_m
-                .map(|q| self.stated("top_spacing", q))
+                .map(|q| self.stated(InputKind::TopSpacing, q))
                 .or(spacing),
-            pitch_deg: self.stated_with_step("hull_pitch", pitch, 1e-3),
+            pitch_deg: self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
             log_depth: self.depth(
                 hung.hull_pitch_deg.map_or(pitch.value, |q| q.value),
                 scale_m,
             ),
-            axis_height: hung.axis_height_m.map(|q| self.stated("axis_height", q)),
+            axis_height: hung
+                .axis_height_m
+                .map(|q| self.stated(InputKind::AxisHeight, q)),
             clock: matches!(swing.data, SwingData::Recording(_)).then(|| self.clock_of_swing()),
         }
     }
@@ -243,7 +253,7 @@ impl Builder {
     fn clock_of_swing(&mut self) -> usize {
         let u = PHONE_CLOCK_BETWEEN_SWINGS_U_RELATIVE;
         self.push(
-            "phone_clock",
+            InputKind::PhoneClock.into(),
             Role::Stated,
             Quantity::new(0.0, u),
             CLOCK_STEP,
@@ -257,7 +267,7 @@ impl Builder {
             .find(|(p, _)| (p - pitch_deg).abs() < SAME_HANGING_DEG)
             .map(|h| h.1);
         known.unwrap_or_else(|| {
-            let index = self.unknown("depth", (0.4 * scale_m).ln(), WEAK_LOG_U, 1e-6);
+            let index = self.unknown(InputKind::Depth, (0.4 * scale_m).ln(), WEAK_LOG_U, 1e-6);
             self.hangings.push((pitch_deg, index));
             index
         })

@@ -7,41 +7,14 @@
 use gyradius_base::error::Error;
 use gyradius_base::message::{Argument, Message, spaced};
 
+use super::names::{Input, InputKind, Origin};
+
 /// Key of the warning that gravity is not stated.
 pub const NO_GRAVITY: &str = "inertia.no_gravity";
 /// Key of the name of gravity.
 pub const GRAVITY: &str = "inertia.input.gravity";
 /// Key of the warning that there is no joint estimate.
 pub const NO_JOINT_ESTIMATE: &str = "inertia.no_joint_estimate";
-
-/// Inputs of budgets, without the swing or the mass that they are of.
-const INPUTS: [&str; 25] = [
-    "gravity",
-    "phone clock",
-    "mass",
-    "gyradius",
-    "product xz",
-    "depth",
-    "line length",
-    "spacing",
-    "top spacing",
-    "axis height",
-    "hull pitch",
-    "suspension points",
-    "incline bow",
-    "incline stern",
-    "samples",
-    "finite-amplitude correction",
-    "unknown tilt of the principal axes",
-    "yaw period",
-    "sway period",
-    "pitch in phase period",
-    "pitch out of phase period",
-    "roll in phase period",
-    "roll out of phase period",
-    "compound pendulum period",
-    "unnamed motion period",
-];
 
 /// A message with what it names.
 pub fn message<'a>(key: &str, arguments: impl IntoIterator<Item = (&'a str, Argument)>) -> Message {
@@ -63,29 +36,58 @@ pub fn motion(english: &str) -> Argument {
     name(&format!("motion.{english}"))
 }
 
-/// An input of a budget by its label: `spacing`, `yaw period of bow-up`. What is no input is an id.
-/// In English it stands as it is.
-pub fn input(label: &str) -> Message {
-    if INPUTS.contains(&spaced(label).as_str()) {
-        return message(&format!("input.{label}"), []);
+impl Input {
+    /// Its name, in English as files spell it.
+    pub fn message(&self) -> Message {
+        self.called(self.kind.name().to_owned())
     }
-    // A name may hold an "of" of its own: "pitch out of phase period of bow-up".
-    let of_one = INPUTS
-        .iter()
-        .find_map(|what| Some((what, label.strip_prefix(what)?.strip_prefix(" of ")?)));
-    match of_one {
-        Some((what, which)) => message(
-            "of",
-            [
-                ("what", name(&format!("input.{what}"))),
-                ("which", Argument::Id(which.to_owned())),
-            ],
-        ),
-        None => message("an_id", [("id", Argument::Id(label.to_owned()))]),
+
+    /// The same in words.
+    pub fn in_words(&self) -> Message {
+        self.called(spaced(self.kind.name()))
+    }
+
+    fn called(&self, kind: String) -> Message {
+        let key = format!("input.{kind}");
+        match &self.of {
+            None => message(&key, []),
+            Some(which) => message(
+                "of",
+                [("what", name(&key)), ("which", Argument::Id(which.clone()))],
+            ),
+        }
     }
 }
 
+impl InputKind {
+    /// Its name in words.
+    pub fn in_words(self) -> Message {
+        Input::from(self).in_words()
+    }
+}
+
+impl Origin {
+    /// Its name in words.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Swing(id) => message("an_id", [("id", Argument::Id(id.clone()))]),
+            Self::Incline(kind) => kind.in_words(),
+        }
+    }
+}
+
+/// The name of an input by its text in files; what is no input is an id.
+pub fn input(label: &str) -> Message {
+    let known = label.parse::<Input>().map(|input| input.message());
+    known.unwrap_or_else(|_| message("an_id", [("id", Argument::Id(label.to_owned()))]))
+}
+
 /// Inputs in a row.
-pub fn inputs<'a>(labels: impl IntoIterator<Item = &'a String>) -> Argument {
-    Argument::Texts(labels.into_iter().map(|label| input(label)).collect())
+pub fn inputs<'a>(all: impl IntoIterator<Item = &'a Input>) -> Argument {
+    Argument::Texts(all.into_iter().map(Input::in_words).collect())
+}
+
+/// Swings and inclines in a row.
+pub fn origins<'a>(all: impl IntoIterator<Item = &'a Origin>) -> Argument {
+    Argument::Texts(all.into_iter().map(Origin::message).collect())
 }

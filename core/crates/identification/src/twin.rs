@@ -16,6 +16,7 @@ use gyradius_mechanics::{
 use gyradius_recording::{ModeName, Swing};
 
 use super::measurement::{ModeResult, SwingResult};
+use super::names::AmplitudeUnit;
 use super::parameters::{Layout, SwingIndex};
 use super::routes::finite_amplitude::pendulum_period_ratio;
 use super::theory::{axis, mode_names, swing_body, swing_rig};
@@ -62,7 +63,7 @@ impl Correction {
     pub fn unknown(mode: &ModeResult) -> Self {
         let amplitude_rad = mode
             .amplitude
-            .filter(|_| mode.amplitude_unit == "rad")
+            .filter(|_| mode.amplitude_unit == AmplitudeUnit::Radian)
             .unwrap_or(0.0);
         Correction {
             factor: 1.0,
@@ -169,7 +170,9 @@ fn parts(body: &RigidBody, modes: &SmallModes, swing: &Swing, result: &SwingResu
     let find = |name: ModeName| (0..4).find(|i| names[*i] == name);
     let part = |(observed, mode): (usize, &ModeResult)| {
         let small = find(mode.mode)?;
-        let angle = mode.amplitude.filter(|_| mode.amplitude_unit == "rad")?;
+        let angle = mode
+            .amplitude
+            .filter(|_| mode.amplitude_unit == AmplitudeUnit::Radian)?;
         let size = angle_of_shape(modes, small, mode.mode, &unit);
         Some(Part {
             observed,

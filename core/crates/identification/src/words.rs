@@ -4,72 +4,37 @@ use gyradius_base::language::Language;
 use gyradius_base::message::{name, spaced};
 use gyradius_recording::ModeName;
 
-/// How a quantity is called and printed.
-pub struct QuantityWords {
-    /// In words.
-    pub name: &'static str,
-    /// Its symbol.
-    pub symbol: &'static str,
-}
+use super::names::{QuantityName, RouteMethod, Subject};
 
-/// Scalar quantities in the order of the report.
-const QUANTITIES: [(&str, QuantityWords); 5] = [
-    (
-        "k_yaw_m",
-        QuantityWords {
-            name: "Yaw gyradius",
-            symbol: "k_yaw",
-        },
-    ),
-    (
-        "k_pitch_m",
-        QuantityWords {
-            name: "Pitch gyradius",
-            symbol: "k_pitch",
-        },
-    ),
-    (
-        "k_roll_m",
-        QuantityWords {
-            name: "Roll gyradius",
-            symbol: "k_roll",
-        },
-    ),
-    (
-        "cm_depth_m",
-        QuantityWords {
-            name: "Depth of the centre of mass",
-            symbol: "l₂",
-        },
-    ),
-    (
-        "psi_deg",
-        QuantityWords {
-            name: "Tilt of the principal axis",
-            symbol: "ψ",
-        },
-    ),
-];
-
-/// Words for a quantity.
-pub fn quantity(key: &str) -> Option<&'static QuantityWords> {
-    QUANTITIES
-        .iter()
-        .find(|(name, _)| *name == key)
-        .map(|(_, words)| words)
-}
-
-/// A quantity's name in words, its key where it has none.
-pub fn quantity_name(key: &str) -> String {
-    match (quantity(key), key) {
-        (Some(words), _) => words.name.into(),
-        (None, "principal_gyradii_m") => "Principal gyradii".into(),
-        (None, "inertia_kg_m2") => "Moments of inertia".into(),
-        (None, other) => spaced(other),
+/// A quantity's symbol; none of what is no number of the hull.
+pub fn symbol(quantity: &QuantityName) -> Option<&'static str> {
+    match quantity {
+        QuantityName::KYaw => Some("k_yaw"),
+        QuantityName::KPitch => Some("k_pitch"),
+        QuantityName::KRoll => Some("k_roll"),
+        QuantityName::CmDepth => Some("l₂"),
+        QuantityName::Psi => Some("ψ"),
+        QuantityName::PrincipalGyradii | QuantityName::Inertia | QuantityName::SmallPeriod(_) => {
+            None
+        }
     }
 }
 
-/// Units by the ending of a key; what ends another stands after it.
+/// A quantity's name in words.
+pub fn quantity_name(quantity: &QuantityName) -> String {
+    match quantity {
+        QuantityName::KYaw => "Yaw gyradius".into(),
+        QuantityName::KPitch => "Pitch gyradius".into(),
+        QuantityName::KRoll => "Roll gyradius".into(),
+        QuantityName::CmDepth => "Depth of the centre of mass".into(),
+        QuantityName::Psi => "Tilt of the principal axis".into(),
+        QuantityName::PrincipalGyradii => "Principal gyradii".into(),
+        QuantityName::Inertia => "Moments of inertia".into(),
+        QuantityName::SmallPeriod(_) => spaced(quantity.as_str()),
+    }
+}
+
+/// Units by the ending of a name; what ends another stands after it.
 const ENDINGS: [(&str, &str); 6] = [
     ("_kg_m2", "kg m²"),
     ("_m_s2", "m/s²"),
@@ -79,37 +44,25 @@ const ENDINGS: [(&str, &str); 6] = [
     ("_s", "s"),
 ];
 
-/// A quantity's unit, as its key tells it.
-pub fn unit_of(key: &str) -> &'static str {
+/// The unit that a name of a file tells, as it is printed.
+pub fn unit_of(name: &str) -> &'static str {
     ENDINGS
         .iter()
-        .find(|(ending, _)| key.ends_with(ending))
+        .find(|(ending, _)| name.ends_with(ending))
         .map_or("", |(_, unit)| unit)
 }
 
 /// Place of a quantity in the report.
-pub fn rank(key: &str) -> usize {
-    QUANTITIES
-        .iter()
-        .position(|(name, _)| *name == key)
-        .unwrap_or(QUANTITIES.len())
+pub fn rank(quantity: &QuantityName) -> usize {
+    let place = QuantityName::SCALARS.iter().position(|q| q == quantity);
+    place.unwrap_or(QuantityName::SCALARS.len())
 }
 
-/// A stated figure or a route's quantity as the court names it.
-pub fn claim_name(claim: &str) -> String {
-    match quantity(claim) {
-        Some(words) => words.name.into(),
-        None => spaced(claim),
-    }
-}
-
-/// Unit of a stated figure or a route's quantity.
-pub fn claim_unit(claim: &str) -> &'static str {
-    match claim {
-        "line_length" | "spacing" | "top_spacing" | "axis_height" => "m",
-        "gravity" => "m/s²",
-        "hull_pitch" => "°",
-        other => unit_of(other),
+/// A stated figure or a route's quantity in words.
+pub fn claim_name(subject: &Subject) -> String {
+    match subject {
+        Subject::Stated(kind) => spaced(kind.name()),
+        Subject::Quantity(name) => quantity_name(name),
     }
 }
 
@@ -128,29 +81,22 @@ pub fn mode_text(mode: ModeName) -> &'static str {
 }
 
 /// A single route to a quantity, in words.
-pub fn route(method: &str) -> String {
-    route_in(method, Language::English)
+pub fn route(method: RouteMethod) -> String {
+    route_in(method.name(), Language::English)
 }
 
-/// The same in a language.
+/// The same in a language, by its name in files.
 pub fn route_in(method: &str, language: Language) -> String {
     name(&format!("inertia.route.{method}"), language).unwrap_or_else(|| spaced(method))
 }
 
-/// A quantity in words in a language, without its unit.
+/// A quantity in words in a language, without its unit, by its name in files.
 pub fn quantity_in(key: &str, language: Language) -> String {
+    let scalar = QuantityName::SCALARS.iter().find(|q| q.as_str() == key);
+    let known = scalar.and_then(|_| name(&format!("inertia.quantity.{key}"), language));
     let bare = ENDINGS
         .iter()
         .find_map(|(ending, _)| key.strip_suffix(ending))
         .unwrap_or(key);
-    match quantity(key) {
-        Some(_) => name(&format!("inertia.quantity.{key}"), language),
-        None => None,
-    }
-    .unwrap_or_else(|| spaced(bare))
-}
-
-/// Name of a period in budgets.
-pub fn period_label(mode: ModeName, swing: &str) -> String {
-    format!("{} period of {swing}", mode_text(mode))
+    known.unwrap_or_else(|| spaced(bare))
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::Vec3;
-use gyradius_identification::Measurement;
+use gyradius_identification::{Measurement, QuantityName};
 use gyradius_mechanics::RigidBody;
 use gyradius_recording::{Quantity, Session};
 
@@ -152,7 +152,7 @@ pub struct Hull {
     /// ψ, bow up, degrees.
     pub psi_deg: Quantity,
     /// Where each figure comes from.
-    pub sources: BTreeMap<String, String>,
+    pub sources: BTreeMap<QuantityName, String>,
 }
 
 /// Where a figure that was told comes from.
@@ -184,7 +184,7 @@ impl RoughHull {
         let ratios: Option<(&str, Ratios)> = ratios.transpose()?;
         let mut sources = BTreeMap::new();
         let mut figure =
-            |name: &str, told: Option<Quantity>, by_type: &dyn Fn(&Ratios) -> Quantity| {
+            |name: QuantityName, told: Option<Quantity>, by_type: &dyn Fn(&Ratios) -> Quantity| {
                 let (value, source) = match (told, &ratios) {
                     (Some(told), _) => (told, TOLD.to_owned()),
                     (None, Some((kind, ratios))) => {
@@ -195,22 +195,22 @@ impl RoughHull {
                         return Err(Error::argument("type", expected, "neither"));
                     }
                 };
-                sources.insert(name.to_owned(), source);
+                sources.insert(name, source);
                 Ok(value)
             };
-        let k_yaw_m = figure("k_yaw_m", self.k_yaw_m, &|r| {
+        let k_yaw_m = figure(QuantityName::KYaw, self.k_yaw_m, &|r| {
             times(r.k_yaw_over_length, length_m)
         })?;
-        let k_pitch_m = figure("k_pitch_m", self.k_pitch_m, &|r| {
+        let k_pitch_m = figure(QuantityName::KPitch, self.k_pitch_m, &|r| {
             times(r.k_pitch_over_length, length_m)
         })?;
-        let k_roll_m = figure("k_roll_m", self.k_roll_m, &|r| {
+        let k_roll_m = figure(QuantityName::KRoll, self.k_roll_m, &|r| {
             times(r.k_roll_over_beam, beam_m)
         })?;
         let is_bar = self.boat_type.as_deref().map(BoatType::named).transpose()?
             == Some(BoatType::UniformBar);
         let depth_scale_m = if is_bar { beam_m } else { k_pitch_m.value };
-        let cm_depth_m = figure("cm_depth_m", self.cm_depth_m, &|r| {
+        let cm_depth_m = figure(QuantityName::CmDepth, self.cm_depth_m, &|r| {
             times(r.depth_over_k_pitch, depth_scale_m)
         })?;
         let psi_deg = match ratios {
@@ -256,14 +256,14 @@ impl Hull {
     /// # Errors
     /// [`Error::NoResult`] where not even the yaw gyradius was measured.
     pub fn so_far(session: &Session, measurement: &Measurement) -> Result<Self> {
-        let found = |name: &str| {
+        let found = |name: &QuantityName| {
             let quantity = measurement.quantities.get(name)?;
             Some(Quantity::new(
                 quantity.value.scalar()?,
                 quantity.u.scalar()?,
             ))
         };
-        let k_yaw_m = found("k_yaw_m").or_else(|| found("k_pitch_m")).ok_or_else(|| {
+        let k_yaw_m = found(&QuantityName::KYaw).or_else(|| found(&QuantityName::KPitch)).ok_or_else(|| {
             let reason = "neither a yaw nor a pitch gyradius was measured so far: tell the hull's dimensions";
             Error::no_result("plan", reason)
         })?;
@@ -274,10 +274,10 @@ impl Hull {
             .map(|q| q.value);
         let widest_m = spacing.fold(0.0, f64::max);
         let mut sources = BTreeMap::new();
-        let mut figure = |name: &str, guess: Quantity| {
+        let mut figure = |name: QuantityName, guess: Quantity| {
             let (value, source) =
-                found(name).map_or((guess, "as hulls mostly have it"), |q| (q, MEASURED));
-            sources.insert(name.to_owned(), source.to_owned());
+                found(&name).map_or((guess, "as hulls mostly have it"), |q| (q, MEASURED));
+            sources.insert(name, source.to_owned());
             value
         };
         Self {
@@ -291,14 +291,14 @@ impl Hull {
             } else {
                 2.0 * k_yaw_m.value
             },
-            k_yaw_m: figure("k_yaw_m", k_yaw_m),
+            k_yaw_m: figure(QuantityName::KYaw, k_yaw_m),
             k_pitch_m: figure(
-                "k_pitch_m",
+                QuantityName::KPitch,
                 Quantity::new(k_yaw_m.value, 0.1 * k_yaw_m.value),
             ),
-            k_roll_m: figure("k_roll_m", times(ROLL_OVER_YAW, k_yaw_m.value)),
-            cm_depth_m: figure("cm_depth_m", times(DEPTH_OVER_YAW, k_yaw_m.value)),
-            psi_deg: figure("psi_deg", Quantity::new(0.0, 3.0)),
+            k_roll_m: figure(QuantityName::KRoll, times(ROLL_OVER_YAW, k_yaw_m.value)),
+            cm_depth_m: figure(QuantityName::CmDepth, times(DEPTH_OVER_YAW, k_yaw_m.value)),
+            psi_deg: figure(QuantityName::Psi, Quantity::new(0.0, 3.0)),
             sources,
         }
         .checked()
@@ -342,14 +342,16 @@ impl Hull {
     }
 
     /// A quantity by the name that measurements give it.
-    pub fn quantity(&self, name: &str) -> Option<Quantity> {
+    pub fn quantity(&self, name: &QuantityName) -> Option<Quantity> {
         match name {
-            "k_yaw_m" => Some(self.k_yaw_m),
-            "k_pitch_m" => Some(self.k_pitch_m),
-            "k_roll_m" => Some(self.k_roll_m),
-            "cm_depth_m" => Some(self.cm_depth_m),
-            "psi_deg" => Some(self.psi_deg),
-            _ => None,
+            QuantityName::KYaw => Some(self.k_yaw_m),
+            QuantityName::KPitch => Some(self.k_pitch_m),
+            QuantityName::KRoll => Some(self.k_roll_m),
+            QuantityName::CmDepth => Some(self.cm_depth_m),
+            QuantityName::Psi => Some(self.psi_deg),
+            QuantityName::PrincipalGyradii
+            | QuantityName::Inertia
+            | QuantityName::SmallPeriod(_) => None,
         }
     }
 

@@ -5,7 +5,7 @@ use super::means::Means;
 use super::search::Way;
 use super::wanted::Wanted;
 use super::warnings::{Warning, WarningKind};
-use gyradius_identification::BudgetLine;
+use gyradius_identification::{BudgetLine, InputKind, QuantityName};
 
 /// A figure of the hull rougher than this is worth a word.
 const ROUGH: f64 = 0.15;
@@ -35,7 +35,7 @@ fn one(hull: &Hull, means: &Means, wanted: &Wanted, way: &Way) -> Option<Warning
     }
     let worst = way.expected.budget.get(&wanted.quantity)?.first()?;
     let needed = needed(u, wanted_u, worst);
-    if worst.input == "spacing" && value > 0.0 {
+    if worst.input == InputKind::Spacing.into() && value > 0.0 {
         let better = needed.unwrap_or(0.5 * wanted_u) / worst.u_contribution;
         let numbers = [
             ("reached_percent", 100.0 * u / value),
@@ -66,7 +66,7 @@ fn one(hull: &Hull, means: &Means, wanted: &Wanted, way: &Way) -> Option<Warning
         WarningKind::NotReached,
         None,
         &numbers,
-        &[("quantity", name), ("input", &worst.input)],
+        &[("quantity", name), ("input", &worst.input.to_string())],
     ))
 }
 
@@ -99,9 +99,13 @@ pub fn rough(hull: &Hull) -> Vec<Warning> {
 }
 
 /// A quantity without its unit.
-fn short(quantity: &str) -> &str {
+fn short(quantity: &QuantityName) -> &str {
     match quantity {
-        "cm_depth_m" => "depth",
-        other => other.trim_end_matches("_m").trim_end_matches("_deg"),
+        QuantityName::KYaw => "k_yaw",
+        QuantityName::KPitch => "k_pitch",
+        QuantityName::KRoll => "k_roll",
+        QuantityName::CmDepth => "depth",
+        QuantityName::Psi => "psi",
+        other => other.as_str(),
     }
 }

@@ -17,7 +17,7 @@ use super::warnings::{of_swings, predicted};
 use super::words::message;
 use gyradius_base::error::{Error, Result};
 use gyradius_base::message::{Argument, Message};
-use gyradius_identification::{MeasureOptions, Measurement, measure};
+use gyradius_identification::{MeasureOptions, Measurement, QuantityName, measure};
 use gyradius_recording::{LoadedSession, Orientation, Quantity, Suspension};
 
 /// What is asked for, as apps and commands send it.
@@ -137,23 +137,30 @@ fn planned(title: &str, hull: Hull, request: &Request) -> Result<Plan> {
     })
 }
 
-fn quantities(hull: &Hull, wanted: &[Wanted], way: &Way) -> BTreeMap<String, PredictedQuantity> {
-    let mut names: Vec<&str> =
-        ["k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m", "psi_deg"].to_vec();
+fn quantities(
+    hull: &Hull,
+    wanted: &[Wanted],
+    way: &Way,
+) -> BTreeMap<QuantityName, PredictedQuantity> {
+    let mut names = QuantityName::SCALARS.to_vec();
     names.retain(|n| {
-        way.expected.quantities.contains_key(*n) || wanted.iter().any(|w| w.quantity == *n)
+        way.expected.quantities.contains_key(n) || wanted.iter().any(|w| w.quantity == *n)
     });
-    let of = |name: &str| {
-        let u = way.expected.quantities.get(name).and_then(|q| q.u.scalar());
+    let of = |name: QuantityName| {
+        let u = way
+            .expected
+            .quantities
+            .get(&name)
+            .and_then(|q| q.u.scalar());
         let wanted_u = wanted
             .iter()
             .filter(|w| w.quantity == name)
             .map(|w| w.u_of(hull))
             .min_by(f64::total_cmp);
-        let value = hull.quantity(name).map_or(f64::NAN, |q| q.value);
+        let value = hull.quantity(&name).map_or(f64::NAN, |q| q.value);
         let is_reached = wanted_u.map(|wanted_u| u.is_some_and(|u| u <= wanted_u));
         (
-            name.to_owned(),
+            name,
             PredictedQuantity {
                 value,
                 u,
@@ -185,18 +192,45 @@ pub(super) fn suspensions(steps: &[Step]) -> Vec<HangingAdvice> {
 fn advice(hung: &Suspension, id: &str) -> HangingAdvice {
     let tilt_deg = hung.hull_pitch_deg.map_or(0.0, |q| q.value);
     let is_tilted = hung.points_moved_m.is_some();
-    let (points, gives): (&str, &[&str]) = match (hung.orientation, is_tilted, tilt_deg > 0.0) {
-        (Orientation::ForeAndAft, ..) => ("H-D", &["k_yaw_m", "k_roll_m", "cm_depth_m"]),
-        (Orientation::Athwartships, false, _) => ("B-F", &["k_yaw_m", "k_pitch_m", "cm_depth_m"]),
-        (Orientation::Athwartships, true, true) => ("A-G", &["psi_deg", "k_pitch_m", "cm_depth_m"]),
-        (Orientation::Athwartships, true, false) => {
-            ("C-E", &["psi_deg", "k_pitch_m", "cm_depth_m"])
-        }
-    };
+    let (points, gives): (&str, &[QuantityName]) =
+        match (hung.orientation, is_tilted, tilt_deg > 0.0) {
+            (Orientation::ForeAndAft, ..) => (
+                "H-D",
+                &[
+                    QuantityName::KYaw,
+                    QuantityName::KRoll,
+                    QuantityName::CmDepth,
+                ],
+            ),
+            (Orientation::Athwartships, false, _) => (
+                "B-F",
+                &[
+                    QuantityName::KYaw,
+                    QuantityName::KPitch,
+                    QuantityName::CmDepth,
+                ],
+            ),
+            (Orientation::Athwartships, true, true) => (
+                "A-G",
+                &[
+                    QuantityName::Psi,
+                    QuantityName::KPitch,
+                    QuantityName::CmDepth,
+                ],
+            ),
+            (Orientation::Athwartships, true, false) => (
+                "C-E",
+                &[
+                    QuantityName::Psi,
+                    QuantityName::KPitch,
+                    QuantityName::CmDepth,
+                ],
+            ),
+        };
     HangingAdvice {
         frame_points: points.into(),
         suspension: hung.clone(),
-        gives: gives.iter().map(|g| (*g).into()).collect(),
+        gives: gives.to_vec(),
         swings: vec![id.into()],
         message: hanging(hung, points, tilt_deg),
     }

@@ -12,7 +12,7 @@ use super::warnings::Warning;
 use gyradius_base::message::Message;
 use gyradius_base::message::text_and_said;
 use gyradius_diagnosis::NextSwing;
-use gyradius_identification::BudgetLine;
+use gyradius_identification::{BudgetLine, QuantityName};
 use gyradius_recording::{ModeName, Suspension};
 
 /// Name and version of the result's format.
@@ -36,9 +36,9 @@ pub struct Plan {
     /// What each swing will show.
     pub predicted: Vec<PredictedSwing>,
     /// What a measurement of all of them is expected to give, by quantity.
-    pub quantities: BTreeMap<String, PredictedQuantity>,
+    pub quantities: BTreeMap<QuantityName, PredictedQuantity>,
     /// Contributions of each input, largest first, with the names that a measurement gives them.
-    pub budget: BTreeMap<String, Vec<BudgetLine>>,
+    pub budget: BTreeMap<QuantityName, Vec<BudgetLine>>,
     /// Dimensions that would serve best.
     pub optima: Optima,
     /// Time that it takes, roughly, s.
@@ -57,7 +57,7 @@ pub struct HangingAdvice {
     /// Dimensions.
     pub suspension: Suspension,
     /// What it measures, by Table 4.
-    pub gives: Vec<String>,
+    pub gives: Vec<QuantityName>,
     /// The swings made on it.
     pub swings: Vec<String>,
     /// In words.

@@ -12,7 +12,7 @@ use super::warnings::{from_in_phase, predicted};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::parallel::in_parallel;
 use gyradius_identification::expected::Expected;
-use gyradius_identification::words::period_label;
+use gyradius_identification::{Input, InputKind, QuantityName};
 
 /// Spacings that are thought of, over twice the yaw gyradius: near to it, and off it by enough for
 /// a beat.
@@ -195,7 +195,7 @@ impl Way {
                 let budget = self.expected.budget.get(&w.quantity);
                 budget
                     .and_then(|lines| lines.first())
-                    .is_some_and(|line| line.input.starts_with("samples"))
+                    .is_some_and(|line| line.input.kind == InputKind::Samples)
             })
     }
 
@@ -246,7 +246,7 @@ fn period_u_wanted(
     let allowed = |w: &Wanted| {
         let lines = by_periods.budget.get(&w.quantity)?;
         let of_mode = |mode| {
-            let label = period_label(mode, &swing.id);
+            let label = Input::period(mode, &swing.id);
             let line = lines.iter().find(|line| line.input == label)?;
             Some(bound(mode)? * PERIODS_PART * w.u_of(hull) / line.u_contribution)
         };
@@ -308,21 +308,26 @@ impl Design {
 
 /// What may be done, dimensions left open.
 fn programmes(means: &Means, wanted: &[Wanted]) -> Vec<Design> {
-    let wants = |name: &str| wanted.iter().any(|w| w.quantity == name);
+    let wants = |name: QuantityName| wanted.iter().any(|w| w.quantity == name);
     let bare = Design {
         line_length_m: 0.0,
         second_length_m: None,
         spacing_m: 0.0,
-        is_level: wants("k_yaw_m") || wants("k_pitch_m") || wants("psi_deg") || !wants("k_roll_m"),
-        is_fore_and_aft: wants("k_roll_m"),
+        is_level: wants(QuantityName::KYaw)
+            || wants(QuantityName::KPitch)
+            || wants(QuantityName::Psi)
+            || !wants(QuantityName::KRoll),
+        is_fore_and_aft: wants(QuantityName::KRoll),
         tilts_deg: vec![],
         is_inclined: false,
         duration_s: means.least_duration_s,
         is_apart: false,
-        with_pitch: wants("k_pitch_m") || wants("cm_depth_m") || wants("psi_deg"),
+        with_pitch: wants(QuantityName::KPitch)
+            || wants(QuantityName::CmDepth)
+            || wants(QuantityName::Psi),
     };
     let mut list = vec![bare.clone()];
-    if wants("psi_deg") {
+    if wants(QuantityName::Psi) {
         list.clear();
         for tilt in TILTS_DEG {
             let one = Design {
@@ -341,7 +346,7 @@ fn programmes(means: &Means, wanted: &[Wanted]) -> Vec<Design> {
             list.extend([one, both, all]);
         }
     }
-    if wants("cm_depth_m") || wants("k_pitch_m") || wants("k_roll_m") {
+    if wants(QuantityName::CmDepth) || wants(QuantityName::KPitch) || wants(QuantityName::KRoll) {
         let with_incline = |d: &Design| Design {
             is_inclined: true,
             ..d.clone()

@@ -6,22 +6,23 @@ use serde::{Deserialize, Serialize};
 
 use super::hull::Hull;
 use gyradius_base::error::{Error, Result};
+use gyradius_identification::QuantityName;
 
 /// Quantities that can be asked for: short name, the name that measurements have, whether it is an
 /// angle.
-const NAMES: [(&str, &str, bool); 5] = [
-    ("k_yaw", "k_yaw_m", false),
-    ("k_pitch", "k_pitch_m", false),
-    ("k_roll", "k_roll_m", false),
-    ("depth", "cm_depth_m", false),
-    ("psi", "psi_deg", true),
+const NAMES: [(&str, QuantityName, bool); 5] = [
+    ("k_yaw", QuantityName::KYaw, false),
+    ("k_pitch", QuantityName::KPitch, false),
+    ("k_roll", QuantityName::KRoll, false),
+    ("depth", QuantityName::CmDepth, false),
+    ("psi", QuantityName::Psi, true),
 ];
 
 /// A standard uncertainty that is wanted: `k_yaw=0.1%`, `k_pitch=2mm`, `depth=0.005m`, `psi=1deg`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Wanted {
     /// The quantity, by the name that measurements have.
-    pub quantity: String,
+    pub quantity: QuantityName,
     /// Standard uncertainty, in the quantity's unit or as a part of it.
     pub u: f64,
     /// Whether `u` is a part of the quantity.
@@ -41,12 +42,15 @@ impl Wanted {
 
     /// What is sought where nothing is said: what a class measurer needs.
     pub fn usual() -> Vec<Self> {
-        let relative = |name: &str, u: f64| Self {
-            quantity: name.into(),
+        let relative = |quantity: QuantityName, u: f64| Self {
+            quantity,
             u,
             is_relative: true,
         };
-        vec![relative("k_yaw_m", 2e-3), relative("k_pitch_m", 5e-3)]
+        vec![
+            relative(QuantityName::KYaw, 2e-3),
+            relative(QuantityName::KPitch, 5e-3),
+        ]
     }
 }
 
@@ -60,11 +64,10 @@ impl FromStr for Wanted {
             .ok_or_else(|| refuse("QUANTITY=UNCERTAINTY, such as k_yaw=0.1%"))?;
         let known = NAMES
             .iter()
-            .find(|(short, long, _)| [*short, *long].contains(&name.trim()));
+            .find(|(short, long, _)| [*short, long.as_str()].contains(&name.trim()));
         let names = NAMES.map(|(short, _, _)| short).join(", ");
-        let (_, quantity, is_angle) = known
-            .ok_or_else(|| refuse(&format!("one of {names} before the =")))
-            .copied()?;
+        let (_, quantity, is_angle) =
+            known.ok_or_else(|| refuse(&format!("one of {names} before the =")))?;
         let size = size.trim();
         let digits = size
             .find(|c: char| c.is_alphabetic() || c == '%' || c == '°')
@@ -87,7 +90,7 @@ impl FromStr for Wanted {
             return Err(refuse("an uncertainty above 0"));
         }
         Ok(Self {
-            quantity: quantity.into(),
+            quantity: quantity.clone(),
             u: number * factor,
             is_relative,
         })

@@ -12,7 +12,7 @@ use super::take::file_of;
 use gyradius_base::error::{Error, ErrorKind, Result};
 use gyradius_base::progress::{Progress, tell};
 use gyradius_diagnosis::{Criticism, Critique, criticise};
-use gyradius_identification::{MeasureOptions, Measurement, analyse_watched};
+use gyradius_identification::{MeasureOptions, Measurement, QuantityName, analyse_watched};
 use gyradius_planning::{PlannedIncline, PlannedSwing, Step, suggested};
 use gyradius_recording::recorder::convert;
 use gyradius_recording::{
@@ -165,7 +165,7 @@ fn next_step(critique: &Critique, session: &Session) -> Option<Step> {
     let depth = critique
         .extended
         .quantities
-        .get("cm_depth_m")
+        .get(&QuantityName::CmDepth)
         .and_then(|depth| depth.value.scalar());
     suggested(critique.verdict.next_swing.as_ref()?, session, depth).map(Step::Swing)
 }

@@ -11,7 +11,7 @@ use gyradius_base::message::Message;
 use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
 use gyradius_diagnosis::Status;
-use gyradius_identification::QuantityResult;
+use gyradius_identification::{QuantityName, QuantityResult};
 use gyradius_planning::Step;
 use gyradius_recording::Suspension;
 use gyradius_signal::online::Estimate;
@@ -190,7 +190,7 @@ pub struct ResultView {
     /// Folder of the session, inside the procedure's.
     pub session: String,
     /// The joint estimate by quantity.
-    pub quantities: BTreeMap<String, QuantityResult>,
+    pub quantities: BTreeMap<QuantityName, QuantityResult>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
     #[schemars(with = "warnings_and_said::WarningsAndSaid")]
@@ -209,5 +209,5 @@ pub struct CritiqueView {
     /// How many causes these swings cannot tell apart; 0 where none is in doubt.
     pub causes: usize,
     /// The figures by the simulation with the causes that were found in it.
-    pub quantities: BTreeMap<String, QuantityResult>,
+    pub quantities: BTreeMap<QuantityName, QuantityResult>,
 }

@@ -15,7 +15,9 @@ use std::collections::BTreeMap;
 use gyradius_base::error::{Error, Result};
 use gyradius_base::message::Message;
 use gyradius_identification::outputs::write_quantities;
-use gyradius_identification::{Analysis, Measurement, QuantityResult, solved_periods};
+use gyradius_identification::{
+    Analysis, Measurement, QuantityName, QuantityResult, solved_periods,
+};
 use gyradius_identification::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE};
 use gyradius_recording::LoadedSession;
 
@@ -100,7 +102,7 @@ fn warnings(analysis: &Analysis) -> Vec<Message> {
         .collect()
 }
 
-fn quantities(fitted: &Fitted) -> BTreeMap<String, QuantityResult> {
+fn quantities(fitted: &Fitted) -> BTreeMap<QuantityName, QuantityResult> {
     let mut result = Measurement::default();
     write_quantities(&fitted.system, &fitted.solution, &mut result);
     result.quantities
@@ -143,7 +145,7 @@ fn gain(base: &Fitted, extended: &Fitted) -> Gain {
     Gain {
         heldout_rms_ratio: z(|(a, _)| a.z).zip(z(|(_, b)| b.z)).map(|(a, b)| a / b),
         log_score_per_sample: (!both.is_empty()).then(|| scores / both.len() as f64),
-        k_yaw_shift_m: shifts.get("k_yaw_m").copied(),
+        k_yaw_shift_m: shifts.get(&QuantityName::KYaw).copied(),
         shifts,
     }
 }

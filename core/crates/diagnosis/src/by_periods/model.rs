@@ -14,7 +14,7 @@ use gyradius_base::error::{Error, Result};
 use gyradius_identification::estimate::{self, Observed, Solution, System};
 use gyradius_identification::parameters::{Layout, Parameter, Role, SwingIndex};
 use gyradius_identification::theory::{axis, compound_period_s, mode_names, swing_body, swing_rig};
-use gyradius_identification::{Analysis, ModeResult};
+use gyradius_identification::{AmplitudeUnit, Analysis, Input, InputKind, ModeResult};
 use gyradius_mechanics::{Rig, SmallEffects, small_modes};
 use gyradius_recording::{ModeName, Quantity, Swing};
 
@@ -190,7 +190,10 @@ impl<'a> Setting<'a> {
             layout
                 .parameters
                 .extend(cause.numbers.iter().map(|number| Parameter {
-                    name: format!("{}.{}", cause.id, number.name),
+                    name: Input::of(
+                        InputKind::CauseNumber,
+                        &format!("{}.{}", cause.id, number.name),
+                    ),
                     role: Role::Stated,
                     prior: Quantity::new(0.0, 1.0),
                     step: STEP,
@@ -467,7 +470,7 @@ fn amplitudes(modes: &[ModeResult]) -> Amplitudes {
     let of = |name: ModeName| {
         let mode = modes
             .iter()
-            .find(|m| m.mode == name && m.amplitude_unit == "rad");
+            .find(|m| m.mode == name && m.amplitude_unit == AmplitudeUnit::Radian);
         mode.map_or(0.0, mean_amplitude)
     };
     Amplitudes {

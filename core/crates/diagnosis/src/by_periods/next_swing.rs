@@ -10,6 +10,7 @@ use super::model::{Fitted, Setting};
 use crate::result::NextSwing;
 use crate::words;
 use gyradius_base::message::Argument;
+use gyradius_identification::InputKind;
 use gyradius_identification::parameters::{LEVEL_DEG, Layout, Parameter, Role, SwingIndex};
 use gyradius_recording::{
     Excitation, ModeName, Orientation, Quantity, Suspension, SuspensionKind, Swing, SwingData,
@@ -281,15 +282,15 @@ impl Plan {
             clock: None,
             ..layout.swings[level]
         };
-        let dimension = |name: &str, prior: Quantity| Parameter {
-            name: name.into(),
+        let dimension = |kind: InputKind, prior: Quantity| Parameter {
+            name: kind.into(),
             role: Role::Stated,
             prior,
             step: 1e-6 * prior.value,
         };
         let new = [
-            dimension("line_length", self.line_length_m),
-            dimension("spacing", self.spacing_m),
+            dimension(InputKind::LineLength, self.line_length_m),
+            dimension(InputKind::Spacing, self.spacing_m),
         ];
         layout.parameters.splice(first..first, new);
         (layout, index)

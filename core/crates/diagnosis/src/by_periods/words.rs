@@ -10,7 +10,7 @@ use crate::words;
 use gyradius_base::message::{Argument, Message};
 use gyradius_identification::estimate::{Observation, Observed};
 use gyradius_identification::parameters::{Parameter, Role};
-use gyradius_identification::words::claim_unit;
+use gyradius_identification::{InputKind, QuantityName};
 use gyradius_recording::{ModeName, Quantity};
 
 /// A difference that stands out: chance does that once in 16 000 for a normal error.
@@ -85,7 +85,7 @@ fn between_swings(base: &Fitted, observation: &Observation, held: HeldOut) -> Di
                 ("swing", words::id(&swing)),
             ],
         ))),
-        _ => Argument::Plain(observation.label.clone()),
+        _ => Argument::Plain(observation.label.to_string()),
     };
     let said = words::message(
         key,
@@ -137,10 +137,10 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
     let Parameter {
         name, role, prior, ..
     } = &base.system.layout.parameters[place];
-    if name == "gravity" && !EARTH_M_S2.contains(&held.predicted) {
+    if name.kind == InputKind::Gravity && !EARTH_M_S2.contains(&held.predicted) {
         return None;
     }
-    let unit = claim_unit(name);
+    let unit = name.kind.unit();
     let implied_u = (held.u * held.u - prior.u * prior.u).max(0.0).sqrt();
     (*role == Role::Stated).then(|| {
         let said = words::message(
@@ -388,7 +388,7 @@ pub fn verdict(choice: &Choice) -> Message {
 fn consequences(choice: &Choice) -> Option<Message> {
     let of = |fitted: &Fitted| {
         let quantities = super::quantities(fitted);
-        let k = quantities.get("k_yaw_m")?;
+        let k = quantities.get(&QuantityName::KYaw)?;
         Some(Quantity::new(k.value.scalar()?, k.u.scalar()?))
     };
     let all: Vec<Quantity> = std::iter::once(choice.extended())

@@ -31,7 +31,7 @@ use gyradius_base::progress::{Progress, tell};
 use gyradius_identification::estimate::{Observed, System};
 use gyradius_identification::measure::{SwingWork, title};
 use gyradius_identification::outputs::write_quantities;
-use gyradius_identification::{COVERAGE_95, Measurement, QuantityResult};
+use gyradius_identification::{COVERAGE_95, Measurement, Method, QuantityName, QuantityResult};
 use gyradius_recording::{LoadedSession, Quantity};
 use next_swing::next_swing;
 use search::{Extended, Found, is_long_enough, search};
@@ -118,7 +118,7 @@ fn quantities(
     (system, x): (&System, &[f64]),
     found: &Found,
     model: &Extended,
-) -> BTreeMap<String, QuantityResult> {
+) -> BTreeMap<QuantityName, QuantityResult> {
     let mut system = system.with(system.layout.clone());
     let mut result = Measurement::default();
     let mut periods = BTreeMap::new();
@@ -137,9 +137,9 @@ fn quantities(
             value: period.value.into(),
             u: period.u.into(),
             interval_95: Some([period.value - half, period.value + half]),
-            method: "simulation of one motion".into(),
+            method: Method::SimulationOfOneMotion,
         };
-        periods.insert(format!("small_period_{}_s", swing.id), quantity);
+        periods.insert(QuantityName::small_period_of(&swing.id), quantity);
     }
     if let Ok(solution) = system.solve(x) {
         write_quantities(&system, &solution, &mut result);

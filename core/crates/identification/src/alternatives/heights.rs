@@ -1,5 +1,6 @@
 //! Lamboley's test: compound pendulum about two axes (22, 23).
 
+use crate::names::{Origin, QuantityName, RouteMethod};
 use crate::routes::compound::{HeightAndPeriod, Lamboley, lamboley};
 use crate::traced::Traced;
 use gyradius_recording::ModeName;
@@ -42,14 +43,14 @@ fn two_heights(a: &Bench, b: &Bench) -> Option<[RouteCalculation; 2]> {
     let (k_name, about) = a.compound_quantity();
     let route = |quantity, figure| RouteCalculation {
         quantity,
-        method: "lamboley",
+        method: RouteMethod::Lamboley,
         equation: "(22), (23)",
-        from: vec![a.id(), b.id()],
+        from: vec![Origin::Swing(a.id()), Origin::Swing(b.id())],
         figure,
         interval_95: None,
     };
     let gyradius =
         Traced::combine(&parts, |v| Ok(a.share.gyradii[about] * both(v)?.gyradius_m)).ok()?;
     let depth = Traced::combine(&parts, |v| Ok(both(v)?.cm_depth_m + a.share.depth_m)).ok()?;
-    Some([route(k_name, gyradius), route("cm_depth_m", depth)])
+    Some([route(k_name, gyradius), route(QuantityName::CmDepth, depth)])
 }

@@ -1,6 +1,7 @@
 //! Depth of the centre of mass by weights hung from the ends, and by moving the suspension points.
 
 use crate::estimate::{Observation, Observed, Solution, System};
+use crate::names::{Origin, QuantityName, RouteMethod};
 use crate::routes::incline::{
     BothEnds, Weight, cm_depth_from_both_ends_m, cm_depth_from_shift_m, cm_depth_m,
 };
@@ -44,7 +45,7 @@ fn one_end(
         return None;
     };
     let incline = &system.session.inclines[i];
-    let angle = Traced::input(observed.label.clone(), observed.value);
+    let angle = Traced::input(observed.label.to_string(), observed.value);
     let figure = Traced::combine(&[&angle, &stated(system, system.layout.mass)], |v| {
         let weight = Weight {
             mass_ratio: incline.mass_kg.value / v[1],
@@ -55,10 +56,10 @@ fn one_end(
         Ok(cm_depth_m(&weight)? + depth_shift_m)
     });
     Some(RouteCalculation {
-        quantity: "cm_depth_m",
-        method: "incline",
+        quantity: QuantityName::CmDepth,
+        method: RouteMethod::Incline,
         equation: "(20)",
-        from: vec![observed.label.clone()],
+        from: vec![Origin::Incline(observed.label.kind)],
         figure: figure.ok()?,
         interval_95: None,
     })
@@ -73,16 +74,16 @@ fn moved_points(
     let Observed::Moved(i) = observed.what else {
         return None;
     };
-    let moved_m = Traced::input(observed.label.clone(), observed.value);
+    let moved_m = Traced::input(observed.label.to_string(), observed.value);
     let pitch_deg = stated(system, system.layout.swings[i].pitch_deg);
     let figure = Traced::combine(&[&moved_m, &pitch_deg], |v| {
         Ok(cm_depth_from_shift_m(v[0], v[1].to_radians())? + depth_shift_m)
     });
     Some(RouteCalculation {
-        quantity: "cm_depth_m",
-        method: "points_moved",
+        quantity: QuantityName::CmDepth,
+        method: RouteMethod::PointsMoved,
         equation: "Δ / tan φ",
-        from: vec![system.session.swings[i].id.clone()],
+        from: vec![Origin::Swing(system.session.swings[i].id.clone())],
         figure: figure.ok()?,
         interval_95: None,
     })
@@ -102,7 +103,7 @@ fn both_ends(system: &System, depth_shift_m: f64) -> Option<RouteCalculation> {
     if bow.mass_kg != stern.mass_kg {
         return None;
     }
-    let angle = |o: &Observation| Traced::input(o.label.clone(), o.value);
+    let angle = |o: &Observation| Traced::input(o.label.to_string(), o.value);
     let parts = [
         &angle(bow_seen),
         &angle(stern_seen),
@@ -120,10 +121,12 @@ fn both_ends(system: &System, depth_shift_m: f64) -> Option<RouteCalculation> {
         Ok(cm_depth_from_both_ends_m(&test)? + depth_shift_m)
     });
     Some(RouteCalculation {
-        quantity: "cm_depth_m",
-        method: "incline_both_ends",
+        quantity: QuantityName::CmDepth,
+        method: RouteMethod::InclineBothEnds,
         equation: "(21)",
-        from: vec![bow_seen.label.clone(), stern_seen.label.clone()],
+        from: [bow_seen, stern_seen]
+            .map(|o| Origin::Incline(o.label.kind))
+            .to_vec(),
         figure: figure.ok()?,
         interval_95: None,
     })

@@ -18,6 +18,7 @@ use gyradius_recording::{ModeName, Orientation};
 use super::beats::CountedBeat;
 use super::estimate::{Observed, Solution, System};
 use super::measurement::Route;
+use super::names::{Origin, QuantityName, RouteMethod};
 use super::outputs::COVERAGE_95;
 use super::parameters::LEVEL_DEG;
 use super::theory::{hull_alone, swing_body};
@@ -25,14 +26,14 @@ use super::traced::Traced;
 
 /// One route and what it gives.
 pub struct RouteCalculation {
-    /// Quantity (`k_yaw_m`, …).
-    pub quantity: &'static str,
-    /// Method (`yaw_period`, …).
-    pub method: &'static str,
+    /// Quantity.
+    pub quantity: QuantityName,
+    /// Method.
+    pub method: RouteMethod,
     /// Equations of the paper.
     pub equation: &'static str,
     /// Swings or inclines it used.
-    pub from: Vec<String>,
+    pub from: Vec<Origin>,
     /// What it gives.
     pub figure: Traced,
     /// Its 95 % interval where that is not ± 1.96 u.
@@ -43,7 +44,7 @@ impl RouteCalculation {
     /// As it is written to the result.
     pub fn route(&self) -> Route {
         Route {
-            method: self.method.into(),
+            method: self.method,
             value: self.figure.value,
             u: self.figure.u(),
             interval_95: self.interval_95.unwrap_or_else(|| {
@@ -51,7 +52,7 @@ impl RouteCalculation {
                 [self.figure.value - half, self.figure.value + half]
             }),
             equation: self.equation.into(),
-            from: self.from.clone(),
+            from: self.from.iter().map(Origin::to_string).collect(),
         }
     }
 }
@@ -82,7 +83,10 @@ fn of_figures(
         .flat_map(|bench| swings::routes(bench, solution, beats))
         .collect();
     found.extend(heights::routes(&benches));
-    let rolls: Vec<&RouteCalculation> = found.iter().filter(|r| r.quantity == "k_roll_m").collect();
+    let rolls: Vec<&RouteCalculation> = found
+        .iter()
+        .filter(|r| r.quantity == QuantityName::KRoll)
+        .collect();
     let tilted = tilts::routes(&benches, &rolls);
     found.extend(tilted);
     found.extend(inclines::routes(system, solution));
@@ -131,7 +135,7 @@ impl<'a> Bench<'a> {
             .periods
             .iter()
             .find(|o| o.what == Observed::Period(self.swing, mode))?;
-        Some(Traced::input(found.label.clone(), found.value))
+        Some(Traced::input(found.label.to_string(), found.value))
     }
 
     fn stated(&self, index: Option<usize>) -> Option<Traced> {
@@ -159,10 +163,10 @@ impl<'a> Bench<'a> {
 
     /// The gyradius that a compound pendulum on this suspension has, and the direction it turns
     /// about.
-    fn compound_quantity(&self) -> (&'static str, usize) {
+    fn compound_quantity(&self) -> (QuantityName, usize) {
         match self.orientation() {
-            Orientation::Athwartships => ("k_pitch_m", 1),
-            Orientation::ForeAndAft => ("k_roll_m", 0),
+            Orientation::Athwartships => (QuantityName::KPitch, 1),
+            Orientation::ForeAndAft => (QuantityName::KRoll, 0),
         }
     }
 
@@ -185,7 +189,7 @@ impl<'a> Bench<'a> {
     /// A route through this swing alone; none where its equation has no answer.
     fn route(
         &self,
-        (quantity, method, equation): (&'static str, &'static str, &'static str),
+        (quantity, method, equation): (QuantityName, RouteMethod, &'static str),
         parts: &[&Traced],
         formula: impl Fn(&[f64]) -> Result<f64>,
     ) -> Option<RouteCalculation> {
@@ -194,7 +198,7 @@ impl<'a> Bench<'a> {
             quantity,
             method,
             equation,
-            from: vec![self.id()],
+            from: vec![Origin::Swing(self.id())],
             figure,
             interval_95: None,
         })

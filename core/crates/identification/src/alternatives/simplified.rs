@@ -2,6 +2,7 @@
 //! give back the joint estimate's quantity. What it misses by is part of its uncertainty.
 
 use crate::estimate::{Solution, System};
+use crate::names::{Origin, QuantityName, RouteMethod};
 use crate::outputs::{hull_scalar, with_principal_axes_turned};
 
 use super::{RouteCalculation, of_figures};
@@ -26,11 +27,8 @@ pub fn widen(system: &System, solution: &Solution, routes: &mut [RouteCalculatio
             .map(|m| m.by.abs());
         let most = misses.fold(0.0, f64::max);
         if most > LEAST_SHARE * route.figure.u() {
-            let input = format!(
-                "what {} leaves out, {}",
-                route.method,
-                route.from.join(", ")
-            );
+            let from: Vec<String> = route.from.iter().map(Origin::to_string).collect();
+            let input = format!("what {} leaves out, {}", route.method, from.join(", "));
             route.figure.by_input.insert(input, most);
         }
     }
@@ -38,9 +36,9 @@ pub fn widen(system: &System, solution: &Solution, routes: &mut [RouteCalculatio
 
 /// How far a route misses the quantity it is for.
 struct Missed {
-    quantity: &'static str,
-    method: &'static str,
-    from: Vec<String>,
+    quantity: QuantityName,
+    method: RouteMethod,
+    from: Vec<Origin>,
     by: f64,
 }
 
@@ -55,7 +53,7 @@ fn missed(system: &System, solution: &Solution) -> Vec<Missed> {
         return vec![];
     };
     let miss = |route: RouteCalculation| {
-        let meant = hull_scalar(&ideal, route.quantity, &solution.x)?;
+        let meant = hull_scalar(&ideal, &route.quantity, &solution.x)?;
         let RouteCalculation {
             quantity,
             method,

@@ -2,6 +2,7 @@
 
 use crate::beats::CountedBeat;
 use crate::estimate::Solution;
+use crate::names::{QuantityName, RouteMethod};
 use crate::routes::double_pendulum::{
     GyradiusAndDepth, Periods, from_line_length, from_sway_period,
 };
@@ -42,9 +43,11 @@ pub fn routes(
 
 fn yaw_period(bench: &Bench) -> Option<RouteCalculation> {
     let figure = yaw_gyradius(bench).filter(|_| bench.is_level())?;
-    bench.route(("k_yaw_m", "yaw_period", "(5), (6)"), &[&figure], |v| {
-        Ok(v[0])
-    })
+    bench.route(
+        (QuantityName::KYaw, RouteMethod::YawPeriod, "(5), (6)"),
+        &[&figure],
+        |v| Ok(v[0]),
+    )
 }
 
 /// Gyradius of the hull alone about the vertical of this hanging, by (6).
@@ -73,7 +76,7 @@ fn period_ratio(bench: &Bench) -> Option<RouteCalculation> {
         .half_spacing()
         .filter(|_| bench.is_level() && bench.is_parallel())?;
     bench.route(
-        ("k_yaw_m", "period_ratio", "(8)"),
+        (QuantityName::KYaw, RouteMethod::PeriodRatio, "(8)"),
         &[&yaw, &sway, &half_spacing],
         |v| Ok(bench.share.gyradii[2] * ratio::yaw_gyradius_m(v[0], v[1], v[2])?),
     )
@@ -90,7 +93,7 @@ fn beat_count(bench: &Bench, beat: &CountedBeat) -> Option<RouteCalculation> {
         .half_spacing()
         .filter(|_| bench.is_level() && bench.is_parallel())?;
     bench.route(
-        ("k_yaw_m", "beat_count", "(9)–(13)"),
+        (QuantityName::KYaw, RouteMethod::BeatCount, "(9)–(13)"),
         &[&count, &half_spacing],
         |v| {
             let share = bench.share.gyradii[2] * beat.small_over_observed;
@@ -105,21 +108,25 @@ fn double_pendulum(bench: &Bench) -> Option<Vec<RouteCalculation>> {
         Orientation::Athwartships => (
             ModeName::PitchInPhase,
             ModeName::PitchOutOfPhase,
-            "k_pitch_m",
+            QuantityName::KPitch,
             1,
         ),
         Orientation::ForeAndAft => (
             ModeName::RollInPhase,
             ModeName::RollOutOfPhase,
-            "k_roll_m",
+            QuantityName::KRoll,
             0,
         ),
     };
     let (slow, fast, gravity) = (bench.period(slow)?, bench.period(fast)?, bench.gravity());
     let (method, clock, solve) = match bench.period(ModeName::Sway) {
-        Some(sway) => ("double_pendulum", sway, from_sway_period as Solver),
+        Some(sway) => (
+            RouteMethod::DoublePendulum,
+            sway,
+            from_sway_period as Solver,
+        ),
         None => (
-            "double_pendulum_and_line_length",
+            RouteMethod::DoublePendulumAndLineLength,
             bench.stated(bench.index().line_length)?,
             from_line_length as _,
         ),
@@ -140,7 +147,7 @@ fn double_pendulum(bench: &Bench) -> Option<Vec<RouteCalculation>> {
         Ok(bench.share.gyradii[about] * body(v)?.gyradius_m)
     });
     let depth = bench
-        .route(("cm_depth_m", method, "(17)"), &parts, |v| {
+        .route((QuantityName::CmDepth, method, "(17)"), &parts, |v| {
             Ok(body(v)?.cm_depth_m + bench.share.depth_m)
         })
         .filter(|_| bench.is_level());
@@ -164,7 +171,7 @@ fn compound_pendulum(bench: &Bench, solution: &Solution) -> Option<RouteCalculat
     );
     let (name, about) = bench.compound_quantity();
     bench.route(
-        (name, "compound_pendulum", "(23)"),
+        (name, RouteMethod::CompoundPendulum, "(23)"),
         &[&period, &height, &depth, &bench.gravity()],
         |v| Ok(bench.share.gyradii[about] * compound::gyradius_m(v[0], v[1] + v[2], v[3])?),
     )

@@ -3,6 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::names::{Origin, QuantityName, RouteMethod};
 use crate::routes::principal::{
     Tilt, TiltFit, fit_tilts, from_one_tilt, roll_gyradius_m, roll_gyradius_right_angle_m,
 };
@@ -34,6 +35,10 @@ impl TiltedYaw {
             gyradius: yaw_gyradius(bench)?,
             pitch,
         })
+    }
+
+    fn origin(&self) -> Origin {
+        Origin::Swing(self.id.clone())
     }
 
     fn is_tilted(&self) -> bool {
@@ -76,17 +81,17 @@ fn roll_of(level: &TiltedYaw, a: &TiltedYaw, b: &TiltedYaw) -> Option<RouteCalcu
     ];
     let right_angle = (apart_deg - 90.0).abs() < RIGHT_ANGLE_DEG;
     let (method, equation) = if right_angle {
-        ("tilted_yaw_right_angle", "(26)")
+        (RouteMethod::TiltedYawRightAngle, "(26)")
     } else {
-        ("tilted_yaw", "(25)")
+        (RouteMethod::TiltedYaw, "(25)")
     };
     let figure = Traced::combine(&parts, |v| match right_angle {
         true => roll_gyradius_right_angle_m(v[0], v[1], v[2]),
         false => roll_gyradius_m(v[0], (v[1], v[3]), (v[2], v[4])),
     });
-    let from = vec![level.id.clone(), a.id.clone(), b.id.clone()];
+    let from = [level, a, b].map(TiltedYaw::origin).to_vec();
     Some(RouteCalculation {
-        quantity: "k_roll_m",
+        quantity: QuantityName::KRoll,
         method,
         equation,
         from,
@@ -114,10 +119,10 @@ fn psi_of_one(
     let from = roll
         .from
         .iter()
-        .chain([&level.id, &tilted.id])
         .cloned()
+        .chain([level, tilted].map(TiltedYaw::origin))
         .collect();
-    let (quantity, method, equation) = ("psi_deg", "one_tilt", "(3), (4)");
+    let (quantity, method, equation) = (QuantityName::Psi, RouteMethod::OneTilt, "(3), (4)");
     Some(RouteCalculation {
         quantity,
         method,
@@ -146,13 +151,13 @@ fn least_squares(
         .map(|(k, pitch)| tilt(k, pitch, &shared))
         .collect();
     let fit = fit_tilts(&tilts, 0.0).ok()?;
-    let mut from: Vec<String> = yaws.iter().map(|y| y.id.clone()).collect();
+    let mut from: Vec<Origin> = yaws.iter().map(|y| y.origin()).collect();
     from.extend(roll.iter().flat_map(|roll| roll.from.clone()));
     let parts: Vec<&Traced> = rows.iter().flat_map(|(k, pitch)| [*k, *pitch]).collect();
     let again = |v: &[f64]| refitted(&tilts, v);
     let mut found = Vec::new();
     let mut push = |quantity, figure: Result<Traced>, interval_95| {
-        let (method, equation, from) = ("tilt_fit", "(3) by least squares", from.clone());
+        let (method, equation, from) = (RouteMethod::TiltFit, "(3) by least squares", from.clone());
         found.extend(figure.ok().map(|figure| RouteCalculation {
             quantity,
             method,
@@ -163,13 +168,13 @@ fn least_squares(
         }));
     };
     push(
-        "k_roll_m",
+        QuantityName::KRoll,
         Traced::combine(&parts, |v| Ok(again(v)?.k_roll_m.value)),
         None,
     );
     let psi = Traced::combine(&parts, |v| Ok(again(v)?.principal.psi_rad.to_degrees()));
     push(
-        "psi_deg",
+        QuantityName::Psi,
         psi,
         Some(fit.psi_interval_95_rad.map(f64::to_degrees)),
     );

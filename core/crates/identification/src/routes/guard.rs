@@ -7,35 +7,18 @@
 
 use super::domain::{finite, not_negative};
 use crate::Verdict;
+pub use crate::names::Relation;
+use crate::names::{Decision, QuantityName};
 use gyradius_base::{Error, Result};
 use gyradius_recording::Quantity;
 
 /// One-sided 95 % point of the normal distribution.
 pub const GUARD_95: f64 = 1.644_853_626_951_472_2;
 
-/// Which side of the limit conforms.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relation {
-    /// The value must reach the limit.
-    AtLeast,
-    /// The value must not exceed the limit.
-    AtMost,
-}
-
-impl Relation {
-    /// `>=` or `<=`.
-    pub fn sign(self) -> &'static str {
-        match self {
-            Relation::AtLeast => ">=",
-            Relation::AtMost => "<=",
-        }
-    }
-}
-
 /// A class limit: `k_pitch_m>=1.100`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// The quantity's name.
+    /// The quantity's name as it was asked for; only one that is known can be judged.
     pub quantity: String,
     /// Which side conforms.
     pub relation: Relation,
@@ -72,6 +55,16 @@ impl std::str::FromStr for Limit {
     }
 }
 
+impl Limit {
+    /// The quantity that is judged.
+    ///
+    /// # Errors
+    /// Where no quantity has the name that was asked for.
+    pub fn known_quantity(&self) -> Result<QuantityName> {
+        self.quantity.parse()
+    }
+}
+
 /// The verdict with the default guard band, 1.645 u.
 pub fn verdict(value: Quantity, limit: &Limit) -> Result<Verdict> {
     verdict_with_guard(value, limit, GUARD_95)
@@ -79,25 +72,49 @@ pub fn verdict(value: Quantity, limit: &Limit) -> Result<Verdict> {
 
 /// The verdict with a guard band of `guard_factor` standard uncertainties.
 pub fn verdict_with_guard(value: Quantity, limit: &Limit, guard_factor: f64) -> Result<Verdict> {
+    let judged = judge(value, (limit.relation, limit.limit), guard_factor)?;
+    Ok(Verdict {
+        quantity: limit.known_quantity()?,
+        relation: limit.relation,
+        limit: limit.limit,
+        guard_band: judged.guard_band,
+        conformance_probability: judged.conformance_probability,
+        verdict: judged.decision,
+    })
+}
+
+/// A value judged at a bound.
+pub(super) struct Judged {
+    /// Guard band, unit of the value.
+    pub guard_band: f64,
+    /// Probability that the true value conforms.
+    pub conformance_probability: f64,
+    /// What is decided.
+    pub decision: Decision,
+}
+
+/// Judges a value with a guard band of `guard_factor` standard uncertainties.
+pub(super) fn judge(
+    value: Quantity,
+    (relation, bound): (Relation, f64),
+    guard_factor: f64,
+) -> Result<Judged> {
     let u = not_negative("u", value.u)?;
     let guard_band = u * not_negative("guard_factor", guard_factor)?;
-    let bound = finite("limit", limit.limit)?;
-    let margin = match limit.relation {
+    let bound = finite("limit", bound)?;
+    let margin = match relation {
         Relation::AtLeast => finite("value", value.value)? - bound,
         Relation::AtMost => bound - finite("value", value.value)?,
     };
-    let verdict = match () {
-        () if margin >= guard_band => "pass",
-        () if margin <= -guard_band => "fail",
-        () => "undecided",
+    let decision = match () {
+        () if margin >= guard_band => Decision::Pass,
+        () if margin <= -guard_band => Decision::Fail,
+        () => Decision::Undecided,
     };
-    Ok(Verdict {
-        quantity: limit.quantity.clone(),
-        relation: limit.relation.sign().into(),
-        limit: bound,
+    Ok(Judged {
         guard_band,
         conformance_probability: conformance(margin, u),
-        verdict: verdict.into(),
+        decision,
     })
 }
 

@@ -7,10 +7,11 @@ use super::attachments::{self, AxisBody};
 use super::catalogue::{CatalogueEntry, Inputs, Slot};
 use super::compound::{self, HeightAndPeriod};
 use super::double_pendulum::{self, DepthIs, GyradiusAndDepth, Periods};
-use super::guard::{GUARD_95, Limit, Relation, verdict_with_guard};
+use super::guard::{GUARD_95, Relation, judge};
 use super::principal::{self, Principal, Tilt};
 use super::yaw::{self, Lines};
 use super::{beat, corrections, ellipsoid, finite_amplitude, incline, ratio};
+use crate::names::Decision;
 use gyradius_base::frames::{Mat3, Vec3};
 use gyradius_base::{Error, Result};
 use gyradius_mechanics::RigidBody;
@@ -184,18 +185,13 @@ fn guard_band(value: Quantity, bound: f64, at_least: f64, factor: f64) -> Result
     } else {
         Relation::AtMost
     };
-    let limit = Limit {
-        quantity: "value".into(),
-        relation,
-        limit: bound,
+    let judged = judge(value, (relation, bound), factor)?;
+    let sign = match judged.decision {
+        Decision::Pass => 1.0,
+        Decision::Fail => -1.0,
+        Decision::Undecided => 0.0,
     };
-    let v = verdict_with_guard(value, &limit, factor)?;
-    let sign = match v.verdict.as_str() {
-        "pass" => 1.0,
-        "fail" => -1.0,
-        _ => 0.0,
-    };
-    Ok([v.conformance_probability, v.guard_band, sign])
+    Ok([judged.conformance_probability, judged.guard_band, sign])
 }
 
 /// Two rigid bodies: mass, centre, elements as they stand in the tensor.

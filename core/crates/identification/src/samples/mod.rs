@@ -23,5 +23,5 @@ mod session;
 pub use expected::{Recorded, expected_statements};
 pub use fit::Statement;
 pub use record::{Samples, Sensor, Stream, Turning};
-pub use scene::{LANES, Own, SHARED_LANES, SwingSetup};
+pub use scene::{LANES, Own, SHARED_LANES, SwingSetup, place};
 pub use session::FittedSwing;

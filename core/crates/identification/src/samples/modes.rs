@@ -6,6 +6,7 @@ use nalgebra::{DVector, Vector6};
 use super::fit::{Fit, SwingModel};
 use super::scene::{OWN, Own};
 use crate::measurement::ModeResult;
+use crate::names::AmplitudeUnit;
 use crate::theory::{axis, mode_names, swing_body, swing_periods, swing_rig};
 use crate::twin::angle_of_shape;
 use gyradius_base::error::Result;
@@ -59,7 +60,7 @@ pub fn fitted_modes(model: &SwingModel, fit: &Fit) -> Result<Vec<ModeResult>> {
                 decay_time_s: decays.then(|| 1.0 / motion.alpha_per_s),
                 decay_time_se_s: decays.then(|| error.alpha_per_s / motion.alpha_per_s.powi(2)),
                 amplitude: Some(motion.angle_rad),
-                amplitude_unit: "rad".into(),
+                amplitude_unit: AmplitudeUnit::Radian,
                 phase_rad: Some(motion.phase_rad),
                 relative_db,
                 parasitic: false,

@@ -20,19 +20,44 @@ pub const LANES: [usize; 24] = [
 /// Of these, how many belong to the session.
 pub const SHARED_LANES: usize = 11;
 
-/// Start (8), damping rates (5), phone's place (3), turn (3), biases of gyroscope and accelerometer
-/// (6), their drifts (6).
-pub const OWN: usize = 31;
-const DAMPING: usize = 8;
-pub const PLACE: usize = 13;
-pub const TURN: usize = 16;
-pub const BIAS: usize = 19;
-pub const DRIFT: usize = 25;
+/// Places of what belongs to one swing alone, of which there are [`OWN`].
+pub mod place {
+    use std::ops::Range;
+
+    /// Where the body starts.
+    pub const START: Range<usize> = 0..8;
+    /// Shift along the suspension, across it, turn about it, yaw; their rates follow in order.
+    pub const ALONG: usize = 0;
+    /// Across it (direction × up).
+    pub const ACROSS: usize = 1;
+    /// Turn about the suspension's direction.
+    pub const TURN_ABOUT: usize = 2;
+    /// Yaw.
+    pub const YAW: usize = 3;
+    /// Damping rates of surge, sway, roll, pitch and yaw.
+    pub const DAMPING: Range<usize> = 8..13;
+    /// The phone's place, x, y, z.
+    pub const PHONE: Range<usize> = 13..16;
+    /// Its turn.
+    pub const TURN: Range<usize> = 16..19;
+    /// Biases of gyroscope and accelerometer.
+    pub const BIAS: Range<usize> = 19..25;
+    /// Their drifts.
+    pub const DRIFT: Range<usize> = 25..31;
+}
+
+/// How many numbers belong to one swing alone.
+pub const OWN: usize = place::DRIFT.end;
+const DAMPING: usize = place::DAMPING.start;
+pub const PLACE: usize = place::PHONE.start;
+pub const TURN: usize = place::TURN.start;
+pub const BIAS: usize = place::BIAS.start;
+pub const DRIFT: usize = place::DRIFT.start;
 
 /// What belongs to one swing alone.
 #[derive(Debug, Clone)]
 pub struct Own {
-    /// Its parameters, at the places `TURN`, `BIAS`, …
+    /// Its parameters, at their [`place`]s.
     pub values: [f64; OWN],
     /// `hanging_from_phone`; the turn in `values` comes on top.
     pub nominal: Rotation,
@@ -138,13 +163,18 @@ impl Own {
         Self { values, nominal }
     }
 
+    /// Where the phone lies, hanging axes, m.
+    pub fn phone_m(&self) -> Vec3 {
+        Vec3::from_column_slice(&self.values[place::PHONE])
+    }
+
     /// The phone's place; its biases are added by the caller.
     pub fn phone(&self) -> Phone {
-        let v = &self.values;
+        let place = self.phone_m();
         Phone {
-            position_x_m: v[PLACE],
-            position_y_m: v[PLACE + 1],
-            position_z_m: v[PLACE + 2],
+            position_x_m: place.x,
+            position_y_m: place.y,
+            position_z_m: place.z,
             ..Phone::default()
         }
     }

@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 
 use gyradius_base::frames::{Mat3, Vec3};
-use gyradius_identification::{MeasureOptions, Measurement, measure};
+use gyradius_identification::{MeasureOptions, Measurement, RouteMethod, measure};
 use gyradius_mechanics::{Rig, RigidBody, SuspensionAxis, small_modes};
 use gyradius_recording::{LoadedData, LoadedSession, LoadedSwing, Swing, read_session};
 use gyradius_test_support::rng;
@@ -100,7 +100,7 @@ fn moved_suspension_points_give_the_depth() {
     );
     let route = result.alternatives["cm_depth_m"]
         .iter()
-        .find(|r| r.method == "points_moved")
+        .find(|r| r.method == RouteMethod::PointsMoved)
         .unwrap();
     assert!(
         (route.value - DEPTH_M).abs() < 1e-9 && (route.u / u - 1.0).abs() < 0.02,

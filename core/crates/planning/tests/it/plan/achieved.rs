@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use gyradius_identification::{MeasureOptions, measure};
+use gyradius_identification::{MeasureOptions, QuantityName, measure};
 use gyradius_planning::{Means, Plan, PlannedSwing, Request, RoughHull, Step, plan};
 use gyradius_recording::{Excitation, Overwrite, Quantity, load_session};
 use gyradius_simulator::{practise, read_rig, save_practised};
@@ -192,7 +192,7 @@ fn gauss(rng: &mut ChaCha8Rng, q: Quantity) -> f64 {
 }
 
 /// Predicted over achieved uncertainty, and the error over the predicted uncertainty, by quantity.
-fn one(rng: &mut ChaCha8Rng, wanted: &[&str]) -> BTreeMap<String, (f64, f64)> {
+fn one(rng: &mut ChaCha8Rng, wanted: &[&str]) -> BTreeMap<QuantityName, (f64, f64)> {
     let hull = drawn(rng);
     let plan = plan(&asked(rng, &hull, wanted)).unwrap();
     let text = rig(rng, &plan, &hull);
@@ -256,15 +256,15 @@ fn median(mut of: Vec<f64>) -> f64 {
     }
 }
 
-fn medians(count: usize, wanted: &[&str]) -> BTreeMap<String, (usize, f64, f64)> {
+fn medians(count: usize, wanted: &[&str]) -> BTreeMap<QuantityName, (usize, f64, f64)> {
     let mut rng = rng();
-    let mut all: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
+    let mut all: BTreeMap<QuantityName, Vec<(f64, f64)>> = BTreeMap::new();
     for _ in 0..count {
         for (name, ratio) in one(&mut rng, wanted) {
             all.entry(name).or_default().push(ratio);
         }
     }
-    let of = |(name, ratios): (String, Vec<(f64, f64)>)| {
+    let of = |(name, ratios): (QuantityName, Vec<(f64, f64)>)| {
         let rms = (ratios.iter().map(|r| r.1 * r.1).sum::<f64>() / ratios.len() as f64).sqrt();
         (
             name,
@@ -314,7 +314,7 @@ fn what_is_predicted_is_achieved() {
                 .iter()
                 .any(|w| name.starts_with(w.split('=').next().unwrap()))
         };
-        for (name, (n, ratio, _)) in found.iter().filter(|(name, _)| is_asked(name)) {
+        for (name, (n, ratio, _)) in found.iter().filter(|(name, _)| is_asked(name.as_str())) {
             let (least, most) = range(*n);
             assert!(
                 (least..=most).contains(ratio),
@@ -324,7 +324,7 @@ fn what_is_predicted_is_achieved() {
         assert!(wanted.iter().all(|w| {
             found
                 .keys()
-                .any(|name| name.starts_with(w.split('=').next().unwrap()))
+                .any(|name| name.as_str().starts_with(w.split('=').next().unwrap()))
         }));
     }
 }

@@ -3,7 +3,6 @@
 use gyradius_base::Error;
 use gyradius_base::language::Language;
 use gyradius_base::message::Message;
-use gyradius_identification::input;
 use gyradius_planning::{
     BOAT_TYPES, BoatType, Plan, Request, Wanted, WarningKind, plan, rig_toml, session_toml,
 };
@@ -138,21 +137,22 @@ fn a_plan_survives_being_written() {
 /// Nothing of a plan is in English alone; what is spelled as in the format is the symbol of a
 /// quantity.
 fn told_in_german(plan: &Plan) {
-    let mut all: Vec<(&str, Message)> = plan
+    let mut all: Vec<(String, Message)> = plan
         .warnings
         .iter()
-        .map(|w| (w.text.as_str(), w.message()))
+        .map(|w| (w.text.clone(), w.message()))
         .collect();
     all.extend(
         plan.suspensions
             .iter()
-            .map(|hung| (hung.message.english.as_str(), hung.message.clone())),
+            .map(|hung| (hung.message.english.clone(), hung.message.clone())),
     );
     all.extend(
         plan.budget
             .values()
             .flatten()
-            .map(|line| (line.input.as_str(), input(&line.input))),
+            .map(|line| line.input.message())
+            .map(|message| (message.english.clone(), message)),
     );
     assert!(plan.suspensions.len() > 1 && all.len() > plan.suspensions.len() + 10);
     for (text, said) in all {

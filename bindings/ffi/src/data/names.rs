@@ -1,0 +1,37 @@
+//! Names of the core, which are enumerations there and cross as the text that files have.
+
+use gyradius_core::identification::{
+    AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
+};
+
+/// Declares that a type of the core crosses as its text.
+macro_rules! by_text {
+    ($($(#[$about:meta])* $alias:ident = $kind:ty),+ $(,)?) => {$(
+        $(#[$about])*
+        pub type $alias = $kind;
+        uniffi::custom_type!($alias, String, {
+            remote,
+            lower: |name| name.to_string(),
+            try_lift: |text| Ok(text.parse()?),
+        });
+    )+};
+}
+
+by_text! {
+    /// A quantity, unit included: `k_yaw_m`.
+    QuantityKey = QuantityName,
+    /// How a quantity was got.
+    MethodName = Method,
+    /// A closed-form estimator.
+    RouteName = RouteMethod,
+    /// `rad`, `m`, or `rad/s` where only the rate is known.
+    AmplitudeUnitName = AmplitudeUnit,
+    /// `>=` or `<=`.
+    RelationSign = Relation,
+    /// `pass`, `fail` or `undecided`.
+    DecisionName = Decision,
+    /// An input of a budget.
+    InputName = Input,
+    /// A stated dimension, or a quantity.
+    SubjectName = Subject,
+}
