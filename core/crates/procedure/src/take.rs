@@ -8,19 +8,32 @@ use super::release::{Follows, Release};
 use super::rest::{Rest, RestReader};
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
+use gyradius_base::named;
 use gyradius_planning::{PlannedSwing, Step};
+use gyradius_recording::Sensor;
 use gyradius_recording::recorder::{END, Event as Mark, Piece, Reader, Stream, Writer};
-use gyradius_recording::{DISTURBED, Sensor};
 use gyradius_signal::online::{Live, LiveOptions};
 
 /// Folder of the recordings inside the procedure's.
 pub(super) const TAKES: &str = "takes";
 /// Stillness that an incline is read from, s.
 pub(super) const INCLINE_STILL_S: f64 = 10.0;
-/// Marks in the recorder's file.
-const RELEASE: &str = "release";
-const SLIP_SEEN: &str = "slip seen";
-const SENSOR_STOPPED: &str = "sensor stopped";
+
+named! {
+    /// Marks in the recorder's file.
+    TakeMark: "mark" {
+        /// The swing was disturbed (`recording::DISTURBED`).
+        Disturbed = "disturbed",
+        /// The hull was let go.
+        Release = "release",
+        /// The accelerometer gives no more samples.
+        AccelerometerStopped = "sensor stopped accelerometer",
+        /// The gyroscope gives no more samples.
+        GyroscopeStopped = "sensor stopped gyroscope",
+        /// The operator saw a line slip.
+        SlipSeen = "slip seen",
+    }
+}
 
 /// File of a recording, inside the procedure's folder: step and take, both from 1.
 pub(super) fn file_of(step: usize, id: &str, take: usize) -> PathBuf {
@@ -113,7 +126,13 @@ impl Follow {
                     };
                     follow.push(channel, &samples.stamps_ns, &samples.values)?;
                 }
-                Piece::Event(mark) => follow.mark(&mark.key),
+                Piece::Event(mark) => {
+                    // Others may have marks of their own.
+                    mark.key
+                        .parse()
+                        .into_iter()
+                        .for_each(|mark| follow.mark(mark));
+                }
                 Piece::Resumed { .. } => follow.resumed = true,
             }
         }
@@ -137,12 +156,15 @@ impl Follow {
         Ok(())
     }
 
-    fn mark(&mut self, key: &str) {
-        self.slip_seen |= key == SLIP_SEEN;
-        let sensor = match key.strip_prefix(SENSOR_STOPPED) {
-            Some(" accelerometer") => Sensor::Accelerometer,
-            Some(_) => Sensor::Gyroscope,
-            None => return,
+    fn mark(&mut self, mark: TakeMark) {
+        let sensor = match mark {
+            TakeMark::SlipSeen => {
+                self.slip_seen = true;
+                return;
+            }
+            TakeMark::AccelerometerStopped => Sensor::Accelerometer,
+            TakeMark::GyroscopeStopped => Sensor::Gyroscope,
+            TakeMark::Disturbed | TakeMark::Release => return,
         };
         if !self.stopped.contains(&sensor) {
             self.stopped.push(sensor);
@@ -253,29 +275,36 @@ impl Running {
             self.released = true;
             self.writer.mark(&Mark {
                 stamp_ns,
-                key: RELEASE.to_owned(),
+                key: TakeMark::Release.to_string(),
             })?;
         }
         let disturbed_ns = self.follow.disturbed_ns();
         if let Some(stamp_ns) = disturbed_ns.filter(|_| disturbed_ns != self.disturbed_ns) {
             self.disturbed_ns = disturbed_ns;
-            self.mark(stamp_ns, DISTURBED.to_owned())?;
+            self.mark(stamp_ns, TakeMark::Disturbed)?;
         }
         Ok(())
     }
 
     pub fn slip_seen(&mut self, stamp_ns: i64) -> Result<()> {
-        self.mark(stamp_ns, SLIP_SEEN.to_owned())
+        self.mark(stamp_ns, TakeMark::SlipSeen)
     }
 
     /// Never before what was recorded: whoever tells of it may not have heard a sample yet.
     pub fn sensor_stopped(&mut self, stamp_ns: i64, sensor: Sensor) -> Result<()> {
         let stamp_ns = stamp_ns.max(self.follow.last_ns());
-        self.mark(stamp_ns, format!("{SENSOR_STOPPED} {}", sensor.name()))
+        self.mark(
+            stamp_ns,
+            match sensor {
+                Sensor::Accelerometer => TakeMark::AccelerometerStopped,
+                _ => TakeMark::GyroscopeStopped,
+            },
+        )
     }
 
-    fn mark(&mut self, stamp_ns: i64, key: String) -> Result<()> {
-        self.follow.mark(&key);
+    fn mark(&mut self, stamp_ns: i64, mark: TakeMark) -> Result<()> {
+        self.follow.mark(mark);
+        let key = mark.to_string();
         self.writer.mark(&Mark { stamp_ns, key }).map(|_| ())
     }
 
