@@ -6,8 +6,8 @@
 //! states of their own (`memory`).
 //!
 //! # Conventions
-//! The constraint of a line is (|q|² − l²)/2 = 0 with q from its upper to its lower end; its pull on
-//! the body is −λ q, so that its tension is λ |q|.
+//! The constraint of a line is (|q|² − l²)/2 = 0 with q from its upper to its lower end; its pull
+//! on the body is −λ q, so that its tension is λ |q|.
 
 use std::ops::Range;
 

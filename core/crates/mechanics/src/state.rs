@@ -2,8 +2,8 @@
 //!
 //! # Conventions
 //! Time, centre of mass (world), attitude quaternion w, x, y, z (`world_from_hull`), velocity
-//! (world), angular rate (hull axes), then the effects' memories in their order. World: z up, origin
-//! mid-way between the upper ends.
+//! (world), angular rate (hull axes), then the effects' memories in their order. World: z up,
+//! origin mid-way between the upper ends.
 
 use super::real::{M3, Real, V3};
 

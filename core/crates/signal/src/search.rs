@@ -1,4 +1,5 @@
-//! A fit in the making, the spectrum of its residual over the floor, and the strongest peak of that.
+//! A fit in the making, the spectrum of its residual over the floor, and the strongest peak of
+//! that.
 
 use std::cell::RefCell;
 
