@@ -5,7 +5,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::{options, read_input};
+use super::input::{options, read_input};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, ImportedRecording, Platform, import_files};
 use gyradius_recording::recorder::{SYNC, convert};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{options, read_input};
+use super::input::{options, read_input};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, import_files};
 use gyradius_recording::{LoadedSession, Recording, SESSION_FILE, Store, load_session, load_store};

@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix2x6, Matrix6, SMatrix, Vector2, Vector6};
 
-use super::equilibrium::Pose;
+use super::pose::Pose;
 use super::rig::{Rig, RigidBody};
 use gyradius_base::frames::{Mat3, Vec3};
 

@@ -12,11 +12,13 @@
 mod constraint;
 mod dop853;
 pub mod effects;
+mod equations;
 mod equilibrium;
 mod experiment;
 mod numbers;
 mod path;
 mod phone;
+mod pose;
 mod real;
 mod rig;
 mod scene;
@@ -24,21 +26,24 @@ mod sensor;
 pub mod sensors;
 mod small;
 mod start;
+mod state;
 mod suspended;
 mod trajectory;
 
-pub use equilibrium::{Equilibrium, Pose, equilibrium};
+pub use equilibrium::{Equilibrium, equilibrium};
 pub use experiment::{Draws, Experiment, Record};
 pub use numbers::{Number, Numbers};
 pub use path::{Fineness, Moment, Path, Slack};
 pub use phone::{Mounted, Phone, Reading, rotated};
+pub use pose::Pose;
 pub use real::{Dual, M3, Real, V3};
-pub use rig::{Line, Rig, RigidBody, SuspensionAxis};
-pub use scene::{Body, Dimensions, Hanging, LANES, Scene, Start};
+pub use rig::{Hanging, Line, Rig, RigidBody, SuspensionAxis};
+pub use scene::{Body, Dimensions, LANES, Scene};
 pub use sensor::{IdealPhone, ideal_phone};
 pub use small::{
     ModeKind, SmallEffects, SmallModes, compound_pendulum_period_s, mode_kind, small_modes,
 };
+pub use start::Start;
 pub use suspended::{Cord, MOST_LINES, Spring, Suspended};
 pub use trajectory::{
     Damping, ModalPart, Sampling, State, Trajectory, initial_state, placed, simulate,

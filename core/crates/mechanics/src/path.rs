@@ -1,9 +1,10 @@
 //! The motion in time, as a curve that can be read at any time.
 
 use super::dop853::{COEFFICIENTS, Stepper, between, between_moving};
-use super::effects::matrix;
+use super::equations::Equations;
 use super::real::{M3, Real, V3};
-use super::suspended::{ATTITUDE, Equations, MEMORY, MOST_LINES, PLACE, RATE, VELOCITY};
+use super::state::{ATTITUDE, MEMORY, PLACE, RATE, VELOCITY, matrix};
+use super::suspended::MOST_LINES;
 use gyradius_base::error::{Error, Result};
 
 /// A line that went slack: lines of given length then go on as rods, and what follows is not to be

@@ -1,10 +1,9 @@
 //! What a phone fixed to the hull feels.
 
-use super::effects::matrix;
 use super::numbers::numbers;
 use super::path::Moment;
 use super::real::{M3, Real, V3, constant, times};
-use super::sensors::Offset;
+use super::state::matrix;
 use gyradius_base::frames::Rotation;
 
 numbers! {
@@ -56,6 +55,38 @@ impl<S: Real> Reading<S> {
     pub fn six(&self) -> [S; 6] {
         let (w, f) = (&self.gyro, &self.force);
         [w.x, w.y, w.z, f.x, f.y, f.z]
+    }
+}
+
+/// Where the phone is against its place on the hull.
+///
+/// # Conventions
+/// The shift is in hull axes. The turn is a rotation vector in phone axes, about an axis that
+/// stays, or small.
+#[derive(Debug, Clone, Copy)]
+pub struct Offset<S: Real> {
+    /// m.
+    pub shift: V3<S>,
+    /// m/s.
+    pub shift_rate: V3<S>,
+    /// m/s².
+    pub shift_acceleration: V3<S>,
+    /// rad.
+    pub turn: V3<S>,
+    /// rad/s.
+    pub turn_rate: V3<S>,
+}
+
+impl<S: Real> Default for Offset<S> {
+    fn default() -> Self {
+        let none = V3::zeros();
+        Self {
+            shift: none,
+            shift_rate: none,
+            shift_acceleration: none,
+            turn: none,
+            turn_rate: none,
+        }
     }
 }
 

@@ -22,6 +22,24 @@ impl SuspensionAxis {
     }
 }
 
+/// How the body hangs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hanging {
+    /// On two lines.
+    Bifilar(SuspensionAxis),
+    /// On two inverted Vs, whose apexes lie on the axis of the swing.
+    Compound(SuspensionAxis),
+}
+
+impl Hanging {
+    /// The direction that joins the suspension points.
+    pub fn axis(self) -> SuspensionAxis {
+        match self {
+            Hanging::Bifilar(axis) | Hanging::Compound(axis) => axis,
+        }
+    }
+}
+
 /// One inextensible line without mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {

@@ -8,13 +8,14 @@
 //! · turn about the axis.
 
 use super::effects::{EffectValues, build};
+use super::equations::Equations;
 use super::numbers::{Number, Numbers, numbers};
 use super::path::{Fineness, Moment, Path};
 use super::real::{Dual, M3, Real, V3, constant};
-use super::rig::{Line, Rig, RigidBody, SuspensionAxis};
+use super::rig::{Hanging, Line, Rig, RigidBody, SuspensionAxis};
 use super::small::small_modes;
-use super::start::started;
-use super::suspended::{Cord, Equations, Suspended};
+use super::start::{Start, started};
+use super::suspended::{Cord, Suspended};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::{Mat3, Vec3};
 
@@ -62,28 +63,6 @@ numbers! {
     }
 }
 
-numbers! {
-    /// Where the motion begins: the coordinates that the lines leave free.
-    pub struct Start {
-        /// Mid-point of the suspension points, along the axis.
-        along_m: "m",
-        /// The same, across (bifilar).
-        across_m: "m",
-        /// Turn about the axis.
-        turn_rad: "rad",
-        /// Turn about the vertical (bifilar).
-        yaw_rad: "rad",
-        /// Rate of `along_m`.
-        along_m_s: "m/s",
-        /// Rate of `across_m`.
-        across_m_s: "m/s",
-        /// Rate of `turn_rad`.
-        turn_rad_s: "rad/s",
-        /// Rate of `yaw_rad`.
-        yaw_rad_s: "rad/s",
-    }
-}
-
 impl<S: Real> Body<S> {
     /// Inertia about the centre of mass.
     pub fn inertia(&self) -> M3<S> {
@@ -121,24 +100,6 @@ impl Body {
             cm_x_m: cm_m.x,
             cm_y_m: cm_m.y,
             cm_z_m: cm_m.z,
-        }
-    }
-}
-
-/// How the body hangs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Hanging {
-    /// On two lines.
-    Bifilar(SuspensionAxis),
-    /// On two inverted Vs, whose apexes lie on the axis of the swing.
-    Compound(SuspensionAxis),
-}
-
-impl Hanging {
-    /// The direction that joins the suspension points.
-    pub fn axis(self) -> SuspensionAxis {
-        match self {
-            Hanging::Bifilar(axis) | Hanging::Compound(axis) => axis,
         }
     }
 }

@@ -1,9 +1,11 @@
 //! The start of a motion on the lines: the free coordinates are given, the others follow.
 
-use super::effects::{Now, matrix};
+use super::equations::Equations;
+use super::numbers::numbers;
 use super::real::{M3, Real, V3, constant, solve};
-use super::scene::{Hanging, Start};
-use super::suspended::{ATTITUDE, Equations, MEMORY, MOST_LINES, PLACE, RATE, VELOCITY};
+use super::rig::Hanging;
+use super::state::{ATTITUDE, MEMORY, Now, PLACE, RATE, VELOCITY, matrix};
+use super::suspended::MOST_LINES;
 use gyradius_base::error::{Error, Result};
 
 /// Newton's method needs about five; a start that needs more than these has no place near it.
@@ -14,6 +16,28 @@ const FOR_DERIVATIVES: usize = 2;
 
 /// Rounds that bring a support that gives way to rest: each gains at least a digit or two.
 const SETTLING: usize = 12;
+
+numbers! {
+    /// Where the motion begins: the coordinates that the lines leave free.
+    pub struct Start {
+        /// Mid-point of the suspension points, along the axis.
+        along_m: "m",
+        /// The same, across (bifilar).
+        across_m: "m",
+        /// Turn about the axis.
+        turn_rad: "rad",
+        /// Turn about the vertical (bifilar).
+        yaw_rad: "rad",
+        /// Rate of `along_m`.
+        along_m_s: "m/s",
+        /// Rate of `across_m`.
+        across_m_s: "m/s",
+        /// Rate of `turn_rad`.
+        turn_rad_s: "rad/s",
+        /// Rate of `yaw_rad`.
+        yaw_rad_s: "rad/s",
+    }
+}
 
 /// A coordinate: a translation or a turn, world axes, at the mid-point of the suspension points.
 #[derive(Clone, Copy)]

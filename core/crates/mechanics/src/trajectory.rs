@@ -4,11 +4,13 @@ use nalgebra::{Vector2, Vector6};
 
 use super::constraint::{excesses, jacobian, mass_matrix, reaches};
 use super::effects::{Effect, LinearDamping};
-use super::equilibrium::Pose;
+use super::equations::Equations;
 use super::path::{Fineness, Moment, Path, Slack};
+use super::pose::Pose;
 use super::rig::{Rig, RigidBody};
 use super::small::{SmallModes, small_modes};
-use super::suspended::{ATTITUDE, Cord, Equations, PLACE, RATE, Suspended, VELOCITY};
+use super::state::{ATTITUDE, PLACE, RATE, VELOCITY};
+use super::suspended::{Cord, Suspended};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::{Rotation, Vec3};
 

@@ -1,7 +1,10 @@
 //! What planned swings will show: starts, periods, and the uncertainties that a measurement of them
 //! will have.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
 
 use super::design::session_of;
 use super::hull::Hull;
@@ -10,10 +13,42 @@ use super::step::{PlannedSwing, Step};
 use gyradius_base::error::Result;
 use gyradius_base::frames::{Vec3, world_from_hull_pitched};
 use gyradius_identification::expected::{Brought, Expected, Prospect, Released};
+use gyradius_identification::routes::beat::{
+    average_period_s, beat_period_s, oscillations_per_beat,
+};
+use gyradius_identification::routes::finite_amplitude::{
+    pendulum_period_ratio, yaw_period_at_amplitude_s,
+};
+use gyradius_identification::routes::yaw::{Lines, yaw_period_s};
 use gyradius_identification::samples::Recorded;
 use gyradius_identification::theory::axis;
 use gyradius_mechanics::{Body, Dimensions, Hanging, Scene, Start, SuspensionAxis};
 use gyradius_recording::{Excitation, ModeName, Orientation, Quantity};
+
+/// What a planned swing will show.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct PredictedSwing {
+    /// The swing.
+    pub id: String,
+    /// Small-amplitude periods of every mode, s.
+    pub periods_s: BTreeMap<ModeName, f64>,
+    /// How much longer yaw and sway take at the amplitude of the release, parts per million (heave
+    /// included).
+    pub longer_at_release_ppm: BTreeMap<ModeName, f64>,
+    /// The beat of yaw against sway.
+    pub beat: Option<Beat>,
+}
+
+/// A beat, (10)–(13).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Beat {
+    /// From one minimum to the next, s; absent where yaw and sway keep step.
+    pub period_s: Option<f64>,
+    /// Oscillations of the average motion in a beat, n; absent likewise.
+    pub oscillations: Option<f64>,
+    /// Period of the average motion, s.
+    pub average_period_s: f64,
+}
 
 /// How far and where a swing is let go from rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -85,6 +120,78 @@ pub fn swings(steps: &[Step]) -> impl Iterator<Item = &PlannedSwing> {
         Step::Swing(swing) => Some(swing),
         Step::Incline(_) => None,
     })
+}
+
+/// What each swing will show: all small periods, what the amplitude of the release does to yaw and
+/// sway, the beat.
+pub fn predicted(hull: &Hull, means: &Means, steps: &[Step]) -> Result<Vec<PredictedSwing>> {
+    let session = session_of("plan", hull, means, steps);
+    let prospect = Prospect::new(&session, &hull.body())?;
+    let each = swings(steps).zip(&prospect.periods_s);
+    Ok(each
+        .map(|(swing, periods)| {
+            let periods_s: BTreeMap<ModeName, f64> = periods.iter().copied().collect();
+            let beat = beat(&periods_s, swing);
+            let longer_at_release_ppm = longer(hull, means, swing);
+            PredictedSwing {
+                id: swing.id.clone(),
+                periods_s,
+                longer_at_release_ppm,
+                beat,
+            }
+        })
+        .collect())
+}
+
+/// Whether a swing has all these motions set going.
+pub fn has(swing: &PlannedSwing, excited: &[Excitation]) -> bool {
+    excited.iter().all(|e| swing.excited.contains(e))
+}
+
+fn beat(periods_s: &BTreeMap<ModeName, f64>, swing: &PlannedSwing) -> Option<Beat> {
+    if !has(swing, &[Excitation::Yaw, Excitation::Sway]) {
+        return None;
+    }
+    let (yaw, sway) = (
+        *periods_s.get(&ModeName::Yaw)?,
+        *periods_s.get(&ModeName::Sway)?,
+    );
+    Some(Beat {
+        period_s: beat_period_s(yaw, sway).ok(),
+        oscillations: oscillations_per_beat(yaw, sway).ok(),
+        average_period_s: average_period_s(yaw, sway).ok()?,
+    })
+}
+
+fn longer(hull: &Hull, means: &Means, swing: &PlannedSwing) -> BTreeMap<ModeName, f64> {
+    let hung = &swing.suspension;
+    let (Some(length), Some(spacing)) = (hung.line_length_m, hung.spacing_m) else {
+        return BTreeMap::new();
+    };
+    let lines = Lines::parallel(length.value, 0.5 * spacing.value);
+    let start = Let::of(swing, hull);
+    let (g, k) = (means.gravity_m_s2.value, hull.k_yaw_m.value);
+    let along_m = match hung.orientation {
+        Orientation::Athwartships => start.sway_m,
+        Orientation::ForeAndAft => start.surge_m,
+    };
+    let yaw = || {
+        let wide = yaw_period_at_amplitude_s(k, &lines, g, start.yaw_deg.to_radians()).ok()?;
+        Some(wide / yaw_period_s(k, &lines, g).ok()? - 1.0)
+    };
+    let sway = || {
+        Some(
+            pendulum_period_ratio((along_m / length.value).clamp(-1.0, 1.0).asin().abs()).ok()?
+                - 1.0,
+        )
+    };
+    let both = [
+        (ModeName::Yaw, (start.yaw_deg != 0.0).then(yaw).flatten()),
+        (ModeName::Sway, (along_m != 0.0).then(sway).flatten()),
+    ];
+    both.into_iter()
+        .filter_map(|(mode, ratio)| Some((mode, 1e6 * ratio?)))
+        .collect()
 }
 
 /// What the steps are expected to bring, by periods alone (quickly, good enough to choose by) or by

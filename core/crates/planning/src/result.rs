@@ -7,13 +7,14 @@ use serde::{Deserialize, Serialize};
 use super::hull::Hull;
 use super::means::Means;
 use super::optimum::Optima;
+use super::predict::PredictedSwing;
 use super::step::Step;
 use super::warnings::Warning;
 use gyradius_base::message::Message;
 use gyradius_base::message::text_and_said;
 use gyradius_diagnosis::NextSwing;
 use gyradius_identification::{BudgetLine, QuantityName};
-use gyradius_recording::{ModeName, Suspension};
+use gyradius_recording::Suspension;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-plan/1";
@@ -64,31 +65,6 @@ pub struct HangingAdvice {
     #[serde(flatten, with = "text_and_said")]
     #[schemars(with = "text_and_said::TextAndSaid")]
     pub message: Message,
-}
-
-/// What a planned swing will show.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-pub struct PredictedSwing {
-    /// The swing.
-    pub id: String,
-    /// Small-amplitude periods of every mode, s.
-    pub periods_s: BTreeMap<ModeName, f64>,
-    /// How much longer yaw and sway take at the amplitude of the release, parts per million (heave
-    /// included).
-    pub longer_at_release_ppm: BTreeMap<ModeName, f64>,
-    /// The beat of yaw against sway.
-    pub beat: Option<Beat>,
-}
-
-/// A beat, (10)–(13).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-pub struct Beat {
-    /// From one minimum to the next, s; absent where yaw and sway keep step.
-    pub period_s: Option<f64>,
-    /// Oscillations of the average motion in a beat, n; absent likewise.
-    pub oscillations: Option<f64>,
-    /// Period of the average motion, s.
-    pub average_period_s: f64,
 }
 
 /// A quantity and how well it will be known.

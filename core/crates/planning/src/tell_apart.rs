@@ -4,11 +4,12 @@
 use std::collections::BTreeMap;
 
 use super::optimum::Optima;
+use super::predict::predicted;
 use super::request::{Request, so_far, suspensions};
 use super::result::{FORMAT, Plan};
 use super::step::Step;
 use super::suggested::suggested;
-use super::warnings::{of_swings, predicted};
+use super::warnings::of_swings;
 use gyradius_base::error::{Error, Result};
 use gyradius_diagnosis::{Progress, tell_apart};
 use gyradius_identification::{MeasureOptions, measure};

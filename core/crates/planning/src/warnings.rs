@@ -4,24 +4,13 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::design::session_of;
 use super::hull::Hull;
 use super::means::Means;
 use super::optimum::yaw_meets_in_phase_m;
-use super::predict::{Let, scene, swings};
-use super::result::{Beat, PredictedSwing};
+use super::predict::{PredictedSwing, has, scene, swings};
 use super::step::{PlannedSwing, Step};
-use gyradius_base::error::Result;
-use gyradius_identification::expected::Prospect;
-use gyradius_identification::routes::beat::{
-    average_period_s, beat_period_s, oscillations_per_beat,
-};
-use gyradius_identification::routes::finite_amplitude::{
-    pendulum_period_ratio, yaw_period_at_amplitude_s,
-};
-use gyradius_identification::routes::yaw::{Lines, yaw_period_s};
 use gyradius_mechanics::Fineness;
-use gyradius_recording::{Excitation, ModeName, Orientation};
+use gyradius_recording::{Excitation, ModeName};
 
 /// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %,
 /// Fig. 15).
@@ -104,77 +93,6 @@ impl Warning {
             ..bare
         }
     }
-}
-
-/// What each swing will show: all small periods, what the amplitude of the release does to yaw and
-/// sway, the beat.
-pub fn predicted(hull: &Hull, means: &Means, steps: &[Step]) -> Result<Vec<PredictedSwing>> {
-    let session = session_of("plan", hull, means, steps);
-    let prospect = Prospect::new(&session, &hull.body())?;
-    let each = swings(steps).zip(&prospect.periods_s);
-    Ok(each
-        .map(|(swing, periods)| {
-            let periods_s: BTreeMap<ModeName, f64> = periods.iter().copied().collect();
-            let beat = beat(&periods_s, swing);
-            let longer_at_release_ppm = longer(hull, means, swing);
-            PredictedSwing {
-                id: swing.id.clone(),
-                periods_s,
-                longer_at_release_ppm,
-                beat,
-            }
-        })
-        .collect())
-}
-
-fn has(swing: &PlannedSwing, excited: &[Excitation]) -> bool {
-    excited.iter().all(|e| swing.excited.contains(e))
-}
-
-fn beat(periods_s: &BTreeMap<ModeName, f64>, swing: &PlannedSwing) -> Option<Beat> {
-    if !has(swing, &[Excitation::Yaw, Excitation::Sway]) {
-        return None;
-    }
-    let (yaw, sway) = (
-        *periods_s.get(&ModeName::Yaw)?,
-        *periods_s.get(&ModeName::Sway)?,
-    );
-    Some(Beat {
-        period_s: beat_period_s(yaw, sway).ok(),
-        oscillations: oscillations_per_beat(yaw, sway).ok(),
-        average_period_s: average_period_s(yaw, sway).ok()?,
-    })
-}
-
-fn longer(hull: &Hull, means: &Means, swing: &PlannedSwing) -> BTreeMap<ModeName, f64> {
-    let hung = &swing.suspension;
-    let (Some(length), Some(spacing)) = (hung.line_length_m, hung.spacing_m) else {
-        return BTreeMap::new();
-    };
-    let lines = Lines::parallel(length.value, 0.5 * spacing.value);
-    let start = Let::of(swing, hull);
-    let (g, k) = (means.gravity_m_s2.value, hull.k_yaw_m.value);
-    let along_m = match hung.orientation {
-        Orientation::Athwartships => start.sway_m,
-        Orientation::ForeAndAft => start.surge_m,
-    };
-    let yaw = || {
-        let wide = yaw_period_at_amplitude_s(k, &lines, g, start.yaw_deg.to_radians()).ok()?;
-        Some(wide / yaw_period_s(k, &lines, g).ok()? - 1.0)
-    };
-    let sway = || {
-        Some(
-            pendulum_period_ratio((along_m / length.value).clamp(-1.0, 1.0).asin().abs()).ok()?
-                - 1.0,
-        )
-    };
-    let both = [
-        (ModeName::Yaw, (start.yaw_deg != 0.0).then(yaw).flatten()),
-        (ModeName::Sway, (along_m != 0.0).then(sway).flatten()),
-    ];
-    both.into_iter()
-        .filter_map(|(mode, ratio)| Some((mode, 1e6 * ratio?)))
-        .collect()
 }
 
 /// What the swings themselves give rise to.

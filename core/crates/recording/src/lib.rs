@@ -9,6 +9,8 @@ pub mod import;
 mod keys;
 mod load;
 mod member_path;
+mod named_file;
+mod names;
 mod quantity;
 mod recorded;
 pub mod recorder;

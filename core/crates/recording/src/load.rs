@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use super::csv;
+use super::named_file::NamedFile;
 use super::recorded::Recorded;
 use super::samples::{PeriodList, Recording, Track};
 use super::session::{InclineAngle, Session, SwingData};
 use super::store::Store;
-use super::toml_read::{NamedFile, parse_session};
+use super::toml_read::parse_session;
 use gyradius_base::error::{Error, Result};
 
 /// The file that makes a folder a session.

@@ -6,8 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::Quantity;
 use super::recorded::Recorded;
-use super::toml_swing::EXCITATIONS;
-use super::toml_write::name_of;
 
 /// One hull, measured in one sitting (`gyradius-session/1`).
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -170,11 +168,6 @@ impl Excitation {
             ModeName::Sway => Self::along(orientation),
             _ => Self::about(orientation),
         }
-    }
-
-    /// As files and texts call it.
-    pub fn name(self) -> &'static str {
-        name_of(self, EXCITATIONS)
     }
 }
 

@@ -6,9 +6,10 @@ use toml_edit::Document;
 
 use super::domain::Domain;
 use super::keys::{Field, Source, Table};
-use super::session::{AddedMass, Attachment, Body, End, Incline, InclineAngle, Session, Site};
+use super::named_file::NamedFile;
+use super::session::{Attachment, Body, End, Incline, InclineAngle, Session, Site};
 use super::toml_recorded::{RECORDED, recorded};
-use super::toml_swing::{SWING, swing};
+use super::toml_swing::{POSITION, SWING, swing};
 use gyradius_base::error::Result;
 
 /// Name and major version of the format, without the minor version that a text may add.
@@ -43,24 +44,6 @@ const MAX_TEXT_BYTES: usize = 4 << 20;
 pub struct ParsedSession {
     pub session: Session,
     pub files: Vec<NamedFile>,
-}
-
-/// Where the text names a file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NamedFile {
-    pub key: String,
-    pub line: Option<usize>,
-    pub file: String,
-}
-
-impl NamedFile {
-    pub(crate) fn new(field: &Field<'_>, file: &str) -> Self {
-        Self {
-            key: field.path.clone(),
-            line: field.line,
-            file: file.into(),
-        }
-    }
 }
 
 /// Reads the text of a `session.toml`; `file_name` is what messages call it.
@@ -246,8 +229,6 @@ fn refuse_heavier_than_body(
     }
 }
 
-const POSITION: &str = "[x, y, z] in m, hull axes, from the mid-point of the suspension points";
-
 fn attachment(table: &Table<'_>) -> Result<Attachment> {
     let gyradii = table
         .get("gyradii")
@@ -260,15 +241,6 @@ fn attachment(table: &Table<'_>) -> Result<Attachment> {
             .require("position", POSITION)?
             .vector(Domain::COORDINATE)?,
         gyradii_m: gyradii.unwrap_or_default(),
-    })
-}
-
-pub(crate) fn added_mass(table: &Table<'_>) -> Result<AddedMass> {
-    Ok(AddedMass {
-        mass_kg: table.require("mass", "kg")?.quantity(Domain::MASS)?,
-        position_m: table
-            .require("position", POSITION)?
-            .vector(Domain::COORDINATE)?,
     })
 }
 

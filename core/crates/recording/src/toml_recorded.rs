@@ -2,8 +2,8 @@
 
 use super::domain::Domain;
 use super::keys::Table;
+use super::named_file::NamedFile;
 use super::recorded::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
-use super::toml_read::NamedFile;
 use gyradius_base::error::Result;
 
 pub(crate) const RECORDED: &[&str] = &[

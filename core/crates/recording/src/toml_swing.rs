@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use super::domain::Domain;
 use super::keys::{Field, Table};
+use super::named_file::NamedFile;
+use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS};
 use super::quantity::Quantity;
-use super::session::{
-    Excitation, ModeName, Orientation, Suspension, SuspensionKind, Swing, SwingData,
-};
-use super::toml_read::{NamedFile, added_mass};
+use super::session::{AddedMass, ModeName, Suspension, SuspensionKind, Swing, SwingData};
 use gyradius_base::error::Result;
 
 /// Keys of a swing.
@@ -37,31 +36,8 @@ const SUSPENSION: &[&str] = &[
 const ADDED_MASS: &[&str] = &["mass", "position"];
 const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
 
-pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
-    ("bifilar", SuspensionKind::Bifilar),
-    ("compound", SuspensionKind::Compound),
-];
-pub(crate) const ORIENTATIONS: &[(&str, Orientation)] = &[
-    ("athwartships", Orientation::Athwartships),
-    ("fore_and_aft", Orientation::ForeAndAft),
-];
-pub(crate) const EXCITATIONS: &[(&str, Excitation)] = &[
-    ("yaw", Excitation::Yaw),
-    ("sway", Excitation::Sway),
-    ("surge", Excitation::Surge),
-    ("pitch", Excitation::Pitch),
-    ("roll", Excitation::Roll),
-];
-pub(crate) const MODES: &[(&str, ModeName)] = &[
-    ("yaw", ModeName::Yaw),
-    ("sway", ModeName::Sway),
-    ("pitch_in_phase", ModeName::PitchInPhase),
-    ("pitch_out_of_phase", ModeName::PitchOutOfPhase),
-    ("roll_in_phase", ModeName::RollInPhase),
-    ("roll_out_of_phase", ModeName::RollOutOfPhase),
-    ("compound", ModeName::Compound),
-    ("other", ModeName::Other),
-];
+pub(crate) const POSITION: &str =
+    "[x, y, z] in m, hull axes, from the mid-point of the suspension points";
 
 /// One swing; `before` are those read so far, whose ids are taken.
 pub(crate) fn swing(
@@ -165,6 +141,15 @@ fn amplitudes(table: &Table<'_>, data: &SwingData) -> Result<BTreeMap<ModeName, 
         amplitudes.insert(mode, value.number(Domain::AMPLITUDE)?);
     }
     Ok(amplitudes)
+}
+
+fn added_mass(table: &Table<'_>) -> Result<AddedMass> {
+    Ok(AddedMass {
+        mass_kg: table.require("mass", "kg")?.quantity(Domain::MASS)?,
+        position_m: table
+            .require("position", POSITION)?
+            .vector(Domain::COORDINATE)?,
+    })
 }
 
 fn suspension(table: &Table<'_>) -> Result<Suspension> {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS, name_of};
 use super::quantity::Quantity;
 use super::recorded::Recorded;
 use super::session::{
@@ -9,7 +10,6 @@ use super::session::{
     Swing, SwingData,
 };
 use super::toml_read::FORMAT;
-use super::toml_swing::{EXCITATIONS, KINDS, MODES, ORIENTATIONS};
 
 /// The text of a `session.toml` that reads back to an equal session, if the session is a valid one.
 pub fn write_session(session: &Session) -> String {
@@ -262,12 +262,4 @@ fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(T) -> String)
         .iter()
         .map(|(mode, value)| format!("{} = {}", name_of(*mode, MODES), write(*value)));
     format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
-}
-
-/// Every variant stands in its list of names, which the round-trip test holds.
-pub(super) fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
-    names
-        .iter()
-        .find(|(_, named)| *named == value)
-        .map_or("", |(name, _)| name)
 }

@@ -6,8 +6,8 @@ use num_complex::Complex64;
 
 use super::fit::{Fit, project_with_curvature};
 use super::noise::{ChannelNoise, group_noise};
-use super::order::Search;
 use super::record::{Record, no_result};
+use super::search::Search;
 use super::types::{
     AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode,
 };

@@ -22,6 +22,7 @@ mod period_list;
 mod prediction;
 mod proposals;
 mod record;
+mod search;
 mod small_amplitude;
 mod spectrum;
 mod trim;

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::basis::{Model, combined};
 use super::fit::{Fit, project, promise, refine};
 use super::motion::{Law, Motion};
-use super::order::Search;
+use super::search::{Peak, Search};
 
 /// Distance, in Rayleigh widths, within which a line may belong to a mode.
 const NEAR: f64 = 2.5;
@@ -34,16 +34,6 @@ pub(super) enum Kind {
     Tone,
     Law,
     Mode,
-}
-
-/// A peak of the whitened residual spectrum: cycles per span, height, half-power width.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Peak {
-    pub k: f64,
-    pub power: f64,
-    pub width: f64,
-    /// Residual variance over the floor here, in the channel where it stands highest.
-    pub over_floor: f64,
 }
 
 /// All trials for a peak, fitted. Beside modes in `tried`, laws and pairs have been tried in vain.

@@ -7,7 +7,8 @@ use gyradius_mechanics::effects::{self, Described, EffectValues, Knock};
 use gyradius_mechanics::sensors::{self, PhoneSlip, SensorDescribed};
 use gyradius_recording::{Excitation, Swing};
 
-use super::rig::{RigFile, RiggedSwing, Sampling, is_of_sensors};
+use super::rig::{RigFile, RiggedSwing, is_of_sensors};
+use super::sampling::Sampling;
 use super::truth::{experiment, keys};
 
 /// What goes along with a turn swings by this part of its angle: sway beside yaw, surge beside

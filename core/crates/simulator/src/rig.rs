@@ -8,6 +8,7 @@ use gyradius_recording::{
     Domain, ROOT, SWING, Session, SwingData, Table, session, utf8, with_root,
 };
 
+use super::sampling::Sampling;
 use super::truth::{Truth, experiment, keys};
 
 /// Name and major version of the format.
@@ -46,23 +47,6 @@ pub struct RiggedSwing {
     pub sampling: Sampling,
     /// What is told of it.
     pub truth: Truth,
-}
-
-/// When the phone reads its sensors.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sampling {
-    /// Length of the recording, s.
-    pub duration_s: f64,
-    /// Samples per second.
-    pub rate_hz: f64,
-}
-
-impl Sampling {
-    /// The times, s, from 0 on.
-    pub fn times_s(&self) -> Vec<f64> {
-        let count = (self.duration_s * self.rate_hz).floor() as usize + 1;
-        (0..count).map(|i| i as f64 / self.rate_hz).collect()
-    }
 }
 
 /// Reads the text of a rig file; `file_name` is what messages call it.

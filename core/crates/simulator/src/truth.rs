@@ -18,7 +18,7 @@ use gyradius_mechanics::{
 use gyradius_recording::{Domain, Orientation, Quantity, Session, SuspensionKind, Swing};
 
 use super::hull::{Hull, hung, numbers, rigid};
-use super::rig::Sampling;
+use super::sampling::Sampling;
 
 const ANY: Domain = Domain::between("a finite number", f64::MIN, f64::MAX);
 const POSITIVE: Domain = Domain::above("a number above 0", 0.0);

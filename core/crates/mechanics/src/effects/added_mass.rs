@@ -1,8 +1,9 @@
 //! Air that moves with the hull.
 
-use super::{AddedMass, Described, Effect, Now};
+use super::effect::{AddedMass, Described, Effect};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

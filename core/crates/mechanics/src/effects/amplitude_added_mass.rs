@@ -2,9 +2,10 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use super::{AddedMass, Described, Effect, Now};
+use super::effect::{AddedMass, Described, Effect};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

@@ -1,8 +1,9 @@
 //! Dry friction.
 
-use super::{Described, Effect, Loads, Now};
+use super::effect::{Described, Effect, Loads};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

@@ -1,8 +1,9 @@
 //! Something inside that moves.
 
-use super::{AddedMass, Described, Effect, Now, Solved};
+use super::effect::{AddedMass, Described, Effect, Solved};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

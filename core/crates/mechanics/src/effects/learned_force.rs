@@ -1,8 +1,9 @@
 //! A force that is known by what it does alone.
 
-use super::{Described, Effect, Loads, Now};
+use super::effect::{Described, Effect, Loads};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

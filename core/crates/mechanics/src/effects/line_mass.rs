@@ -1,8 +1,9 @@
 //! Lines that weigh something.
 
-use super::{AddedMass, Described, Effect, Now};
+use super::effect::{AddedMass, Described, Effect};
 use crate::numbers::numbers;
 use crate::real::Real;
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

@@ -1,6 +1,6 @@
 //! A line that gives way at its knot.
 
-use super::{Described, Effect};
+use super::effect::{Described, Effect};
 use crate::numbers::numbers;
 use crate::real::Real;
 use crate::suspended::Cord;

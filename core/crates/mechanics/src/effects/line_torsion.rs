@@ -1,8 +1,9 @@
 //! Lines that resist a twist.
 
-use super::{Described, Effect, Loads, Now};
+use super::effect::{Described, Effect, Loads};
 use crate::numbers::numbers;
 use crate::real::Real;
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

@@ -1,6 +1,6 @@
 //! Upper ends that are not as far apart as stated.
 
-use super::{Described, Effect};
+use super::effect::{Described, Effect};
 use crate::numbers::numbers;
 use crate::real::Real;
 use crate::suspended::Suspended;

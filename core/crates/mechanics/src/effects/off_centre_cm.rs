@@ -1,6 +1,6 @@
 //! A centre of mass that is not below the mid-point of the lines.
 
-use super::{Described, Effect};
+use super::effect::{Described, Effect};
 use crate::numbers::numbers;
 use crate::real::Real;
 use crate::suspended::Suspended;

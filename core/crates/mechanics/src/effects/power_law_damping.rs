@@ -1,8 +1,9 @@
 //! Drag between linear and quadratic.
 
-use super::{Described, Effect, Loads, Now};
+use super::effect::{Described, Effect, Loads};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 /// The rate (rad/s) and the speed (m/s) at which the coefficients hold: those of an ordinary swing.

@@ -1,8 +1,9 @@
 //! A bearing that gives before it slides.
 
-use super::{Described, Effect, Loads, Now, Solved};
+use super::effect::{Described, Effect, Loads, Solved};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

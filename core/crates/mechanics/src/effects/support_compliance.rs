@@ -1,8 +1,9 @@
 //! A gantry that gives way.
 
-use super::{Described, Effect, Now, Solved, Support};
+use super::effect::{Described, Effect, Solved, Support};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 numbers! {

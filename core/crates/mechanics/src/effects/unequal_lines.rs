@@ -1,6 +1,6 @@
 //! One line longer than the other.
 
-use super::{Described, Effect};
+use super::effect::{Described, Effect};
 use crate::numbers::numbers;
 use crate::real::Real;
 use crate::suspended::Suspended;

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::{Described, Effect, Loads, Now};
+use super::effect::{Described, Effect, Loads};
 use crate::numbers::numbers;
 use crate::real::{Real, V3};
+use crate::state::Now;
 use crate::suspended::Suspended;
 
 /// Sinusoids of a gust.

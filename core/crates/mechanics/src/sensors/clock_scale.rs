@@ -1,6 +1,6 @@
 //! A clock that runs fast or slow.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::real::Real;
 

@@ -1,6 +1,6 @@
 //! Noise that wanders: flicker, 1/f.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::phone::Reading;
 use crate::real::Real;

@@ -1,6 +1,6 @@
 //! Axes of a sensor that are not square to each other.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::phone::Reading;
 use crate::real::{M3, Real};

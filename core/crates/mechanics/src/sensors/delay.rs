@@ -1,6 +1,6 @@
 //! Readings that come late.
 
-use super::{Sensor, SensorDescribed, SensorEffect};
+use super::effect::{Sensor, SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::real::Real;
 

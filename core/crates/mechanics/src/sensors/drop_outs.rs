@@ -1,6 +1,6 @@
 //! Samples that never arrive.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::real::Real;
 

@@ -1,6 +1,6 @@
 //! Samples that are not taken, or not stamped, when they should be.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::real::Real;
 

@@ -1,6 +1,6 @@
 //! A sensor that follows with a lag of the first order.
 
-use super::{Sensor, SensorDescribed, SensorEffect};
+use super::effect::{Sensor, SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::real::Real;
 use gyradius_base::error::{Error, Result};

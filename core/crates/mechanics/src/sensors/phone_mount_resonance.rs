@@ -1,7 +1,8 @@
 //! A phone on a mount that gives.
 
-use super::{Offset, OwnMotion, Ride, SensorDescribed, SensorEffect};
+use super::effect::{OwnMotion, Ride, SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
+use crate::phone::Offset;
 use crate::real::{Real, V3};
 use gyradius_base::error::{Error, Result};
 

@@ -1,6 +1,6 @@
 //! Readings in whole steps.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::phone::Reading;
 use crate::real::{Real, V3};

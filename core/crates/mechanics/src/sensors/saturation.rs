@@ -1,6 +1,6 @@
 //! A sensor at the end of its range.
 
-use super::{SensorDescribed, SensorEffect};
+use super::effect::{SensorDescribed, SensorEffect};
 use crate::numbers::numbers;
 use crate::phone::Reading;
 use crate::real::{Real, V3};

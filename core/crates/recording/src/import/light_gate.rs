@@ -1,8 +1,8 @@
 //! The event log of a two-gate timer: one row per beam edge.
 
+use super::imported::{Format, ImportedData, ImportedRecording};
 use super::source::stem;
 use super::table::Table;
-use super::{Format, ImportedData, ImportedRecording};
 use crate::samples::GateEvents;
 use gyradius_base::Result;
 

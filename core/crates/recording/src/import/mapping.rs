@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::columns::{SensorColumns, assemble, gravity_doubt};
+use super::imported::{Format, ImportedData, ImportedRecording};
 use super::source::stem;
 use super::table::Table;
 use super::units::{Dimension, Unit};
-use super::{Format, ImportedData, ImportedRecording};
 use crate::csv::{TRIADS, track};
 use crate::repair::RawSeries;
 use crate::samples::Sensor;

@@ -8,8 +8,10 @@
 
 mod columns;
 mod detect;
+mod imported;
 mod light_gate;
 mod mapping;
+mod options;
 mod phyphox;
 mod physics_toolbox;
 mod sensor_logger;
@@ -20,89 +22,15 @@ mod units;
 
 use std::collections::BTreeMap;
 
-use super::samples::{GateEvents, Recording, Track};
 use gyradius_base::{Error, Result};
 
+pub use imported::{Format, Imported, ImportedData, ImportedRecording};
 pub use mapping::{ColumnMapping, MappedColumn};
+pub use options::{ImportOptions, Platform};
 pub use units::{Dimension, Unit, from_core_motion, stamp_from_core_motion};
 
 use detect::Content;
 use source::Source;
-
-/// Which program wrote a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Format {
-    /// The project's own recording.
-    Native,
-    /// phyphox.
-    Phyphox,
-    /// Sensor Logger.
-    SensorLogger,
-    /// Physics Toolbox.
-    PhysicsToolbox,
-    /// SensorLog for iOS.
-    SensorLog,
-    /// A two-gate timer's event log.
-    LightGate,
-    /// Columns named by the caller.
-    Mapped,
-}
-
-/// The system of the phone, where a file's signs depend on it and the file does not say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Platform {
-    /// Android: at rest, screen up, z = +g.
-    Android,
-    /// iOS: at rest, screen up, z = −g.
-    Ios,
-}
-
-/// What the caller knows and the files may not say.
-#[derive(Debug, Clone, Default)]
-pub struct ImportOptions {
-    /// Columns and units of a file of no known format. Where it is given, it is used for every
-    /// file.
-    pub mapping: Option<ColumnMapping>,
-    /// The phone's system, for Sensor Logger files that come without their metadata.
-    pub platform: Option<Platform>,
-}
-
-/// What an import yields.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Imported {
-    /// Recordings, in the order of the inputs.
-    pub recordings: Vec<ImportedRecording>,
-    /// What the files say of the phone.
-    pub device: BTreeMap<String, String>,
-    /// Format of the first recording.
-    pub source: Format,
-}
-
-/// One recording of an import.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImportedRecording {
-    /// Name of its file or archive without the ending.
-    pub name: String,
-    /// Format it came in.
-    pub format: Format,
-    /// The data.
-    pub data: ImportedData,
-    /// What a reader should know: choices made, files not used.
-    pub notes: Vec<String>,
-}
-
-/// The kinds of data an import can yield.
-#[derive(Debug, Clone, PartialEq)]
-// There are as many as files: boxing the largest would buy nothing.
-#[allow(clippy::large_enum_variant)]
-pub enum ImportedData {
-    /// A phone's recording.
-    Recording(Recording),
-    /// A rangefinder's track.
-    Track(Track),
-    /// A light gate's edges.
-    GateEvents(GateEvents),
-}
 
 /// Imports exports by content. `inputs` are names and bytes; each folder of a `.zip` is one
 /// recording, and loose files of one folder that hold different sensors of one phone are one
@@ -209,16 +137,4 @@ fn recognised(
         last.notes.extend(unused);
     }
     Ok(out)
-}
-
-impl ImportedRecording {
-    fn new(file: &str, format: Format, recording: Recording, notes: Vec<String>) -> Self {
-        let data = ImportedData::Recording(recording);
-        Self {
-            name: source::stem(file).to_owned(),
-            format,
-            data,
-            notes,
-        }
-    }
 }

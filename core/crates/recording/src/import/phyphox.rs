@@ -6,9 +6,9 @@ mod pauses;
 use std::collections::BTreeMap;
 
 use super::columns::{SensorColumns, add_repair, assemble, gravity_doubt};
+use super::imported::{Format, ImportedRecording};
 use super::source::{Source, stem};
 use super::table::Table;
-use super::{Format, ImportedRecording};
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
 use gyradius_base::Result;

@@ -1,8 +1,8 @@
 //! Physics Toolbox: one table of all sensors, accelerations in g.
 
 use super::columns::{SensorColumns, assemble, gravity_doubt, xyz};
+use super::imported::{Format, ImportedRecording};
 use super::table::Table;
-use super::{Format, ImportedRecording};
 use crate::samples::Sensor;
 use gyradius_base::Result;
 use gyradius_base::constants::STANDARD_GRAVITY_M_S2;

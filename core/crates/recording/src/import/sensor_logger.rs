@@ -9,9 +9,10 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::columns::{SensorColumns, assemble, gravity_doubt, xyz};
+use super::imported::{Format, ImportedRecording};
+use super::options::{ImportOptions, Platform};
 use super::source::{Source, stem};
 use super::table::Table;
-use super::{Format, ImportOptions, ImportedRecording, Platform};
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
 use gyradius_base::Result;

@@ -7,9 +7,9 @@
 //! one.
 
 use super::columns::{SensorColumns, assemble, gravity_doubt, xyz};
+use super::imported::{Format, ImportedRecording};
 use super::table::Table;
 use super::units::{from_core_motion, unit_of_header};
-use super::{Format, ImportedRecording};
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
 use gyradius_base::Result;

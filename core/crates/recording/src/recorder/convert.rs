@@ -6,8 +6,8 @@ use std::path::Path;
 
 use super::damage::Damage;
 use super::merge::{Merge, seconds};
-use super::reader::{Piece, Reader};
-use super::types::{Event, Header, Stream};
+use super::reader::Reader;
+use super::types::{Event, Header, Piece, Stream};
 use crate::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor, partial_of};
 use gyradius_base::error::{Error, Result};
 

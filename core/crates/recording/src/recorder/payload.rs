@@ -3,8 +3,7 @@
 //! # Conventions
 //! Little-endian. A text is its length in bytes (u32) and UTF-8. `None` of a number is NaN.
 
-use super::reader::Piece;
-use super::types::{Event, FORMAT, Header, Samples, SensorInfo, Stream};
+use super::types::{Event, FORMAT, Header, Piece, Samples, SensorInfo, Stream};
 
 pub(super) const HEADER: u8 = 1;
 pub(super) const SAMPLES: u8 = 2;

@@ -7,24 +7,8 @@ use std::path::Path;
 use super::block::{Block, Look, SYNC, look, next_sync};
 use super::damage::{Damage, DamageKind};
 use super::payload;
-use super::types::{END, Event, FORMAT, Header, Samples};
+use super::types::{END, FORMAT, Piece};
 use gyradius_base::error::{Error, Result};
-
-/// What a block holds.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Piece {
-    /// What is known before the first sample.
-    Header(Header),
-    /// Samples of one stream, at most half a second of them.
-    Samples(Samples),
-    /// A mark.
-    Event(Event),
-    /// The recorder went on here after it had been stopped.
-    Resumed {
-        /// Bytes of the incomplete block that was cut off.
-        cut_bytes: u64,
-    },
-}
 
 /// Bytes that are read at once while looking for the next block.
 const STRIDE: usize = 1 << 12;

@@ -106,3 +106,19 @@ impl Samples {
         }
     }
 }
+
+/// What a block holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Piece {
+    /// What is known before the first sample.
+    Header(Header),
+    /// Samples of one stream, at most half a second of them.
+    Samples(Samples),
+    /// A mark.
+    Event(Event),
+    /// The recorder went on here after it had been stopped.
+    Resumed {
+        /// Bytes of the incomplete block that was cut off.
+        cut_bytes: u64,
+    },
+}

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::damage::Damage;
-use super::reader::{Piece, Reader};
-use super::types::{Event, Header, Samples, Stream};
+use super::reader::Reader;
+use super::types::{Event, Header, Piece, Samples, Stream};
 use gyradius_base::error::Result;
 
 /// All of a recorder's file.

@@ -264,7 +264,7 @@ fn is_due(stamps_ns: &[i64], next_ns: i64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::reader::Piece;
+    use super::super::types::Piece;
     use super::*;
 
     /// A disk of so many bytes; what does not fit is written as far as it does, as a real one does

@@ -1,7 +1,7 @@
 //! Gaps, jitter and left-out samples, counted, placed and put into a sentence.
 
+use super::series::{Fates, RawSeries};
 use super::stamps::median_interval_s;
-use super::{Fates, RawSeries};
 use crate::samples::{Repair, RepairKind, Sensor};
 
 /// An interval longer than this many median intervals means that a row is missing.

@@ -5,35 +5,21 @@
 
 mod findings;
 mod saturation;
+mod series;
 mod stamps;
 
 pub use findings::MISSING_INTERVALS;
 pub use saturation::{CUT_STEPS, RUN_SAMPLES, RUNS, STATED_RANGE};
+pub(crate) use series::RawSeries;
 pub use stamps::median_interval_s;
 
 use std::ops::Range;
 
-use super::samples::{Repair, RepairKind, Sensor};
+use super::samples::{Repair, RepairKind};
 use gyradius_base::{Error, Result};
+use series::Fates;
 
-/// The samples of one sensor in file order, before repairs.
-#[derive(Debug, Clone)]
-pub(crate) struct RawSeries {
-    /// Which sensor.
-    pub sensor: Sensor,
-    /// Which table of an export the samples come from; 0 where there is one.
-    pub table: usize,
-    /// Row of the table each sample comes from; shared by the sensors of one file.
-    pub row: Vec<usize>,
-    /// Time stamps, s; may be anything.
-    pub t_s: Vec<f64>,
-    /// Samples by channel; NaN where a cell is missing beside filled ones.
-    pub channels: Vec<Vec<f64>>,
-    /// The sensor's stated limit, in the channels' unit.
-    pub limit: Option<f64>,
-}
-
-/// What is left of it, with the list of what is not.
+/// What is left of a series, with the list of what is not.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Repaired {
     /// Strictly increasing time stamps, s.
@@ -42,41 +28,6 @@ pub(crate) struct Repaired {
     pub channels: Vec<Vec<f64>>,
     /// Everything left out, and every gap.
     pub repairs: Vec<Repair>,
-}
-
-/// Why each sample is left out; `None` keeps it.
-pub(crate) type Fates = Vec<Option<RepairKind>>;
-
-impl RawSeries {
-    /// A series without samples.
-    pub fn new(sensor: Sensor, channels: usize) -> Self {
-        Self {
-            sensor,
-            table: 0,
-            row: Vec::new(),
-            t_s: Vec::new(),
-            channels: vec![Vec::new(); channels],
-            limit: None,
-        }
-    }
-
-    /// Appends a sample.
-    pub fn push(&mut self, row: usize, t_s: f64, values: impl IntoIterator<Item = f64>) {
-        self.row.push(row);
-        self.t_s.push(t_s);
-        for (channel, value) in self.channels.iter_mut().zip(values) {
-            channel.push(value);
-        }
-    }
-
-    /// Leaves out everything from sample `length` on.
-    pub fn truncate(&mut self, length: usize) {
-        self.row.truncate(length);
-        self.t_s.truncate(length);
-        self.channels
-            .iter_mut()
-            .for_each(|channel| channel.truncate(length));
-    }
 }
 
 /// Whether a series is a sampled signal, whose gaps and jitter mean something, or a list of events.

@@ -5,7 +5,7 @@
 //! that are large against the sensor's resolution: a slow signal of coarse resolution rests at its
 //! peaks too, but one step below is where it comes from.
 
-use super::{Fates, RawSeries};
+use super::series::{Fates, RawSeries};
 use crate::samples::RepairKind;
 
 /// Samples that must stay at the extreme in one go …

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Fates, RawSeries};
+use super::series::{Fates, RawSeries};
 use crate::samples::RepairKind;
 
 /// A step back by more than this many median intervals that lasts is a second recording, not a late

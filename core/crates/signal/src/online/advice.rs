@@ -2,16 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::estimate::{Estimate, LineKind, SensorState, SwingState, TimeLeft};
+use super::state::LineKind;
 use gyradius_base::message::{Argument, Message};
 use gyradius_recording::Sensor;
-
-/// A motion beside the main one from this share on is worth another release.
-const UNWANTED_SHARE: f64 = 0.05;
-/// Below this amplitude friction and currents of air show more than inertia, degrees.
-const LOW_AMPLITUDE_DEG: f64 = 2.0;
-/// A sensor whose newest stamp is this far behind the other's has fallen silent, s.
-const SILENT_AFTER_S: f64 = 1.0;
 
 /// One piece of advice.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -156,78 +149,4 @@ impl Advice {
 /// A sensor's name, a word with a key.
 fn word(sensor: Sensor) -> Argument {
     Argument::Word(sensor.name().replace(' ', "_"))
-}
-
-/// What follows from an estimate whose other fields stand; `known` is what was found beside it.
-pub(super) fn advise(estimate: &Estimate, known: Vec<Advice>) -> Vec<Advice> {
-    let mut advice: Vec<Advice> = estimate
-        .sensors
-        .iter()
-        .filter_map(|s| silent(s, estimate.now_s))
-        .collect();
-    advice.extend(known);
-    advice.extend(
-        estimate
-            .sensors
-            .iter()
-            .flat_map(|sensor| limits(sensor).into_iter().flatten()),
-    );
-    if let Some(swing) = &estimate.swing {
-        advice.extend(of_swing(swing));
-    }
-    advice
-}
-
-fn silent(sensor: &SensorState, now_s: f64) -> Option<Advice> {
-    let is_silent = now_s - sensor.last_s.unwrap_or(0.0) > SILENT_AFTER_S;
-    is_silent.then_some(Advice::SensorSilent {
-        sensor: sensor.sensor,
-        since_s: sensor.last_s,
-    })
-}
-
-fn limits(state: &SensorState) -> [Option<Advice>; 2] {
-    let SensorState {
-        sensor,
-        saturated,
-        gaps,
-        longest_gap_s,
-        ..
-    } = *state;
-    [
-        (saturated > 0).then_some(Advice::Saturated {
-            sensor,
-            samples: saturated,
-        }),
-        (gaps > 0).then_some(Advice::Gaps {
-            sensor,
-            gaps,
-            longest_s: longest_gap_s,
-        }),
-    ]
-}
-
-fn of_swing(swing: &SwingState) -> Vec<Advice> {
-    let low = swing
-        .amplitude_deg
-        .filter(|amplitude_deg| *amplitude_deg < LOW_AMPLITUDE_DEG);
-    let mut advice: Vec<Advice> = low
-        .map(|amplitude_deg| Advice::AmplitudeLow { amplitude_deg })
-        .into_iter()
-        .collect();
-    let unwanted = swing
-        .lines
-        .iter()
-        .filter(|line| line.share >= UNWANTED_SHARE);
-    advice.extend(unwanted.map(|line| Advice::Unwanted {
-        kind: line.kind,
-        share: line.share,
-        period_s: line.period_s,
-    }));
-    match swing.time_left {
-        TimeLeft::Reached => advice.push(Advice::LongEnough),
-        TimeLeft::OutOfReach => advice.push(Advice::OutOfReach),
-        TimeLeft::Seconds(_) => {}
-    }
-    advice
 }

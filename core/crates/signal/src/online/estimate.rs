@@ -1,10 +1,17 @@
-//! What is known at a moment, as plain data.
+//! What is known at a moment, and the advice that follows from it.
 
 use serde::{Deserialize, Serialize};
 
 use super::advice::Advice;
 use super::gaps::GapList;
-use gyradius_recording::Sensor;
+use super::state::{SensorState, SwingState, TimeLeft};
+
+/// A motion beside the main one from this share on is worth another release.
+const UNWANTED_SHARE: f64 = 0.05;
+/// Below this amplitude friction and currents of air show more than inertia, degrees.
+const LOW_AMPLITUDE_DEG: f64 = 2.0;
+/// A sensor whose newest stamp is this far behind the other's has fallen silent, s.
+const SILENT_AFTER_S: f64 = 1.0;
 
 /// Everything that is known at a moment.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -21,114 +28,76 @@ pub struct Estimate {
     pub advice: Vec<Advice>,
 }
 
-/// What a sensor does.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-pub struct SensorState {
-    /// Which one.
-    pub sensor: Sensor,
-    /// Its real rate, Hz, gaps not counted.
-    pub rate_hz: Option<f64>,
-    /// Samples taken in.
-    pub samples: u64,
-    /// Samples left out: stamps that repeat or step back, values that are not numbers.
-    pub left_out: u64,
-    /// Intervals of more than one and a half times the usual one.
-    pub gaps: u64,
-    /// The longest of them, s.
-    pub longest_gap_s: f64,
-    /// Samples at the sensor's limit.
-    pub saturated: u64,
-    /// The newest stamp, s.
-    pub last_s: Option<f64>,
-}
-
-/// The free swing as it stands.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-pub struct SwingState {
-    /// Where the free swing begins, s: what comes before it is waiting, handling or another swing.
-    pub from_s: f64,
-    /// The moment that these figures are for, s.
-    pub at_s: f64,
-    /// Period of the main motion, s, at its mean amplitude since `from_s`.
-    pub period_s: f64,
-    /// Its standard uncertainty, s: noise, and how far the period of a longer record may still move
-    /// away.
-    pub period_u_s: f64,
-    /// The part of it that noise makes, s: what the period of this record, at its own mean
-    /// amplitude, is uncertain by. The wanted uncertainty is about this part.
-    pub period_noise_u_s: f64,
-    /// Amplitude of the main turn now, degrees; absent without a gyroscope.
-    pub amplitude_deg: Option<f64>,
-    /// Decay rate of the main motion now, 1/s.
-    pub decay_per_s: f64,
-    /// Time in which its amplitude halves at that rate, s; absent where it does not decay.
-    pub half_s: Option<f64>,
-    /// Motions beside the main one, largest first.
-    pub lines: Vec<Line>,
-    /// Until the wanted uncertainty of the period.
-    pub time_left: TimeLeft,
-}
-
-/// A motion beside the main one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-pub struct Line {
-    /// Its period, s.
-    pub period_s: f64,
-    /// Its size over that of the main motion at the start of the free swing, both as angles: the
-    /// turn that the gyroscope sees, or the angle of the lines that the accelerometer sees,
-    /// whichever is larger.
-    pub share: f64,
-    /// What it looks like.
-    pub kind: LineKind,
-}
-
-/// What a motion beside the main one looks like.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum LineKind {
-    /// The lines swing and the hull hardly turns.
-    Sway,
-    /// A turn about another axis than the main one.
-    OtherTurn,
-    /// A turn about the main axis.
-    SameTurn,
-}
-
-/// How long until the period is as certain as wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum TimeLeft {
-    /// It is.
-    Reached,
-    /// So many seconds more.
-    Seconds(f64),
-    /// The swing dies down before.
-    OutOfReach,
-}
-
-impl SwingState {
-    /// The same once it has been disturbed: it says no more than it does.
-    pub(super) fn ended(&self) -> Self {
-        let time_left = match self.time_left {
-            TimeLeft::Reached => TimeLeft::Reached,
-            TimeLeft::Seconds(_) | TimeLeft::OutOfReach => TimeLeft::OutOfReach,
-        };
-        Self {
-            time_left,
-            ..self.clone()
-        }
-    }
-
-    /// The longest period of its motions, s.
-    pub(super) fn slowest_s(&self) -> f64 {
-        self.lines
+/// What follows from an estimate whose other fields stand; `known` is what was found beside it.
+pub(super) fn advise(estimate: &Estimate, known: Vec<Advice>) -> Vec<Advice> {
+    let mut advice: Vec<Advice> = estimate
+        .sensors
+        .iter()
+        .filter_map(|s| silent(s, estimate.now_s))
+        .collect();
+    advice.extend(known);
+    advice.extend(
+        estimate
+            .sensors
             .iter()
-            .map(|line| line.period_s)
-            .fold(self.period_s, f64::max)
+            .flat_map(|sensor| limits(sensor).into_iter().flatten()),
+    );
+    if let Some(swing) = &estimate.swing {
+        advice.extend(of_swing(swing));
     }
+    advice
+}
 
-    /// What it says of the period, for comparison.
-    pub(super) fn worth(&self) -> f64 {
-        self.period_s / self.period_u_s
+fn silent(sensor: &SensorState, now_s: f64) -> Option<Advice> {
+    let is_silent = now_s - sensor.last_s.unwrap_or(0.0) > SILENT_AFTER_S;
+    is_silent.then_some(Advice::SensorSilent {
+        sensor: sensor.sensor,
+        since_s: sensor.last_s,
+    })
+}
+
+fn limits(state: &SensorState) -> [Option<Advice>; 2] {
+    let SensorState {
+        sensor,
+        saturated,
+        gaps,
+        longest_gap_s,
+        ..
+    } = *state;
+    [
+        (saturated > 0).then_some(Advice::Saturated {
+            sensor,
+            samples: saturated,
+        }),
+        (gaps > 0).then_some(Advice::Gaps {
+            sensor,
+            gaps,
+            longest_s: longest_gap_s,
+        }),
+    ]
+}
+
+fn of_swing(swing: &SwingState) -> Vec<Advice> {
+    let low = swing
+        .amplitude_deg
+        .filter(|amplitude_deg| *amplitude_deg < LOW_AMPLITUDE_DEG);
+    let mut advice: Vec<Advice> = low
+        .map(|amplitude_deg| Advice::AmplitudeLow { amplitude_deg })
+        .into_iter()
+        .collect();
+    let unwanted = swing
+        .lines
+        .iter()
+        .filter(|line| line.share >= UNWANTED_SHARE);
+    advice.extend(unwanted.map(|line| Advice::Unwanted {
+        kind: line.kind,
+        share: line.share,
+        period_s: line.period_s,
+    }));
+    match swing.time_left {
+        TimeLeft::Reached => advice.push(Advice::LongEnough),
+        TimeLeft::OutOfReach => advice.push(Advice::OutOfReach),
+        TimeLeft::Seconds(_) => {}
     }
+    advice
 }

@@ -1,10 +1,11 @@
 //! The live estimator: samples in, an estimate at any moment.
 
-use super::advice::{Advice, advise};
+use super::advice::Advice;
 use super::cells::Cells;
 use super::disturbance::{Change, Limits, Periods};
-use super::estimate::{Estimate, SwingState, TimeLeft};
+use super::estimate::{Estimate, advise};
 use super::sensor::Watch;
+use super::state::{SwingState, TimeLeft};
 use super::swing;
 use crate::ChannelGroup;
 use gyradius_base::error::{Error, Result};

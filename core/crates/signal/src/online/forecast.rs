@@ -1,7 +1,7 @@
 //! How long the recording must go on.
 
-use super::estimate::TimeLeft;
 use super::spread::Spread;
+use super::state::TimeLeft;
 
 /// Longest recording that is thought of, s: two hours.
 const LONGEST_S: f64 = 7200.0;

@@ -20,9 +20,11 @@ mod gaps;
 mod phone;
 mod sensor;
 mod spread;
+mod state;
 mod swing;
 
 pub use advice::Advice;
-pub use estimate::{Estimate, Line, LineKind, SensorState, SwingState, TimeLeft};
+pub use estimate::Estimate;
 pub use estimator::{Live, LiveOptions};
 pub use gaps::{Gap, GapList};
+pub use state::{Line, LineKind, SensorState, SwingState, TimeLeft};

@@ -1,7 +1,7 @@
 //! One sensor's stamps and limits, sample by sample.
 
-use super::estimate::SensorState;
 use super::gaps::{Gap, GapList};
+use super::state::SensorState;
 use gyradius_recording::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, Sensor};
 
 /// Intervals that the usual one is the median of.

@@ -5,8 +5,6 @@
 //! long enough to tell them apart. Both are systematic: they do not average out, and they are
 //! bounded here.
 
-use super::swing::MainMode;
-
 /// Steps of the integrals over the envelope.
 const STEPS: u32 = 200;
 /// Relative change of a pendulum's frequency over the square of its amplitude in rad (first order
@@ -68,6 +66,21 @@ impl Envelope {
         let mean_s = self.integral(span_s, |t, _| t) / self.integral(span_s, |_, _| 1.0);
         self.integral(span_s, |t, _| (t - mean_s).powi(2))
     }
+}
+
+/// The main motion: what its uncertainty follows from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MainMode {
+    pub omega_rad_s: f64,
+    pub omega_se_rad_s: f64,
+    pub envelope: Envelope,
+    /// Angle at the start of the free swing, rad.
+    pub angle_rad: f64,
+    pub shift_rad_s: f64,
+    /// 0 where the data show no law yet.
+    pub law_power: u8,
+    /// Size of the motion that the fit leaves, over that of the main one.
+    pub misfit: f64,
 }
 
 /// What the uncertainty of the main frequency is made of, as it goes with the record.

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{LN_2, TAU};
 
-use super::estimate::{Line, LineKind, SwingState};
 use super::forecast::time_left;
-use super::spread::{Envelope, Spread};
+use super::spread::{Envelope, MainMode, Spread};
+use super::state::{Line, LineKind, SwingState};
 use crate::{ChannelGroup, DecomposeOptions, Decomposition, FittedMode, decompose, residuals};
 
 /// Cycles of the main motion before anything is said of it.
@@ -13,21 +13,6 @@ const FEWEST_CYCLES: f64 = 4.0;
 const MOST_MISFIT: f64 = 0.5;
 /// Cosine between two axes of turn above which they are the same.
 const SAME_AXIS: f64 = 0.7;
-
-/// The main motion: what its uncertainty follows from.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct MainMode {
-    pub omega_rad_s: f64,
-    pub omega_se_rad_s: f64,
-    pub envelope: Envelope,
-    /// Angle at the start of the free swing, rad.
-    pub angle_rad: f64,
-    pub shift_rad_s: f64,
-    /// 0 where the data show no law yet.
-    pub law_power: u8,
-    /// Size of the motion that the fit leaves, over that of the main one.
-    pub misfit: f64,
-}
 
 /// Which sensors the channels of a decomposition come from: three each, gyroscope first.
 #[derive(Debug, Clone, Copy)]

@@ -1,0 +1,44 @@
+//! The names of suspensions, orientations and motions in files.
+
+use super::session::{Excitation, ModeName, Orientation, SuspensionKind};
+
+pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
+    ("bifilar", SuspensionKind::Bifilar),
+    ("compound", SuspensionKind::Compound),
+];
+pub(crate) const ORIENTATIONS: &[(&str, Orientation)] = &[
+    ("athwartships", Orientation::Athwartships),
+    ("fore_and_aft", Orientation::ForeAndAft),
+];
+pub(crate) const EXCITATIONS: &[(&str, Excitation)] = &[
+    ("yaw", Excitation::Yaw),
+    ("sway", Excitation::Sway),
+    ("surge", Excitation::Surge),
+    ("pitch", Excitation::Pitch),
+    ("roll", Excitation::Roll),
+];
+pub(crate) const MODES: &[(&str, ModeName)] = &[
+    ("yaw", ModeName::Yaw),
+    ("sway", ModeName::Sway),
+    ("pitch_in_phase", ModeName::PitchInPhase),
+    ("pitch_out_of_phase", ModeName::PitchOutOfPhase),
+    ("roll_in_phase", ModeName::RollInPhase),
+    ("roll_out_of_phase", ModeName::RollOutOfPhase),
+    ("compound", ModeName::Compound),
+    ("other", ModeName::Other),
+];
+
+impl Excitation {
+    /// As files and texts call it.
+    pub fn name(self) -> &'static str {
+        name_of(self, EXCITATIONS)
+    }
+}
+
+/// Every variant stands in its list of names, which the round-trip test holds.
+pub(crate) fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
+    names
+        .iter()
+        .find(|(_, named)| *named == value)
+        .map_or("", |(name, _)| name)
+}
