@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 /// A language of the messages that an operator reads or hears.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Language {
     /// As everywhere else.
+    #[default]
     English,
     /// With decimal commas.
     German,
@@ -22,6 +23,14 @@ impl Language {
         match self {
             Self::English => signed,
             Self::German => signed.replace('.', ","),
+        }
+    }
+
+    /// Its tag, as documents name it.
+    pub fn tag(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::German => "de",
         }
     }
 
