@@ -38,6 +38,7 @@ demo: release-package
 check:
 	@rm -rf $(LOGS) && mkdir -p $(LOGS)
 	@$(STEP) fmt cargo fmt --all --check
+	@$(STEP) graph $(PYTHON) core/docs/graph.py --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
 	@$(MAKE) --no-print-directory package
 	@$(STEP) rust tests/run-rust --changed $(CRATES)
@@ -58,6 +59,7 @@ test:
 
 lint: package
 	@$(STEP) fmt cargo fmt --all --check
+	@$(STEP) graph $(PYTHON) core/docs/graph.py --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
 	@$(MAKE) --no-print-directory lint-python
 

@@ -63,17 +63,15 @@ fn every_message_is_used() {
         .into_iter()
         .map(|(id, _)| id)
         .filter(|id| {
+            // A name may go on with its unit, and a key end in what is put there (`{…}`).
             let is_written = |part: &str| {
-                ["\"", "."].iter().any(|start| {
-                    ["\"", "{"]
-                        .iter()
-                        .any(|end| all.contains(&format!("{start}{part}{end}")))
-                })
+                let before = part.rsplit_once('_').map_or(part, |(before, _)| before);
+                let starts = ["\"", "."].map(|start| format!("{start}{part}"));
+                let put_there = format!("\"{before}{{");
+                starts.iter().any(|start| all.contains(start)) || all.contains(&put_there)
             };
-            let mut parts = id.splitn(3, '-').collect::<Vec<_>>();
-            let whole = parts.last().copied().unwrap_or_default();
+            let whole = id.splitn(3, '-').last().unwrap_or_default();
             let in_family = id.split_once('-').map_or("", |(_, rest)| rest);
-            parts.truncate(1);
             ![whole, in_family, id.as_str()]
                 .iter()
                 .any(|part| is_written(part))

@@ -146,11 +146,6 @@ impl From<&str> for Message {
 }
 
 impl Argument {
-    /// One message, or nothing.
-    pub fn part(message: Option<Message>) -> Self {
-        Self::Texts(message.into_iter().collect())
-    }
-
     fn shown(&self, language: Language) -> String {
         let word = |key: &str| name(key, language).unwrap_or_else(|| key.to_owned());
         match self {

@@ -660,8 +660,9 @@ public protocol AnalysisProtocol: AnyObject, Sendable {
     func recordings()  -> [RecordingFigureData]
     
     /**
-     * The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-     * as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
+     * The report: one self-contained HTML file, with the session's criticism where one is given.
+     * `measured_on` is the date as the operator writes it, in the place of the session's own; the
+     * report leaves a blank where neither is there.
      */
     func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, listener: ProgressListener?) throws  -> String
     
@@ -765,8 +766,9 @@ open func recordings() -> [RecordingFigureData]  {
 }
     
     /**
-     * The report: one self-contained HTML file, with the session's criticism where one is given. `measured_on` is the date
-     * as the operator writes it, in the place of the session's own; the report leaves a blank where neither is there.
+     * The report: one self-contained HTML file, with the session's criticism where one is given.
+     * `measured_on` is the date as the operator writes it, in the place of the session's own; the
+     * report leaves a blank where neither is there.
      */
 open func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, listener: ProgressListener?)throws  -> String  {
     return try  FfiConverterString.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -1040,7 +1042,8 @@ public func FfiConverterTypeCriticism_lower(_ value: Criticism) -> UInt64 {
 public protocol DecompositionProtocol: AnyObject, Sendable {
     
     /**
-     * The fitted oscillations at a block of times, s, without the baseline: one channel after the other.
+     * The fitted oscillations at a block of times, s, without the baseline: one channel after the
+     * other.
      */
     func evaluate(tS: Data) throws  -> Data
     
@@ -1110,8 +1113,8 @@ open class Decomposition: DecompositionProtocol, @unchecked Sendable {
 
     
     /**
-     * Finds the damped oscillations of channels that share one clock: `t_s` is a block of times, s, `channels` one channel
-     * after the other, each as long as `t_s`.
+     * Finds the damped oscillations of channels that share one clock: `t_s` is a block of times,
+     * s, `channels` one channel after the other, each as long as `t_s`.
      */
 public static func of(tS: Data, channels: Data)throws  -> Decomposition  {
     return try  FfiConverterTypeDecomposition_lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -1130,7 +1133,8 @@ public static func of(tS: Data, channels: Data)throws  -> Decomposition  {
 
     
     /**
-     * The fitted oscillations at a block of times, s, without the baseline: one channel after the other.
+     * The fitted oscillations at a block of times, s, without the baseline: one channel after the
+     * other.
      */
 open func evaluate(tS: Data)throws  -> Data  {
     return try  FfiConverterData.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -1234,8 +1238,9 @@ public protocol LiveEstimatorProtocol: AnyObject, Sendable {
     func estimateJson() throws  -> String
     
     /**
-     * Takes a block of stamps (ns) and one of values (x, y, z; rad/s or m/s² of specific force) of the gyroscope or the
-     * accelerometer. Now and then this looks at the swing anew: tens of milliseconds.
+     * Takes a block of stamps (ns) and one of values (x, y, z; rad/s or m/s² of specific force) of
+     * the gyroscope or the accelerometer. Now and then this looks at the swing anew: tens of
+     * milliseconds.
      */
     func push(sensor: Sensor, stampsNs: Data, values: Data) throws 
     
@@ -1283,8 +1288,8 @@ open class LiveEstimator: LiveEstimatorProtocol, @unchecked Sendable {
         return try! rustCall { uniffi_gyradius_ffi_fn_clone_liveestimator(self.handle, $0) }
     }
     /**
-     * An estimator that has seen nothing. `wanted`: relative standard uncertainty of the period that is enough (1e-4 is
-     * usual); full scales in rad/s and m/s², where the phone tells.
+     * An estimator that has seen nothing. `wanted`: relative standard uncertainty of the period
+     * that is enough (1e-4 is usual); full scales in rad/s and m/s², where the phone tells.
      */
 public convenience init(wanted: Double, gyroscopeFullScaleRadS: Double?, accelerometerFullScaleMS2: Double?)throws  {
     let handle =
@@ -1336,8 +1341,9 @@ open func estimateJson()throws  -> String  {
 }
     
     /**
-     * Takes a block of stamps (ns) and one of values (x, y, z; rad/s or m/s² of specific force) of the gyroscope or the
-     * accelerometer. Now and then this looks at the swing anew: tens of milliseconds.
+     * Takes a block of stamps (ns) and one of values (x, y, z; rad/s or m/s² of specific force) of
+     * the gyroscope or the accelerometer. Now and then this looks at the swing anew: tens of
+     * milliseconds.
      */
 open func push(sensor: Sensor, stampsNs: Data, values: Data)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
@@ -1615,7 +1621,8 @@ public func FfiConverterTypePlan_lower(_ value: Plan) -> UInt64 {
 
 
 /**
- * One hull being measured, from hanging it level to the result. What is decided is on the disk before a call returns.
+ * One hull being measured, from hanging it level to the result. What is decided is on the disk
+ * before a call returns.
  */
 public protocol ProcedureProtocol: AnyObject, Sendable {
     
@@ -1625,12 +1632,14 @@ public protocol ProcedureProtocol: AnyObject, Sendable {
     func folder()  -> String
     
     /**
-     * Takes what happened. What is not offered in the present phase fails with `BadArgument`, and nothing has changed.
+     * Takes what happened. What is not offered in the present phase fails with `BadArgument`, and
+     * nothing has changed.
      */
     func handle(event: ProcedureEvent) throws 
     
     /**
-     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they came.
+     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they
+     * came.
      */
     func push(channel: Channel, stampsNs: Data, values: Data) throws 
     
@@ -1645,13 +1654,15 @@ public protocol ProcedureProtocol: AnyObject, Sendable {
     func stateJson() throws  -> String
     
     /**
-     * Does the work that is wanted, if there is any: seconds or minutes. Other calls go on meanwhile.
+     * Does the work that is wanted, if there is any: seconds or minutes. Other calls go on
+     * meanwhile.
      */
     func workBlocking(listener: ProgressListener?) throws 
     
 }
 /**
- * One hull being measured, from hanging it level to the result. What is decided is on the disk before a call returns.
+ * One hull being measured, from hanging it level to the result. What is decided is on the disk
+ * before a call returns.
  */
 open class Procedure: ProcedureProtocol, @unchecked Sendable {
     fileprivate let handle: UInt64
@@ -1744,7 +1755,8 @@ open func folder() -> String  {
 }
     
     /**
-     * Takes what happened. What is not offered in the present phase fails with `BadArgument`, and nothing has changed.
+     * Takes what happened. What is not offered in the present phase fails with `BadArgument`, and
+     * nothing has changed.
      */
 open func handle(event: ProcedureEvent)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
@@ -1756,7 +1768,8 @@ open func handle(event: ProcedureEvent)throws   {try rustCallWithError(FfiConver
 }
     
     /**
-     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they came.
+     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they
+     * came.
      */
 open func push(channel: Channel, stampsNs: Data, values: Data)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
@@ -1798,7 +1811,8 @@ open func stateJson()throws  -> String  {
 }
     
     /**
-     * Does the work that is wanted, if there is any: seconds or minutes. Other calls go on meanwhile.
+     * Does the work that is wanted, if there is any: seconds or minutes. Other calls go on
+     * meanwhile.
      */
 open func workBlocking(listener: ProgressListener?)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
@@ -1865,8 +1879,8 @@ public func FfiConverterTypeProcedure_lower(_ value: Procedure) -> UInt64 {
 public protocol ProgressListener: AnyObject, Sendable {
     
     /**
-     * Told the share that is done (0 to 1) and what is being done, from a thread of the work; false stops it, and what was
-     * called fails with `Cancelled`.
+     * Told the share that is done (0 to 1) and what is being done, from a thread of the work;
+     * false stops it, and what was called fails with `Cancelled`.
      */
     func onProgress(share: Double, doing: String)  -> Bool
     
@@ -1928,8 +1942,8 @@ open class ProgressListenerImpl: ProgressListener, @unchecked Sendable {
 
     
     /**
-     * Told the share that is done (0 to 1) and what is being done, from a thread of the work; false stops it, and what was
-     * called fails with `Cancelled`.
+     * Told the share that is done (0 to 1) and what is being done, from a thread of the work;
+     * false stops it, and what was called fails with `Cancelled`.
      */
 open func onProgress(share: Double, doing: String) -> Bool  {
     return try!  FfiConverterBool.lift(try! rustCall() {
@@ -2288,7 +2302,8 @@ public protocol RecorderWriterProtocol: AnyObject, Sendable {
     func mark(mark: RecorderMark) throws  -> Written
     
     /**
-     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they came.
+     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they
+     * came.
      */
     func push(channel: Channel, stampsNs: Data, values: Data) throws  -> Written
     
@@ -2361,7 +2376,8 @@ public static func create(path: String, header: RecorderHeader)throws  -> Record
 }
     
     /**
-     * Goes on with a file after its writer died: cuts off the incomplete block at its end and says so in the file.
+     * Goes on with a file after its writer died: cuts off the incomplete block at its end and says
+     * so in the file.
      */
 public static func resume(path: String)throws  -> RecorderWriter  {
     return try  FfiConverterTypeRecorderWriter_lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -2413,7 +2429,8 @@ open func mark(mark: RecorderMark)throws  -> Written  {
 }
     
     /**
-     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they came.
+     * Takes a block of stamps (ns) and one of values (x, y, z) of one stream, in the order they
+     * came.
      */
 open func push(channel: Channel, stampsNs: Data, values: Data)throws  -> Written  {
     return try  FfiConverterTypeWritten_lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -2482,18 +2499,20 @@ public func FfiConverterTypeRecorderWriter_lower(_ value: RecorderWriter) -> UIn
 
 
 /**
- * A procedure with a simulated hull and phone. The same rig, seed and events give the same session.
+ * A procedure with a simulated hull and phone. The same rig, seed and events give the same
+ * session.
  */
 public protocol RehearsalProtocol: AnyObject, Sendable {
     
     /**
-     * Lets so much time go by on the simulated hull, s; returns what did: less where the recording ends meanwhile.
+     * Lets so much time go by on the simulated hull, s; returns what did: less where the recording
+     * ends meanwhile.
      */
     func advance(seconds: Double) throws  -> Double
     
     /**
-     * What an operator who plays by the book does now; nothing while there is to be waited or worked. `at_utc` is the
-     * wall clock as text.
+     * What an operator who plays by the book does now; nothing while there is to be waited or
+     * worked. `at_utc` is the wall clock as text.
      */
     func byTheBook(atUtc: String) throws  -> ProcedureEvent?
     
@@ -2508,7 +2527,8 @@ public protocol RehearsalProtocol: AnyObject, Sendable {
     func heard()  -> [SampleBatch]
     
     /**
-     * Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`, `touch`, `slip`, `silence`.
+     * Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`,
+     * `touch`, `slip`, `silence`.
      */
     func mishap(step: String, take: UInt32, what: String) throws 
     
@@ -2534,7 +2554,8 @@ public protocol RehearsalProtocol: AnyObject, Sendable {
     
 }
 /**
- * A procedure with a simulated hull and phone. The same rig, seed and events give the same session.
+ * A procedure with a simulated hull and phone. The same rig, seed and events give the same
+ * session.
  */
 open class Rehearsal: RehearsalProtocol, @unchecked Sendable {
     fileprivate let handle: UInt64
@@ -2618,7 +2639,8 @@ public static func `open`(folder: String, rig: Rig, seed: UInt64)throws  -> Rehe
 
     
     /**
-     * Lets so much time go by on the simulated hull, s; returns what did: less where the recording ends meanwhile.
+     * Lets so much time go by on the simulated hull, s; returns what did: less where the recording
+     * ends meanwhile.
      */
 open func advance(seconds: Double)throws  -> Double  {
     return try  FfiConverterDouble.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -2631,8 +2653,8 @@ open func advance(seconds: Double)throws  -> Double  {
 }
     
     /**
-     * What an operator who plays by the book does now; nothing while there is to be waited or worked. `at_utc` is the
-     * wall clock as text.
+     * What an operator who plays by the book does now; nothing while there is to be waited or
+     * worked. `at_utc` is the wall clock as text.
      */
 open func byTheBook(atUtc: String)throws  -> ProcedureEvent?  {
     return try  FfiConverterOptionTypeProcedureEvent.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -2669,7 +2691,8 @@ open func heard() -> [SampleBatch]  {
 }
     
     /**
-     * Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`, `touch`, `slip`, `silence`.
+     * Lets something go wrong with a recording of a step, counted from 1: `bad_release`, `sway`,
+     * `touch`, `slip`, `silence`.
      */
 open func mishap(step: String, take: UInt32, what: String)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
@@ -2791,8 +2814,8 @@ public protocol RigProtocol: AnyObject, Sendable {
     func numbers(swing: String) throws  -> [RigNumber]
     
     /**
-     * Simulates a swing as its phone samples it. `values` replace numbers, `derivatives` names those to differentiate by;
-     * without a seed there is no chance in it.
+     * Simulates a swing as its phone samples it. `values` replace numbers, `derivatives` names
+     * those to differentiate by; without a seed there is no chance in it.
      */
     func simulate(swing: String, values: [NamedNumber], derivatives: [String], seed: UInt64?) throws  -> Simulation
     
@@ -2812,8 +2835,8 @@ public protocol RigProtocol: AnyObject, Sendable {
     func titled(title: String)  -> Rig
     
     /**
-     * Simulates all swings and writes the session into a folder, and what is true into a file outside of it. The same seed
-     * gives the same files.
+     * Simulates all swings and writes the session into a folder, and what is true into a file
+     * outside of it. The same seed gives the same files.
      */
     func write(folder: String, truthFile: String, seed: UInt64, overwrite: Overwrite) throws 
     
@@ -2913,8 +2936,8 @@ open func numbers(swing: String)throws  -> [RigNumber]  {
 }
     
     /**
-     * Simulates a swing as its phone samples it. `values` replace numbers, `derivatives` names those to differentiate by;
-     * without a seed there is no chance in it.
+     * Simulates a swing as its phone samples it. `values` replace numbers, `derivatives` names
+     * those to differentiate by; without a seed there is no chance in it.
      */
 open func simulate(swing: String, values: [NamedNumber], derivatives: [String], seed: UInt64?)throws  -> Simulation  {
     return try  FfiConverterTypeSimulation_lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -2974,8 +2997,8 @@ open func titled(title: String) -> Rig  {
 }
     
     /**
-     * Simulates all swings and writes the session into a folder, and what is true into a file outside of it. The same seed
-     * gives the same files.
+     * Simulates all swings and writes the session into a folder, and what is true into a file
+     * outside of it. The same seed gives the same files.
      */
 open func write(folder: String, truthFile: String, seed: UInt64, overwrite: Overwrite)throws   {try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
@@ -3052,8 +3075,8 @@ public protocol SessionProtocol: AnyObject, Sendable {
     /**
      * Modes, inertia, uncertainty and consistency: seconds.
      *
-     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare recording's listener is asked
-     * before and after, not in between.
+     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare
+     * recording's listener is asked before and after, not in between.
      */
     func measureBlocking(limits: [String], listener: ProgressListener?) throws  -> Analysis
     
@@ -3138,7 +3161,8 @@ open class Session: SessionProtocol, @unchecked Sendable {
 
     
     /**
-     * Reads a session folder, a session's zip, or a bare recording in any format that can be imported.
+     * Reads a session folder, a session's zip, or a bare recording in any format that can be
+     * imported.
      *
      * `mapping` names the columns of a CSV that is not recognised: `gx=xGyro:deg/s`.
      */
@@ -3170,8 +3194,8 @@ open func critiqueBlocking(listener: ProgressListener?)throws  -> Criticism  {
     /**
      * Modes, inertia, uncertainty and consistency: seconds.
      *
-     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare recording's listener is asked
-     * before and after, not in between.
+     * `limits` are class limits such as `k_pitch_m>=1.100`, each of which gets a verdict. A bare
+     * recording's listener is asked before and after, not in between.
      */
 open func measureBlocking(limits: [String], listener: ProgressListener?)throws  -> Analysis  {
     return try  FfiConverterTypeAnalysis_lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -3326,7 +3350,8 @@ public protocol SimulationProtocol: AnyObject, Sendable {
     func rateRadS()  -> Data
     
     /**
-     * Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: a row for each stamp.
+     * Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: a row for each
+     * stamp.
      */
     func readings()  -> Data
     
@@ -3451,7 +3476,8 @@ open func rateRadS() -> Data  {
 }
     
     /**
-     * Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: a row for each stamp.
+     * Angular rate (rad/s) x, y, z and specific force (m/s²) x, y, z, phone axes: a row for each
+     * stamp.
      */
 open func readings() -> Data  {
     return try!  FfiConverterData.lift(try! rustCall() {
@@ -4202,11 +4228,7 @@ public struct CauseResult: Equatable, Hashable {
     /**
      * What it is and how strong, in words.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
     /**
      * Whether the extended model has it.
      */
@@ -4229,10 +4251,7 @@ public struct CauseResult: Equatable, Hashable {
          */parameters: ParametersByName, 
         /**
          * What it is and how strong, in words.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence, 
+         */message: Sentence, 
         /**
          * Whether the extended model has it.
          */taken: Bool) {
@@ -4240,8 +4259,7 @@ public struct CauseResult: Equatable, Hashable {
         self.probability = probability
         self.logEvidenceGain = logEvidenceGain
         self.parameters = parameters
-        self.text = text
-        self.said = said
+        self.message = message
         self.taken = taken
     }
 
@@ -4265,8 +4283,7 @@ public struct FfiConverterTypeCauseResult: FfiConverterRustBuffer {
                 probability: FfiConverterDouble.read(from: &buf), 
                 logEvidenceGain: FfiConverterDouble.read(from: &buf), 
                 parameters: FfiConverterTypeParametersByName.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf), 
+                message: FfiConverterTypeSentence.read(from: &buf), 
                 taken: FfiConverterBool.read(from: &buf)
         )
     }
@@ -4276,8 +4293,7 @@ public struct FfiConverterTypeCauseResult: FfiConverterRustBuffer {
         FfiConverterDouble.write(value.probability, into: &buf)
         FfiConverterDouble.write(value.logEvidenceGain, into: &buf)
         FfiConverterTypeParametersByName.write(value.parameters, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
         FfiConverterBool.write(value.taken, into: &buf)
     }
 }
@@ -4305,7 +4321,7 @@ public struct CauseVerdict: Equatable, Hashable {
     /**
      * `adequate`, `explained`, `ambiguous` or `unexplained`.
      */
-    public let status: String
+    public let status: CauseStatus
     /**
      * Causes named.
      */
@@ -4321,18 +4337,14 @@ public struct CauseVerdict: Equatable, Hashable {
     /**
      * In words.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
     public init(
         /**
          * `adequate`, `explained`, `ambiguous` or `unexplained`.
-         */status: String, 
+         */status: CauseStatus, 
         /**
          * Causes named.
          */causes: [String], 
@@ -4344,16 +4356,12 @@ public struct CauseVerdict: Equatable, Hashable {
          */nextSwing: NextSwing?, 
         /**
          * In words.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence) {
+         */message: Sentence) {
         self.status = status
         self.causes = causes
         self.indistinguishableFrom = indistinguishableFrom
         self.nextSwing = nextSwing
-        self.text = text
-        self.said = said
+        self.message = message
     }
 
     
@@ -4372,22 +4380,20 @@ public struct FfiConverterTypeCauseVerdict: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> CauseVerdict {
         return
             try CauseVerdict(
-                status: FfiConverterString.read(from: &buf), 
+                status: FfiConverterTypeCauseStatus.read(from: &buf), 
                 causes: FfiConverterSequenceString.read(from: &buf), 
                 indistinguishableFrom: FfiConverterSequenceString.read(from: &buf), 
                 nextSwing: FfiConverterOptionTypeNextSwing.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf)
+                message: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
     public static func write(_ value: CauseVerdict, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.status, into: &buf)
+        FfiConverterTypeCauseStatus.write(value.status, into: &buf)
         FfiConverterSequenceString.write(value.causes, into: &buf)
         FfiConverterSequenceString.write(value.indistinguishableFrom, into: &buf)
         FfiConverterOptionTypeNextSwing.write(value.nextSwing, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
     }
 }
 
@@ -4446,11 +4452,7 @@ public struct Claim: Equatable, Hashable {
     /**
      * A sentence for the report.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
     /**
      * Routes: how many pairs of swings stand behind this one, which differs most.
      */
@@ -4489,10 +4491,7 @@ public struct Claim: Equatable, Hashable {
          */flagged: Bool, 
         /**
          * A sentence for the report.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence, 
+         */message: Sentence, 
         /**
          * Routes: how many pairs of swings stand behind this one, which differs most.
          */pairs: Count, 
@@ -4507,8 +4506,7 @@ public struct Claim: Equatable, Hashable {
         self.sigma = sigma
         self.from = from
         self.flagged = flagged
-        self.text = text
-        self.said = said
+        self.message = message
         self.pairs = pairs
         self.sigmaRange = sigmaRange
     }
@@ -4537,8 +4535,7 @@ public struct FfiConverterTypeClaim: FfiConverterRustBuffer {
                 sigma: FfiConverterDouble.read(from: &buf), 
                 from: FfiConverterString.read(from: &buf), 
                 flagged: FfiConverterBool.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf), 
+                message: FfiConverterTypeSentence.read(from: &buf), 
                 pairs: FfiConverterTypeCount.read(from: &buf), 
                 sigmaRange: FfiConverterOptionTypeEnds.read(from: &buf)
         )
@@ -4553,8 +4550,7 @@ public struct FfiConverterTypeClaim: FfiConverterRustBuffer {
         FfiConverterDouble.write(value.sigma, into: &buf)
         FfiConverterString.write(value.from, into: &buf)
         FfiConverterBool.write(value.flagged, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
         FfiConverterTypeCount.write(value.pairs, into: &buf)
         FfiConverterOptionTypeEnds.write(value.sigmaRange, into: &buf)
     }
@@ -4654,13 +4650,9 @@ public struct ComparedSwing: Equatable, Hashable {
      */
     public let swing: String
     /**
-     * The channel, in words.
+     * The channel.
      */
-    public let channel: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let channel: Sentence
     /**
      * Unit of the readings.
      */
@@ -4689,11 +4681,8 @@ public struct ComparedSwing: Equatable, Hashable {
          * The swing.
          */swing: String, 
         /**
-         * The channel, in words.
-         */channel: String, 
-        /**
-         * The same for every language.
-         */said: Sentence, 
+         * The channel.
+         */channel: Sentence, 
         /**
          * Unit of the readings.
          */unit: String, 
@@ -4711,7 +4700,6 @@ public struct ComparedSwing: Equatable, Hashable {
          */extended: Curve) {
         self.swing = swing
         self.channel = channel
-        self.said = said
         self.unit = unit
         self.noise = noise
         self.measured = measured
@@ -4736,8 +4724,7 @@ public struct FfiConverterTypeComparedSwing: FfiConverterRustBuffer {
         return
             try ComparedSwing(
                 swing: FfiConverterString.read(from: &buf), 
-                channel: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf), 
+                channel: FfiConverterTypeSentence.read(from: &buf), 
                 unit: FfiConverterString.read(from: &buf), 
                 noise: FfiConverterDouble.read(from: &buf), 
                 measured: FfiConverterTypeCurve.read(from: &buf), 
@@ -4748,8 +4735,7 @@ public struct FfiConverterTypeComparedSwing: FfiConverterRustBuffer {
 
     public static func write(_ value: ComparedSwing, into buf: inout [UInt8]) {
         FfiConverterString.write(value.swing, into: &buf)
-        FfiConverterString.write(value.channel, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.channel, into: &buf)
         FfiConverterString.write(value.unit, into: &buf)
         FfiConverterDouble.write(value.noise, into: &buf)
         FfiConverterTypeCurve.write(value.measured, into: &buf)
@@ -4896,11 +4882,7 @@ public struct Critique: Equatable, Hashable {
     /**
      * What a reader must know.
      */
-    public let warnings: [String]
-    /**
-     * The same for every language.
-     */
-    public let warningsSaid: [Sentence]
+    public let warnings: [Sentence]
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -4934,10 +4916,7 @@ public struct Critique: Equatable, Hashable {
          */learned: LearnedForce?, 
         /**
          * What a reader must know.
-         */warnings: [String], 
-        /**
-         * The same for every language.
-         */warningsSaid: [Sentence]) {
+         */warnings: [Sentence]) {
         self.format = format
         self.title = title
         self.baseline = baseline
@@ -4948,7 +4927,6 @@ public struct Critique: Equatable, Hashable {
         self.gain = gain
         self.learned = learned
         self.warnings = warnings
-        self.warningsSaid = warningsSaid
     }
 
     
@@ -4976,8 +4954,7 @@ public struct FfiConverterTypeCritique: FfiConverterRustBuffer {
                 extended: FfiConverterTypeModelResult.read(from: &buf), 
                 gain: FfiConverterTypeGain.read(from: &buf), 
                 learned: FfiConverterOptionTypeLearnedForce.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf), 
-                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf)
+                warnings: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
 
@@ -4991,8 +4968,7 @@ public struct FfiConverterTypeCritique: FfiConverterRustBuffer {
         FfiConverterTypeModelResult.write(value.extended, into: &buf)
         FfiConverterTypeGain.write(value.gain, into: &buf)
         FfiConverterOptionTypeLearnedForce.write(value.learned, into: &buf)
-        FfiConverterSequenceString.write(value.warnings, into: &buf)
-        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
     }
 }
 
@@ -5019,15 +4995,11 @@ public struct CritiqueView: Equatable, Hashable {
     /**
      * `adequate`, `explained`, `ambiguous` or `unexplained`.
      */
-    public let status: String
+    public let status: CauseStatus
     /**
      * In words.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
     /**
      * How many causes these swings cannot tell apart; 0 where none is in doubt.
      */
@@ -5042,13 +5014,10 @@ public struct CritiqueView: Equatable, Hashable {
     public init(
         /**
          * `adequate`, `explained`, `ambiguous` or `unexplained`.
-         */status: String, 
+         */status: CauseStatus, 
         /**
          * In words.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence, 
+         */message: Sentence, 
         /**
          * How many causes these swings cannot tell apart; 0 where none is in doubt.
          */causes: Count, 
@@ -5056,8 +5025,7 @@ public struct CritiqueView: Equatable, Hashable {
          * The figures by the simulation with the causes that were found in it.
          */quantities: QuantitiesByName) {
         self.status = status
-        self.text = text
-        self.said = said
+        self.message = message
         self.causes = causes
         self.quantities = quantities
     }
@@ -5078,18 +5046,16 @@ public struct FfiConverterTypeCritiqueView: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> CritiqueView {
         return
             try CritiqueView(
-                status: FfiConverterString.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf), 
+                status: FfiConverterTypeCauseStatus.read(from: &buf), 
+                message: FfiConverterTypeSentence.read(from: &buf), 
                 causes: FfiConverterTypeCount.read(from: &buf), 
                 quantities: FfiConverterTypeQuantitiesByName.read(from: &buf)
         )
     }
 
     public static func write(_ value: CritiqueView, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.status, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeCauseStatus.write(value.status, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
         FfiConverterTypeCount.write(value.causes, into: &buf)
         FfiConverterTypeQuantitiesByName.write(value.quantities, into: &buf)
     }
@@ -5191,7 +5157,7 @@ public struct Discrepancy: Equatable, Hashable {
     /**
      * `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time` …
      */
-    public let what: String
+    public let what: KindOfDiscrepancy
     /**
      * How large it is.
      */
@@ -5207,11 +5173,7 @@ public struct Discrepancy: Equatable, Hashable {
     /**
      * In words.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -5221,7 +5183,7 @@ public struct Discrepancy: Equatable, Hashable {
          */swing: String, 
         /**
          * `structure`, `period_vs_amplitude`, `decay_vs_amplitude`, `residual_vs_time` …
-         */what: String, 
+         */what: KindOfDiscrepancy, 
         /**
          * How large it is.
          */size: Double, 
@@ -5233,17 +5195,13 @@ public struct Discrepancy: Equatable, Hashable {
          */sigma: Double, 
         /**
          * In words.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence) {
+         */message: Sentence) {
         self.swing = swing
         self.what = what
         self.size = size
         self.unit = unit
         self.sigma = sigma
-        self.text = text
-        self.said = said
+        self.message = message
     }
 
     
@@ -5263,23 +5221,21 @@ public struct FfiConverterTypeDiscrepancy: FfiConverterRustBuffer {
         return
             try Discrepancy(
                 swing: FfiConverterString.read(from: &buf), 
-                what: FfiConverterString.read(from: &buf), 
+                what: FfiConverterTypeKindOfDiscrepancy.read(from: &buf), 
                 size: FfiConverterDouble.read(from: &buf), 
                 unit: FfiConverterString.read(from: &buf), 
                 sigma: FfiConverterDouble.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf)
+                message: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
     public static func write(_ value: Discrepancy, into buf: inout [UInt8]) {
         FfiConverterString.write(value.swing, into: &buf)
-        FfiConverterString.write(value.what, into: &buf)
+        FfiConverterTypeKindOfDiscrepancy.write(value.what, into: &buf)
         FfiConverterDouble.write(value.size, into: &buf)
         FfiConverterString.write(value.unit, into: &buf)
         FfiConverterDouble.write(value.sigma, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
     }
 }
 
@@ -5579,11 +5535,7 @@ public struct HangingAdvice: Equatable, Hashable {
     /**
      * In words.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -5602,16 +5554,12 @@ public struct HangingAdvice: Equatable, Hashable {
          */swings: [String], 
         /**
          * In words.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence) {
+         */message: Sentence) {
         self.framePoints = framePoints
         self.suspension = suspension
         self.gives = gives
         self.swings = swings
-        self.text = text
-        self.said = said
+        self.message = message
     }
 
     
@@ -5634,8 +5582,7 @@ public struct FfiConverterTypeHangingAdvice: FfiConverterRustBuffer {
                 suspension: FfiConverterTypeSuspension.read(from: &buf), 
                 gives: FfiConverterSequenceString.read(from: &buf), 
                 swings: FfiConverterSequenceString.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf)
+                message: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
@@ -5644,8 +5591,7 @@ public struct FfiConverterTypeHangingAdvice: FfiConverterRustBuffer {
         FfiConverterTypeSuspension.write(value.suspension, into: &buf)
         FfiConverterSequenceString.write(value.gives, into: &buf)
         FfiConverterSequenceString.write(value.swings, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
     }
 }
 
@@ -5985,11 +5931,7 @@ public struct InertiaResult: Equatable, Hashable {
     /**
      * What a reader must know.
      */
-    public let warnings: [String]
-    /**
-     * The same for every language.
-     */
-    public let warningsSaid: [Sentence]
+    public let warnings: [Sentence]
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -6023,10 +5965,7 @@ public struct InertiaResult: Equatable, Hashable {
          */verdicts: [Verdict], 
         /**
          * What a reader must know.
-         */warnings: [String], 
-        /**
-         * The same for every language.
-         */warningsSaid: [Sentence]) {
+         */warnings: [Sentence]) {
         self.format = format
         self.title = title
         self.swings = swings
@@ -6037,7 +5976,6 @@ public struct InertiaResult: Equatable, Hashable {
         self.consistency = consistency
         self.verdicts = verdicts
         self.warnings = warnings
-        self.warningsSaid = warningsSaid
     }
 
     
@@ -6065,8 +6003,7 @@ public struct FfiConverterTypeInertiaResult: FfiConverterRustBuffer {
                 correlations: FfiConverterSequenceTypeCorrelationTuple.read(from: &buf), 
                 consistency: FfiConverterSequenceTypeClaim.read(from: &buf), 
                 verdicts: FfiConverterSequenceTypeVerdict.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf), 
-                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf)
+                warnings: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
 
@@ -6080,8 +6017,7 @@ public struct FfiConverterTypeInertiaResult: FfiConverterRustBuffer {
         FfiConverterSequenceTypeCorrelationTuple.write(value.correlations, into: &buf)
         FfiConverterSequenceTypeClaim.write(value.consistency, into: &buf)
         FfiConverterSequenceTypeVerdict.write(value.verdicts, into: &buf)
-        FfiConverterSequenceString.write(value.warnings, into: &buf)
-        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
     }
 }
 
@@ -7704,11 +7640,7 @@ public struct NextSwing: Equatable, Hashable {
     /**
      * In words.
      */
-    public let text: String
-    /**
-     * The same for every language.
-     */
-    public let said: Sentence
+    public let message: Sentence
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -7739,10 +7671,7 @@ public struct NextSwing: Equatable, Hashable {
          */sigma: Double, 
         /**
          * In words.
-         */text: String, 
-        /**
-         * The same for every language.
-         */said: Sentence) {
+         */message: Sentence) {
         self.like = like
         self.lineLengthM = lineLengthM
         self.spacingM = spacingM
@@ -7751,8 +7680,7 @@ public struct NextSwing: Equatable, Hashable {
         self.durationS = durationS
         self.hullPitchDeg = hullPitchDeg
         self.sigma = sigma
-        self.text = text
-        self.said = said
+        self.message = message
     }
 
     
@@ -7779,8 +7707,7 @@ public struct FfiConverterTypeNextSwing: FfiConverterRustBuffer {
                 durationS: FfiConverterDouble.read(from: &buf), 
                 hullPitchDeg: FfiConverterDouble.read(from: &buf), 
                 sigma: FfiConverterDouble.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
-                said: FfiConverterTypeSentence.read(from: &buf)
+                message: FfiConverterTypeSentence.read(from: &buf)
         )
     }
 
@@ -7793,8 +7720,7 @@ public struct FfiConverterTypeNextSwing: FfiConverterRustBuffer {
         FfiConverterDouble.write(value.durationS, into: &buf)
         FfiConverterDouble.write(value.hullPitchDeg, into: &buf)
         FfiConverterDouble.write(value.sigma, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
-        FfiConverterTypeSentence.write(value.said, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
     }
 }
 
@@ -9499,7 +9425,8 @@ public func FfiConverterTypeProcedureTask_lower(_ value: ProcedureTask) -> RustB
 
 
 /**
- * A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as exact).
+ * A value and its standard uncertainty in the same unit (GUM: `u`, one sigma; 0 = stated as
+ * exact).
  */
 public struct Quantity: Equatable, Hashable {
     /**
@@ -9574,11 +9501,11 @@ public struct QuantityResult: Equatable, Hashable {
     /**
      * Value: a number, a vector or a matrix.
      */
-    public let value: QuantityJson
+    public let value: Value
     /**
      * One standard uncertainty, same shape.
      */
-    public let u: QuantityJson
+    public let u: Value
     /**
      * 95 % interval of a number.
      */
@@ -9593,10 +9520,10 @@ public struct QuantityResult: Equatable, Hashable {
     public init(
         /**
          * Value: a number, a vector or a matrix.
-         */value: QuantityJson, 
+         */value: Value, 
         /**
          * One standard uncertainty, same shape.
-         */u: QuantityJson, 
+         */u: Value, 
         /**
          * 95 % interval of a number.
          */interval95: Ends?, 
@@ -9625,16 +9552,16 @@ public struct FfiConverterTypeQuantityResult: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> QuantityResult {
         return
             try QuantityResult(
-                value: FfiConverterTypeQuantityJson.read(from: &buf), 
-                u: FfiConverterTypeQuantityJson.read(from: &buf), 
+                value: FfiConverterTypeValue.read(from: &buf), 
+                u: FfiConverterTypeValue.read(from: &buf), 
                 interval95: FfiConverterOptionTypeEnds.read(from: &buf), 
                 method: FfiConverterString.read(from: &buf)
         )
     }
 
     public static func write(_ value: QuantityResult, into buf: inout [UInt8]) {
-        FfiConverterTypeQuantityJson.write(value.value, into: &buf)
-        FfiConverterTypeQuantityJson.write(value.u, into: &buf)
+        FfiConverterTypeValue.write(value.value, into: &buf)
+        FfiConverterTypeValue.write(value.u, into: &buf)
         FfiConverterOptionTypeEnds.write(value.interval95, into: &buf)
         FfiConverterString.write(value.method, into: &buf)
     }
@@ -10700,11 +10627,7 @@ public struct ResultView: Equatable, Hashable {
     /**
      * What a reader must know.
      */
-    public let warnings: [String]
-    /**
-     * The same for every language.
-     */
-    public let warningsSaid: [Sentence]
+    public let warnings: [Sentence]
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -10717,14 +10640,10 @@ public struct ResultView: Equatable, Hashable {
          */quantities: QuantitiesByName, 
         /**
          * What a reader must know.
-         */warnings: [String], 
-        /**
-         * The same for every language.
-         */warningsSaid: [Sentence]) {
+         */warnings: [Sentence]) {
         self.session = session
         self.quantities = quantities
         self.warnings = warnings
-        self.warningsSaid = warningsSaid
     }
 
     
@@ -10745,16 +10664,14 @@ public struct FfiConverterTypeResultView: FfiConverterRustBuffer {
             try ResultView(
                 session: FfiConverterString.read(from: &buf), 
                 quantities: FfiConverterTypeQuantitiesByName.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf), 
-                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf)
+                warnings: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
 
     public static func write(_ value: ResultView, into buf: inout [UInt8]) {
         FfiConverterString.write(value.session, into: &buf)
         FfiConverterTypeQuantitiesByName.write(value.quantities, into: &buf)
-        FfiConverterSequenceString.write(value.warnings, into: &buf)
-        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
     }
 }
 
@@ -12163,11 +12080,7 @@ public struct SwingResult: Equatable, Hashable {
     /**
      * What a reader must know of this swing.
      */
-    public let warnings: [String]
-    /**
-     * The same for every language.
-     */
-    public let warningsSaid: [Sentence]
+    public let warnings: [Sentence]
     /**
      * Residual over noise: 1 where the fit explains everything.
      */
@@ -12194,10 +12107,7 @@ public struct SwingResult: Equatable, Hashable {
          */repairs: [Repair], 
         /**
          * What a reader must know of this swing.
-         */warnings: [String], 
-        /**
-         * The same for every language.
-         */warningsSaid: [Sentence], 
+         */warnings: [Sentence], 
         /**
          * Residual over noise: 1 where the fit explains everything.
          */rmsOverNoise: Double?, 
@@ -12209,7 +12119,6 @@ public struct SwingResult: Equatable, Hashable {
         self.modes = modes
         self.repairs = repairs
         self.warnings = warnings
-        self.warningsSaid = warningsSaid
         self.rmsOverNoise = rmsOverNoise
         self.simulated = simulated
     }
@@ -12234,8 +12143,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
                 spanS: FfiConverterOptionTypeEnds.read(from: &buf), 
                 modes: FfiConverterSequenceTypeModeResult.read(from: &buf), 
                 repairs: FfiConverterSequenceTypeRepair.read(from: &buf), 
-                warnings: FfiConverterSequenceString.read(from: &buf), 
-                warningsSaid: FfiConverterSequenceTypeSentence.read(from: &buf), 
+                warnings: FfiConverterSequenceTypeSentence.read(from: &buf), 
                 rmsOverNoise: FfiConverterOptionDouble.read(from: &buf), 
                 simulated: FfiConverterBool.read(from: &buf)
         )
@@ -12246,8 +12154,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
         FfiConverterOptionTypeEnds.write(value.spanS, into: &buf)
         FfiConverterSequenceTypeModeResult.write(value.modes, into: &buf)
         FfiConverterSequenceTypeRepair.write(value.repairs, into: &buf)
-        FfiConverterSequenceString.write(value.warnings, into: &buf)
-        FfiConverterSequenceTypeSentence.write(value.warningsSaid, into: &buf)
+        FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
         FfiConverterOptionDouble.write(value.rmsOverNoise, into: &buf)
         FfiConverterBool.write(value.simulated, into: &buf)
     }
@@ -12286,7 +12193,8 @@ public struct SwingState: Equatable, Hashable {
      */
     public let periodS: Double
     /**
-     * Its standard uncertainty, s: noise, and how far the period of a longer record may still move away.
+     * Its standard uncertainty, s: noise, and how far the period of a longer record may still move
+     * away.
      */
     public let periodUS: Double
     /**
@@ -12327,7 +12235,8 @@ public struct SwingState: Equatable, Hashable {
          * Period of the main motion, s, at its mean amplitude since `from_s`.
          */periodS: Double, 
         /**
-         * Its standard uncertainty, s: noise, and how far the period of a longer record may still move away.
+         * Its standard uncertainty, s: noise, and how far the period of a longer record may still move
+         * away.
          */periodUS: Double, 
         /**
          * The part of it that noise makes, s. The wanted uncertainty is about this part.
@@ -12427,7 +12336,8 @@ public struct Tilt: Equatable, Hashable {
      */
     public let against: TiltAgainst
     /**
-     * Angle between gravity now and gravity there, degrees; absent where there is nothing to be against.
+     * Angle between gravity now and gravity there, degrees; absent where there is nothing to be
+     * against.
      */
     public let angleDeg: Double?
     /**
@@ -12446,7 +12356,8 @@ public struct Tilt: Equatable, Hashable {
          * What the angles are against.
          */against: TiltAgainst, 
         /**
-         * Angle between gravity now and gravity there, degrees; absent where there is nothing to be against.
+         * Angle between gravity now and gravity there, degrees; absent where there is nothing to be
+         * against.
          */angleDeg: Double?, 
         /**
          * Bow up, degrees; known only where the phone lies flat with its top edge to the bow.
@@ -12829,7 +12740,8 @@ public enum Channel: Equatable, Hashable {
      */
     case accelerometer
     /**
-     * The phone's own estimate of an uncalibrated gyroscope's bias, rad/s; not taken off the samples.
+     * The phone's own estimate of an uncalibrated gyroscope's bias, rad/s; not taken off the
+     * samples.
      */
     case gyroscopeBias
 
@@ -14060,7 +13972,8 @@ public enum Placement: Equatable, Hashable {
      */
     case flatTopToBow
     /**
-     * Anyhow: a tilt has a size and no direction, against the reading at which the operator said "level".
+     * Anyhow: a tilt has a size and no direction, against the reading at which the operator said
+     * "level".
      */
     case anyWay
 
@@ -14539,8 +14452,8 @@ public enum ProcedureEvent: Equatable, Hashable {
          * Wall clock, UTC, as text (`2026-05-04T09:30:00Z`); kept, never computed with.
          */atUtc: String, 
         /**
-         * The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the day of `at_utc` where
-         * absent.
+         * The date where the hull hangs, as the session and its report tell it (`2026-05-04`); the
+         * day of `at_utc` where absent.
          */measuredOn: String?, 
         /**
          * The phone.
@@ -15559,7 +15472,7 @@ public enum SentenceArgument: Equatable, Hashable {
          */id: String
     )
     /**
-     * Text as it stands: a file, a reason.
+     * Message as it stands: a file, a reason.
      */
     case plain(
         /**
@@ -18253,6 +18166,46 @@ public func FfiConverterTypeBudgetsByName_lower(_ value: BudgetsByName) -> RustB
 
 
 
+public typealias CauseStatus = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeCauseStatus: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> CauseStatus {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: CauseStatus, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> CauseStatus {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: CauseStatus) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeCauseStatus_lift(_ value: RustBuffer) throws -> CauseStatus {
+    return try FfiConverterTypeCauseStatus.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeCauseStatus_lower(_ value: CauseStatus) -> RustBuffer {
+    return FfiConverterTypeCauseStatus.lower(value)
+}
+
+
+
 public typealias CorrelationTuple = Correlation
 
 #if swift(>=5.8)
@@ -18449,6 +18402,46 @@ public func FfiConverterTypeForceRow_lift(_ value: RustBuffer) throws -> ForceRo
 #endif
 public func FfiConverterTypeForceRow_lower(_ value: ForceRow) -> RustBuffer {
     return FfiConverterTypeForceRow.lower(value)
+}
+
+
+
+public typealias KindOfDiscrepancy = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeKindOfDiscrepancy: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> KindOfDiscrepancy {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: KindOfDiscrepancy, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> KindOfDiscrepancy {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: KindOfDiscrepancy) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeKindOfDiscrepancy_lift(_ value: RustBuffer) throws -> KindOfDiscrepancy {
+    return try FfiConverterTypeKindOfDiscrepancy.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeKindOfDiscrepancy_lower(_ value: KindOfDiscrepancy) -> RustBuffer {
+    return FfiConverterTypeKindOfDiscrepancy.lower(value)
 }
 
 
@@ -18653,46 +18646,6 @@ public func FfiConverterTypeQuantitiesByName_lower(_ value: QuantitiesByName) ->
 
 
 
-public typealias QuantityJson = QuantityValue
-
-#if swift(>=5.8)
-@_documentation(visibility: private)
-#endif
-public struct FfiConverterTypeQuantityJson: FfiConverter {
-    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> QuantityJson {
-        return try FfiConverterTypeQuantityValue.read(from: &buf)
-    }
-
-    public static func write(_ value: QuantityJson, into buf: inout [UInt8]) {
-        return FfiConverterTypeQuantityValue.write(value, into: &buf)
-    }
-
-    public static func lift(_ value: RustBuffer) throws -> QuantityJson {
-        return try FfiConverterTypeQuantityValue_lift(value)
-    }
-
-    public static func lower(_ value: QuantityJson) -> RustBuffer {
-        return FfiConverterTypeQuantityValue_lower(value)
-    }
-}
-
-
-#if swift(>=5.8)
-@_documentation(visibility: private)
-#endif
-public func FfiConverterTypeQuantityJson_lift(_ value: RustBuffer) throws -> QuantityJson {
-    return try FfiConverterTypeQuantityJson.lift(value)
-}
-
-#if swift(>=5.8)
-@_documentation(visibility: private)
-#endif
-public func FfiConverterTypeQuantityJson_lower(_ value: QuantityJson) -> RustBuffer {
-    return FfiConverterTypeQuantityJson.lower(value)
-}
-
-
-
 public typealias RecorderStream = Channel
 
 #if swift(>=5.8)
@@ -18813,6 +18766,46 @@ public func FfiConverterTypeTextsByName_lower(_ value: TextsByName) -> RustBuffe
 
 
 
+public typealias Value = QuantityValue
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeValue: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Value {
+        return try FfiConverterTypeQuantityValue.read(from: &buf)
+    }
+
+    public static func write(_ value: Value, into buf: inout [UInt8]) {
+        return FfiConverterTypeQuantityValue.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> Value {
+        return try FfiConverterTypeQuantityValue_lift(value)
+    }
+
+    public static func lower(_ value: Value) -> RustBuffer {
+        return FfiConverterTypeQuantityValue_lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeValue_lift(_ value: RustBuffer) throws -> Value {
+    return try FfiConverterTypeValue.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeValue_lower(_ value: Value) -> RustBuffer {
+    return FfiConverterTypeValue.lower(value)
+}
+
+
+
 public typealias Vector3 = Axes
 
 #if swift(>=5.8)
@@ -18862,7 +18855,8 @@ public func libraryVersion() -> String  {
 })
 }
 /**
- * The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told; absent where it keeps none.
+ * The criticism that a folder keeps, a procedure's or one that [`Criticism::keep`] was told;
+ * absent where it keeps none.
  */
 public func keptCriticism(folder: String)throws  -> Criticism?  {
     return try  FfiConverterOptionTypeCriticism.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -18873,8 +18867,8 @@ public func keptCriticism(folder: String)throws  -> Criticism?  {
 })
 }
 /**
- * Accelerations of Core Motion (in g, at rest, screen up: z = −1) as specific force, m/s² (z = +9.80665): a block of x, y,
- * z each way.
+ * Accelerations of Core Motion (in g, at rest, screen up: z = −1) as specific force, m/s² (z =
+ * +9.80665): a block of x, y, z each way.
  */
 public func forcesFromCoreMotion(accelerationsG: Data)throws  -> Data  {
     return try  FfiConverterData.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -18887,8 +18881,8 @@ public func forcesFromCoreMotion(accelerationsG: Data)throws  -> Data  {
 })
 }
 /**
- * Writes a session folder from phone exports and recorder's files, one swing for each recording; returns what a reader must
- * know.
+ * Writes a session folder from phone exports and recorder's files, one swing for each recording;
+ * returns what a reader must know.
  */
 public func importRecordings(files: [String], folder: String, request: ImportRequest, overwrite: Overwrite)throws  -> [String]  {
     return try  FfiConverterSequenceString.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -18902,7 +18896,8 @@ public func importRecordings(files: [String], folder: String, request: ImportReq
 })
 }
 /**
- * Time stamps of Core Motion, a block of floats, s since the phone was switched on, as a block of stamps, ns.
+ * Time stamps of Core Motion, a block of floats, s since the phone was switched on, as a block of
+ * stamps, ns.
  */
 public func stampsFromCoreMotion(timestampsS: Data)throws  -> Data  {
     return try  FfiConverterData.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -18978,7 +18973,8 @@ public func procedureEventFromJson(text: String)throws  -> ProcedureEvent  {
 })
 }
 /**
- * Writes a recorder's file as `<name>.csv` (and `<name>-bias.csv`) into a folder; returns what was damaged, a sentence each.
+ * Writes a recorder's file as `<name>.csv` (and `<name>-bias.csv`) into a folder; returns what was
+ * damaged, a sentence each.
  */
 public func convertRecorderFile(file: String, folder: String, name: String)throws  -> [String]  {
     return try  FfiConverterSequenceString.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -18993,8 +18989,8 @@ public func convertRecorderFile(file: String, folder: String, name: String)throw
 /**
  * Outputs of one route of the paper for given inputs, SI units.
  *
- * Fails with `BadArgument` for an unknown route, an unknown or missing input and whatever is outside the domain, with
- * `NoResult` where the inputs contradict each other.
+ * Fails with `BadArgument` for an unknown route, an unknown or missing input and whatever is
+ * outside the domain, with `NoResult` where the inputs contradict each other.
  */
 public func evaluateRoute(name: String, inputs: [String: Double])throws  -> [String: Double]  {
     return try  FfiConverterDictionaryStringDouble.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
@@ -19088,9 +19084,7 @@ public func sentenceIn(sentence: Sentence, language: Language) -> String  {
 })
 }
 /**
- * Every sentence and word by its key; `{name}` stands for an argument, `{^name}` for one with a capital. Keys of the live
- * estimator begin with `live.`, those of the plan with `plan.`, of a measurement with `inertia.` and `signal.`, of the criticism
- * with `critique.`.
+ * Every message by its Fluent identifier; `{name}` stands for an argument.
  */
 public func texts(language: Language) -> [NamedText]  {
     return try!  FfiConverterSequenceTypeNamedText.lift(try! rustCall() {
@@ -19142,16 +19136,16 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_library_version() != 45342) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_kept_criticism() != 60844) {
+    if (uniffi_gyradius_ffi_checksum_func_kept_criticism() != 12325) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_forces_from_core_motion() != 34051) {
+    if (uniffi_gyradius_ffi_checksum_func_forces_from_core_motion() != 62872) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_import_recordings() != 29475) {
+    if (uniffi_gyradius_ffi_checksum_func_import_recordings() != 29836) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_stamps_from_core_motion() != 27769) {
+    if (uniffi_gyradius_ffi_checksum_func_stamps_from_core_motion() != 50521) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_live_sentence() != 11108) {
@@ -19172,10 +19166,10 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_procedure_event_from_json() != 49656) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_convert_recorder_file() != 28676) {
+    if (uniffi_gyradius_ffi_checksum_func_convert_recorder_file() != 56362) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_evaluate_route() != 32576) {
+    if (uniffi_gyradius_ffi_checksum_func_evaluate_route() != 4508) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_routes_json() != 1685) {
@@ -19199,7 +19193,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_sentence_in() != 38777) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_func_texts() != 4015) {
+    if (uniffi_gyradius_ffi_checksum_func_texts() != 48740) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_func_unit_of() != 21247) {
@@ -19217,7 +19211,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_analysis_recordings() != 48787) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() != 11138) {
+    if (uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() != 41751) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_result() != 64973) {
@@ -19241,10 +19235,10 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_liveestimator_estimate_json() != 9268) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_liveestimator_push() != 28118) {
+    if (uniffi_gyradius_ffi_checksum_method_liveestimator_push() != 12877) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_decomposition_evaluate() != 60878) {
+    if (uniffi_gyradius_ffi_checksum_method_decomposition_evaluate() != 18412) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_decomposition_json() != 8060) {
@@ -19271,10 +19265,10 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_procedure_folder() != 58407) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_procedure_handle() != 2035) {
+    if (uniffi_gyradius_ffi_checksum_method_procedure_handle() != 42901) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_procedure_push() != 27604) {
+    if (uniffi_gyradius_ffi_checksum_method_procedure_push() != 53843) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_procedure_state() != 39498) {
@@ -19283,7 +19277,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_procedure_state_json() != 64624) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_procedure_work_blocking() != 56759) {
+    if (uniffi_gyradius_ffi_checksum_method_procedure_work_blocking() != 16564) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_recorderfile_damage() != 64894) {
@@ -19307,13 +19301,13 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_recorderwriter_mark() != 56234) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_recorderwriter_push() != 61748) {
+    if (uniffi_gyradius_ffi_checksum_method_recorderwriter_push() != 62007) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_rehearsal_advance() != 56270) {
+    if (uniffi_gyradius_ffi_checksum_method_rehearsal_advance() != 53605) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_rehearsal_by_the_book() != 54940) {
+    if (uniffi_gyradius_ffi_checksum_method_rehearsal_by_the_book() != 61963) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rehearsal_handle() != 58650) {
@@ -19322,7 +19316,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_rehearsal_heard() != 53776) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_rehearsal_mishap() != 58132) {
+    if (uniffi_gyradius_ffi_checksum_method_rehearsal_mishap() != 5542) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rehearsal_state() != 58024) {
@@ -19340,7 +19334,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_session_critique_blocking() != 10333) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_session_measure_blocking() != 56005) {
+    if (uniffi_gyradius_ffi_checksum_method_session_measure_blocking() != 49923) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_session_plan_blocking() != 40710) {
@@ -19361,7 +19355,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_rig_numbers() != 2175) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_rig_simulate() != 35655) {
+    if (uniffi_gyradius_ffi_checksum_method_rig_simulate() != 62423) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_rig_simulate_at() != 27888) {
@@ -19373,7 +19367,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_rig_titled() != 19676) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_rig_write() != 45994) {
+    if (uniffi_gyradius_ffi_checksum_method_rig_write() != 47681) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_simulation_attitude() != 40171) {
@@ -19388,7 +19382,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_simulation_rate_rad_s() != 2180) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_simulation_readings() != 42120) {
+    if (uniffi_gyradius_ffi_checksum_method_simulation_readings() != 58361) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_simulation_slack() != 45839) {
@@ -19400,16 +19394,16 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_method_simulation_velocity_m_s() != 31182) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_progresslistener_on_progress() != 2566) {
+    if (uniffi_gyradius_ffi_checksum_method_progresslistener_on_progress() != 12074) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_constructor_criticism_from_json() != 16975) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_constructor_liveestimator_new() != 30873) {
+    if (uniffi_gyradius_ffi_checksum_constructor_liveestimator_new() != 55540) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_constructor_decomposition_of() != 4385) {
+    if (uniffi_gyradius_ffi_checksum_constructor_decomposition_of() != 18933) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_constructor_plan_make_blocking() != 29411) {
@@ -19427,7 +19421,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_constructor_recorderwriter_create() != 64384) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_constructor_recorderwriter_resume() != 64439) {
+    if (uniffi_gyradius_ffi_checksum_constructor_recorderwriter_resume() != 12112) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_constructor_rehearsal_create() != 42179) {
@@ -19436,7 +19430,7 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_constructor_rehearsal_open() != 41126) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_constructor_session_load() != 59205) {
+    if (uniffi_gyradius_ffi_checksum_constructor_session_load() != 23081) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_constructor_rig_parse() != 38018) {

@@ -449,7 +449,7 @@ fn air_that_grows_with_the_amplitude_shows_in_swings_of_several_amplitudes() {
 
 fn shipped(name: &str) -> LoadedSession {
     load_session(format!(
-        "{}/../python/gyradius/sessions/{name}",
+        "{}/../../../python/gyradius/sessions/{name}",
         env!("CARGO_MANIFEST_DIR")
     ))
     .unwrap()
