@@ -1,9 +1,15 @@
 //! Languages in which messages are written.
 
+use std::str::FromStr;
+
 use serde::{Deserialize, Serialize};
 
+use crate::error::{Error, Result};
+
 /// A language of the messages that an operator reads or hears.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Language {
     /// As everywhere else.
@@ -40,6 +46,17 @@ impl Language {
             Self::English => " and ",
             Self::German => " und ",
         }
+    }
+}
+
+impl FromStr for Language {
+    type Err = Error;
+
+    /// A language by its tag.
+    fn from_str(tag: &str) -> Result<Self> {
+        let known = || Self::ALL.map(Self::tag).join(", ");
+        let found = Self::ALL.into_iter().find(|language| language.tag() == tag);
+        found.ok_or_else(|| Error::argument("language", known(), tag))
     }
 }
 

@@ -3,7 +3,8 @@
 use super::markup::Markup;
 use super::pictures::Figure;
 
-/// A table whose heads are texts of the report and whose rows become paragraphs on a narrow screen, each cell behind its head.
+/// A table whose heads are texts of the report and whose rows become paragraphs on a narrow screen,
+/// each cell behind its head.
 pub(super) fn table(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
     let heads: Vec<String> = heads.iter().map(|head| out.say(head)).collect();
     out.within("div", &[("class", "scroll stacks")], |out| {

@@ -1,10 +1,11 @@
 //! Words of the report, beside those of the result.
 
 use gyradius_base::language::Language;
-pub(super) use gyradius_base::message::{id_in, spaced};
 use gyradius_base::message::{Argument, Message, name};
-use gyradius_identification::{Claim, input, quantity_in, words};
-use gyradius_recording::{ModeName, RepairKind};
+pub(super) use gyradius_base::message::{id_in, spaced};
+use gyradius_diagnosis::DiscrepancyKind;
+use gyradius_identification::{Claim, Route, input, quantity_in, words};
+use gyradius_recording::{ModeName, Repair, RepairKind};
 
 pub(super) use gyradius_diagnosis::cause_name as cause;
 pub(super) use gyradius_identification::route_in as route;
@@ -32,10 +33,7 @@ pub(super) fn plain(text: impl Into<String>) -> Argument {
 }
 
 /// Ids of swings, in a row.
-pub(super) fn ids<'a>(
-    ids: impl IntoIterator<Item = &'a String>,
-    language: Language,
-) -> String {
+pub(super) fn ids<'a>(ids: impl IntoIterator<Item = &'a String>, language: Language) -> String {
     let told: Vec<String> = ids.into_iter().map(|id| id_in(id, language)).collect();
     told.join(", ")
 }
@@ -86,7 +84,9 @@ pub(super) fn claim_from(claim: &Claim, language: Language) -> String {
         _ => return claim.from.clone(),
     };
     let arguments = by.map_or(named, |by| &by.arguments);
-    let named = arguments.iter().map(|(name, value)| (&**name, value.clone()));
+    let named = arguments
+        .iter()
+        .map(|(name, value)| (&**name, value.clone()));
     say(language, key, named)
 }
 
@@ -94,6 +94,14 @@ pub(super) fn claim_from(claim: &Claim, language: Language) -> String {
 pub(super) fn mode_text(mode: ModeName, language: Language) -> String {
     let english = words::mode_text(mode);
     name(&format!("inertia.motion.{english}"), language).unwrap_or_else(|| english.into())
+}
+
+/// The equations that a route takes.
+pub(super) fn equation(route: &Route, language: Language) -> String {
+    match &*route.method {
+        "tilt_fit" => say(language, "equation_of_tilt_fit", []),
+        _ => route.equation.clone(),
+    }
 }
 
 /// What was wrong with a recording.
@@ -111,6 +119,44 @@ pub(super) fn repair(kind: RepairKind, language: Language) -> String {
         RepairKind::SecondSwing => "second_swing_left_out",
     };
     say(language, key, [])
+}
+
+/// What was found in a recording and what was done; where there is no more of it than English, the
+/// sensor and the times.
+pub(super) fn repair_text(repair: &Repair, language: Language) -> String {
+    if language == Language::English {
+        return repair.text.clone();
+    }
+    let sensor = name(repair.sensor.name(), language);
+    let named = [
+        ("sensor", plain(sensor.unwrap_or_default())),
+        ("from", Argument::Number(repair.first_s, 2)),
+        ("to", Argument::Number(repair.last_s, 2)),
+    ];
+    say(language, "repair_place", named)
+}
+
+/// What kind of thing the simulation gets wrong, in words.
+pub(super) fn discrepancy(kind: DiscrepancyKind, language: Language) -> String {
+    let key = match kind {
+        DiscrepancyKind::AcrossTheAxis => "across_the_axis",
+        DiscrepancyKind::BetweenSwings => "between_swings",
+        DiscrepancyKind::DecayVsAmplitude => "decay_against_amplitude",
+        DiscrepancyKind::Dimension => "dimension",
+        DiscrepancyKind::LineInSpectrum => "line_in_spectrum",
+        DiscrepancyKind::PeriodVsAmplitude => "period_against_amplitude",
+        DiscrepancyKind::ResidualVsPhase => "residual_against_phase",
+        DiscrepancyKind::ResidualVsTime => "residual_against_time",
+        DiscrepancyKind::Saturated => "saturated",
+        DiscrepancyKind::Structure => "structure",
+    };
+    say(language, key, [])
+}
+
+/// A parameter of a cause in words, without its unit.
+pub(super) fn parameter(key: &str, unit: &str, language: Language) -> String {
+    let bare = without_unit(key, unit);
+    name(&format!("critique.number.{bare}"), language).unwrap_or_else(|| spaced(bare))
 }
 
 /// A generalised force along a coordinate, in words.

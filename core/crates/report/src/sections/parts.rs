@@ -25,12 +25,18 @@ pub(super) fn court(source: &ReportSource, out: &mut Markup) {
         let flagged = claims.iter().filter(|claim| claim.flagged).count();
         out.element("p", &[], &verdict(claims.len(), flagged, out.language()));
         for claim in claims.iter().filter(|claim| claim.flagged) {
-            out.element("p", &[("class", "flagged")], &words::sentence_case(&claim.message.in_language(out.language())));
+            out.element(
+                "p",
+                &[("class", "flagged")],
+                &words::sentence_case(&claim.message.in_language(out.language())),
+            );
         }
         figures(out, pictures::court(claims, out.language()).as_slice());
         let shown = claims.len().min(pictures::MOST_ROWS);
         let heads = ["claim", "stated_u", "implied_u", "difference", "implied_by"];
-        let rows = claims[..shown].iter().map(|claim| row(claim, out.language()));
+        let rows = claims[..shown]
+            .iter()
+            .map(|claim| row(claim, out.language()));
         let rows: Vec<Vec<String>> = rows.collect();
         table(out, &heads, &rows);
         if claims.len() > shown {

@@ -26,10 +26,15 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
 fn one(source: &ReportSource, swing: &SwingResult, out: &mut Markup) {
     let language = source.language;
     out.within("section", &[("class", "swing")], |out| {
-        out.element("h3", &[], &out.tell("swing", [("id", plain(id_in(&swing.id, language)))]));
+        out.element(
+            "h3",
+            &[],
+            &out.tell("swing", [("id", plain(id_in(&swing.id, language)))]),
+        );
         let said: Vec<String> = [span(swing, out), misfit(swing, out)]
             .into_iter()
-           .flatten().collect();
+            .flatten()
+            .collect();
         if !said.is_empty() {
             out.element("p", &[], &said.join(" "));
         }
@@ -140,11 +145,7 @@ fn repairs(swing: &SwingResult, out: &mut Markup) {
     if swing.repairs.is_empty() {
         return;
     }
-    out.element(
-        "h4",
-        &[],
-        &out.say("repairs"),
-    );
+    out.element("h4", &[], &out.say("repairs"));
     let sentences: Vec<String> = swing
         .repairs
         .iter()
@@ -155,7 +156,10 @@ fn repairs(swing: &SwingResult, out: &mut Markup) {
             } else {
                 String::new()
             };
-            format!("{kind}{count}: {}", repair.text)
+            format!(
+                "{kind}{count}: {}",
+                words::repair_text(repair, out.language())
+            )
         })
         .collect();
     list(out, "notes", &sentences);

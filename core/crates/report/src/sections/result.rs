@@ -68,11 +68,15 @@ fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
                 symbol(out, words.symbol);
             }
         });
-        out.element("td", &[("class", "value")], &value_text(key, quantity, language));
+        out.element(
+            "td",
+            &[("class", "value")],
+            &value_text(key, quantity, language),
+        );
         let u = quantity.u.scalar().unwrap_or(0.0);
-        let bounds = quantity
-            .interval_95
-            .map_or(String::new(), |bounds| language.number(&interval(bounds, u)));
+        let bounds = quantity.interval_95.map_or(String::new(), |bounds| {
+            language.number(&interval(bounds, u))
+        });
         out.element("td", &[("class", "interval")], &bounds);
         if !headline.replaced.is_empty() {
             let base = headline
@@ -184,22 +188,34 @@ fn verdict_text(headline: &Headline, verdict: &Verdict, out: &Markup) -> String 
     };
     let language = out.language();
     let asked = [
-        ("quantity", plain(words::quantity_inside(&verdict.quantity, language))),
+        (
+            "quantity",
+            plain(words::quantity_inside(&verdict.quantity, language)),
+        ),
         ("relation", plain(relation)),
-        ("limit", figure(format!("{} {unit}", significant(verdict.limit, 6)))),
+        (
+            "limit",
+            figure(format!("{} {unit}", significant(verdict.limit, 6))),
+        ),
     ];
     let asked = out.tell("asked", asked);
     let asked = match value {
         Some((v, u)) => {
             let found = figure(format!("{} {unit}", with_u(v, u)));
-            out.tell("asked_measured", [("asked", plain(asked)), ("measured", found)])
+            out.tell(
+                "asked_measured",
+                [("asked", plain(asked)), ("measured", found)],
+            )
         }
         None => asked,
     };
     let probability = percent(verdict.conformance_probability, language);
     let named = [
         ("asked", plain(asked)),
-        ("guard_band", figure(format!("{} {unit}", significant(verdict.guard_band, 2)))),
+        (
+            "guard_band",
+            figure(format!("{} {unit}", significant(verdict.guard_band, 2))),
+        ),
         ("percent", plain(probability)),
     ];
     let judged = out.tell("judged", named);
@@ -228,11 +244,7 @@ fn tensor(headline: &Headline, out: &mut Markup) {
             std::iter::once(axis.to_string()).chain(cells).collect()
         })
         .collect();
-    out.element(
-        "h3",
-        &[],
-        &out.say("tensor"),
-    );
+    out.element("h3", &[], &out.say("tensor"));
     matrix(out, ["", "x", "y", "z"], &rows);
     if !headline.replaced.is_empty() && !headline.replaced.contains_key("inertia_kg_m2") {
         out.element("p", &[("class", "note")], &out.say("by_base"));
