@@ -29,6 +29,13 @@ class Platform(str, Enum):
     ios = "ios"
 
 
+class Language(str, Enum):
+    """The language of a report, by its tag."""
+
+    en = "en"
+    de = "de"
+
+
 def quantity(text: str | None) -> tuple[float, float] | None:
     """``3.477:0.006`` or ``3.477``."""
     if text is None:

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.table import Table
 
 from . import _core
-from .arguments import Orientation, Platform, Suspension, quantity, stated
+from .arguments import Language, Orientation, Platform, Suspension, quantity, stated
 from .arrays import routes as catalogue
 from .critique import FORMAT as CRITIQUE
 from .critique import Critique
@@ -110,13 +110,14 @@ def report(
     critique: Annotated[
         bool, typer.Option("--critique/--no-critique", help="With what the simulation gets wrong, which takes minutes.")
     ] = True,
+    language: Annotated[Language, typer.Option(help="The report's language: English or German.")] = Language.en,
 ) -> None:
     """Write one self-contained HTML file with pictures, or a PDF."""
     with reported(_errors(), json):
         can_be_written(output)
         loaded = _loaded(session)
         measurement = _measured(loaded, limit)
-        write_report(measurement, output, _critique_or_reason(loaded) if critique else None)
+        write_report(measurement, output, _critique_or_reason(loaded) if critique else None, language)
         if json is not None:
             write_json(measurement.to_json(), json)
         _console(json).print(f"Report: {output}", soft_wrap=True, highlight=False, markup=False)
@@ -370,9 +371,14 @@ def _can_be_made(file: Path, replace: bool) -> None:
         raise _core.InputError(f"{file}: it exists already and is not overwritten (--replace does)")
 
 
-def write_report(measurement: Measurement, output: Path, critique: Critique | str | None = None) -> None:
+def write_report(
+    measurement: Measurement,
+    output: Path,
+    critique: Critique | str | None = None,
+    language: Language = Language.en,
+) -> None:
     """Write a report as HTML, or as PDF where the name ends so; with a criticism, or why there is none."""
-    html = measurement.to_html(critique)
+    html = measurement.to_html(critique, language.value)
     if output.suffix.lower() == ".pdf":
         from .pdf import write_pdf
 

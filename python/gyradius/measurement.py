@@ -162,14 +162,14 @@ class Measurement:
         """The JSON text, byte for byte as the core writes it."""
         return self._core.to_json()
 
-    def to_html(self, critique: Critique | str | None = None) -> str:
+    def to_html(self, critique: Critique | str | None = None, language: str = "en") -> str:
         """The report: one self-contained HTML file.
 
-        ``critique`` is the same session's criticism, or the reason why there is none.
+        ``critique`` is the same session's criticism, or the reason why there is none; ``language`` is ``en`` or ``de``.
         """
         if critique is None or isinstance(critique, str):
-            return self._core.to_html(None, critique)
-        return self._core.to_html(critique._core, None)
+            return self._core.to_html(None, critique, language)
+        return self._core.to_html(critique._core, None, language)
 
     @property
     def recorded_swings(self) -> list[str]:

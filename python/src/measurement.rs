@@ -59,17 +59,19 @@ impl Measurement {
         detached(py, || as_json(&self.inner.measurement))
     }
 
-    /// The report: one self-contained HTML file, with the session's criticism or the reason why
-    /// there is none.
+    /// The report: one self-contained HTML file in the language of a tag, with the session's
+    /// criticism or the reason why there is none.
     fn to_html(
         &self,
         py: Python<'_>,
         critique: Option<Bound<'_, Criticism>>,
         no_critique: Option<String>,
+        language: &str,
     ) -> PyResult<String> {
         let criticism = critique.map(|critique| critique.get().inner.clone());
         detached(py, || {
-            let mut source = ReportSource::from_analysis(&self.inner, self.loaded.session());
+            let (loaded, language) = (self.loaded.session(), language.parse()?);
+            let mut source = ReportSource::from_analysis(&self.inner, loaded, language);
             source.criticism = criticism.map(Ok).or(no_critique.map(Err));
             Ok(report::html(&source))
         })

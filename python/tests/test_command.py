@@ -129,6 +129,13 @@ def test_report_as_html_and_pdf(tmp_path: Path) -> None:
     assert pdf.read_bytes().startswith(b"%PDF-")
 
 
+def test_report_in_german(tmp_path: Path) -> None:
+    path, html = gyradius.shipped_session("keelboat"), tmp_path / "r.html"
+    assert run("report", path, "-o", html, "--no-critique", "--language", "de").returncode == 0
+    assert '<html lang="de">' in html.read_text(encoding="utf-8")
+    assert_refused(run("report", path, "-o", html, "--language", "fr"), 2, "language")
+
+
 def test_report_into_a_folder_that_is_not_there(tmp_path: Path) -> None:
     missing = tmp_path / "no" / "r.html"
     assert_refused(run("report", gyradius.shipped_session("keelboat"), "-o", missing, "--no-critique"), 2, str(missing))

@@ -261,6 +261,15 @@ def test_the_texts_of_the_drawings_are_in_the_whole_pdf(reports: dict[str, str],
         assert not missing, name
 
 
+def test_a_german_report_becomes_a_german_pdf(tmp_path: Path) -> None:
+    report = gyradius.load(gyradius.shipped_session("keelboat")).measure().to_html(language="de")
+    write_pdf(report, tmp_path / "r.pdf")
+    assert PdfReader(tmp_path / "r.pdf").trailer["/Root"]["/Lang"] == "de"
+    whole = page_text(tmp_path / "r.pdf")
+    assert "Trägheitsradius Gieren" in whole and "Woher die Unsicherheit kommt" in whole
+    assert not re.search(r"gyradius|uncertainty|\d\.\d", whole.replace(f"gyradius {gyradius.__version__}", ""))
+
+
 def test_drawings_stay_vectors(reports: dict[str, str], tmp_path: Path) -> None:
     write_pdf(reports["keelboat"], tmp_path / "r.pdf")
     reader = PdfReader(tmp_path / "r.pdf")

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use gyradius_core::identification::{self, Measurement};
 use gyradius_core::import::Loaded;
+use gyradius_core::language::Language;
 use gyradius_core::report::{self, Figure, RecordingFigureData, ReportSource};
 
 use crate::as_json;
@@ -24,9 +25,9 @@ impl Analysis {
         Arc::new(Self { inner, loaded })
     }
 
-    fn source(&self, criticism: Option<Arc<Criticism>>) -> ReportSource {
+    fn source(&self, criticism: Option<Arc<Criticism>>, language: Language) -> ReportSource {
         let criticism = criticism.map(|criticism| Ok(criticism.inner().clone()));
-        let source = ReportSource::from_analysis(&self.inner, self.loaded.session());
+        let source = ReportSource::from_analysis(&self.inner, self.loaded.session(), language);
         ReportSource {
             criticism,
             ..source
@@ -46,22 +47,25 @@ impl Analysis {
         as_json(&self.inner.measurement)
     }
 
-    /// What was recorded, with fit, residual and spectrum, thinned for plots.
-    pub fn recordings(&self) -> Vec<RecordingFigureData> {
-        self.source(None).recordings
+    /// What was recorded, with fit, residual and spectrum, thinned for plots; channels and modes by
+    /// their names in a language.
+    pub fn recordings(&self, language: Language) -> Vec<RecordingFigureData> {
+        self.source(None, language).recordings
     }
 
-    /// The report: one self-contained HTML file, with the session's criticism where one is given.
+    /// The report: one self-contained HTML file in a language, with the session's criticism where
+    /// one is given.
     /// `measured_on` is the date as the operator writes it, in the place of the session's own; the
     /// report leaves a blank where neither is there.
     pub fn report_html_blocking(
         &self,
         criticism: Option<Arc<Criticism>>,
         measured_on: Option<String>,
+        language: Language,
         listener: Listener,
     ) -> Result<String> {
         announced(&listener, "writing the report", || {
-            let source = self.source(criticism);
+            let source = self.source(criticism, language);
             let measured_on = measured_on.or(source.measured_on);
             Ok(report::html(&ReportSource {
                 measured_on,
@@ -70,8 +74,8 @@ impl Analysis {
         })
     }
 
-    /// The report's pictures by themselves.
-    pub fn figures(&self, criticism: Option<Arc<Criticism>>) -> Vec<Figure> {
-        report::figures(&self.source(criticism))
+    /// The report's pictures by themselves, in a language.
+    pub fn figures(&self, criticism: Option<Arc<Criticism>>, language: Language) -> Vec<Figure> {
+        report::figures(&self.source(criticism, language))
     }
 }

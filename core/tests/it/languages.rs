@@ -81,6 +81,24 @@ fn every_message_is_used() {
 }
 
 #[test]
+fn a_language_is_known_by_its_tag() {
+    for language in Language::ALL {
+        assert_eq!(language.tag().parse::<Language>().unwrap(), language);
+    }
+    assert!("fr".parse::<Language>().is_err());
+}
+
+#[test]
+fn every_text_of_the_report_is_there() {
+    let report = |language| -> BTreeSet<String> {
+        let ids = texts(language).into_iter().map(|(id, _)| id);
+        ids.filter(|id| id.starts_with("report-")).collect()
+    };
+    let english = report(Language::English);
+    assert!(english.len() > 200 && english == report(Language::German));
+}
+
+#[test]
 fn an_id_is_told_by_its_words() {
     let told = |id: &str| [Language::English, Language::German].map(|language| id_in(id, language));
     assert_eq!(told("yaw-sway-2"), ["yaw-sway-2", "Gieren-Querschwingen-2"]);

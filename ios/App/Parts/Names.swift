@@ -12,7 +12,7 @@ func spoken(_ warning: PlanWarning) -> String {
 }
 
 /// The language of the app's own words, so that a screen never mixes two.
-private var libraryLanguage: Language { Words.libraryLanguage == "GERMAN" ? .german : .english }
+var libraryLanguage: Language { Words.libraryLanguage == "GERMAN" ? .german : .english }
 
 /// What went wrong.
 func spoken(_ failure: Failure) -> String {

@@ -34,11 +34,12 @@ struct ResultView: View {
       }
       HelpButton(text: Words.helpResult)
     }
-    .task { await model.open(measurable) }
+    .task { await model.open(measurable, in: libraryLanguage) }
   }
 
   private func print() async {
-    guard let report = await model.report(into: FileManager.default.temporaryDirectory) else { return }
+    let folder = FileManager.default.temporaryDirectory
+    guard let report = await model.report(into: folder, in: libraryLanguage) else { return }
     printer.print(report)
   }
 }

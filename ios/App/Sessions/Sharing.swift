@@ -52,7 +52,7 @@ struct SharedReport: Transferable {
   static var transferRepresentation: some TransferRepresentation {
     FileRepresentation(exportedContentType: .html) { shared in
       let folder = FileManager.default.temporaryDirectory
-      guard let file = await shared.model.report(into: folder) else { throw NotMade() }
+      guard let file = await shared.model.report(into: folder, in: libraryLanguage) else { throw NotMade() }
       return SentTransferredFile(file)
     }
   }

@@ -211,7 +211,7 @@ pub struct LearnedForce {
     /// The simplest closed form that does as well.
     pub equation: String,
     /// The same in words.
-    pub text: String,
+    pub message: Sentence,
     /// Held-out residual over noise with the force in the simulation.
     pub heldout_rms_over_noise: Option<f64>,
     /// The same with the closed form.

@@ -18,12 +18,14 @@ public final class ResultModel {
   private var opened: Measurable?
   private var session: Session?
   private var analysis: Analysis?
+  private var language = Language.english
 
   public init() {}
 
-  /// Reads a session, measures it, and takes the criticism that was kept, if there is one.
-  public func open(_ found: Measurable) async {
+  /// Reads a session, measures it, and takes the criticism that was kept; channels have names in a language.
+  public func open(_ found: Measurable, in language: Language = .english) async {
     (opened, title, limits) = (found, found.title, found.limits)
+    self.language = language
     await work {
       let session = try await Session.load(found.session)
       self.session = session
@@ -41,13 +43,13 @@ public final class ResultModel {
     }
   }
 
-  /// Writes the report into a folder, with the criticism where there is one.
-  public func report(into folder: URL) async -> URL? {
+  /// Writes the report in a language into a folder, with the criticism where there is one.
+  public func report(into folder: URL, in language: Language = .english) async -> URL? {
     let file = folder.appending(path: "report.html")
     var written: URL?
     await work {
       guard let analysis else { return }
-      let html = try await analysis.reportHtml(criticism: criticism.found)
+      let html = try await analysis.reportHtml(criticism: criticism.found, language: language)
       try html.write(to: file, atomically: true, encoding: .utf8)
       written = file
     }
@@ -60,7 +62,7 @@ public final class ResultModel {
       Task { @MainActor in if self.share != nil { self.share = share } }
     }
     analysis = found
-    (result, recordings) = (found.result(), found.recordings())
+    (result, recordings) = (found.result(), found.recordings(language: language))
   }
 
   private func work(_ what: () async throws -> Void) async {

@@ -42,14 +42,16 @@ extension Plan {
 }
 
 extension Analysis {
-  /// The report: one self-contained HTML file.
+  /// The report: one self-contained HTML file in a language.
   public func reportHtml(
     criticism: Criticism? = nil,
     measuredOn: String? = nil,
+    language: Language = .english,
     onProgress: OnProgress? = nil
   ) async throws -> String {
     try await watched(onProgress) {
-      try self.reportHtmlBlocking(criticism: criticism, measuredOn: measuredOn, listener: $0)
+      try self.reportHtmlBlocking(
+        criticism: criticism, measuredOn: measuredOn, language: language, listener: $0)
     }
   }
 }

@@ -39,7 +39,7 @@ import Testing
 
   @Test func picturesComeThinned() async throws {
     let analysis = try await Self.boatPark.value
-    let recordings = analysis.recordings()
+    let recordings = analysis.recordings(language: .english)
     #expect(recordings.count == 5)
     for trace in recordings.flatMap(\.traces) {
       // A pause in the record adds a point to the 1200 of the core.
@@ -47,9 +47,12 @@ import Testing
       #expect(trace.measured.x.count == trace.measured.y.count)
     }
     #expect(recordings.allSatisfy { $0.spectrum?.amplitude.x.isEmpty == false })
-    #expect(analysis.figures(criticism: nil).allSatisfy { $0.svg.hasPrefix("<svg") && !$0.title.isEmpty })
+    let figures = analysis.figures(criticism: nil, language: .english)
+    #expect(figures.allSatisfy { $0.svg.hasPrefix("<svg") && !$0.title.isEmpty })
     let html = try await analysis.reportHtml(measuredOn: "4 May 2026")
     #expect(html.hasPrefix("<!DOCTYPE html>") && html.contains("4 May 2026"))
+    let german = try await analysis.reportHtml(language: .german)
+    #expect(german.contains("<html lang=\"de\">") && german.contains("Trägheitsradius Gieren"))
   }
 
   @Test func aCriticismThatWasKeptHeadsTheReport() async throws {

@@ -18,11 +18,11 @@ macro_rules! files {
     };
 }
 
-const ENGLISH: [&str; 6] = files!(
-    "en": "signal", "online", "identification", "diagnosis", "planning", "procedure"
+const ENGLISH: [&str; 7] = files!(
+    "en": "signal", "online", "identification", "diagnosis", "planning", "procedure", "report"
 );
-const GERMAN: [&str; 6] = files!(
-    "de": "signal", "online", "identification", "diagnosis", "planning", "procedure"
+const GERMAN: [&str; 7] = files!(
+    "de": "signal", "online", "identification", "diagnosis", "planning", "procedure", "report"
 );
 
 type Bundle = FluentBundle<FluentResource>;

@@ -1,12 +1,19 @@
 //! Languages in which messages are written.
 
+use std::str::FromStr;
+
 use serde::{Deserialize, Serialize};
 
+use crate::error::{Error, Result};
+
 /// A language of the messages that an operator reads or hears.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum Language {
     /// As everywhere else.
+    #[default]
     English,
     /// With decimal commas.
     German,
@@ -25,12 +32,31 @@ impl Language {
         }
     }
 
+    /// Its tag, as documents name it.
+    pub fn tag(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::German => "de",
+        }
+    }
+
     /// The word between the last two of a list.
     pub fn and(self) -> &'static str {
         match self {
             Self::English => " and ",
             Self::German => " und ",
         }
+    }
+}
+
+impl FromStr for Language {
+    type Err = Error;
+
+    /// A language by its tag.
+    fn from_str(tag: &str) -> Result<Self> {
+        let known = || Self::ALL.map(Self::tag).join(", ");
+        let found = Self::ALL.into_iter().find(|language| language.tag() == tag);
+        found.ok_or_else(|| Error::argument("language", known(), tag))
     }
 }
 

@@ -8,6 +8,8 @@ use super::closed_form::Whole;
 use super::point::Form;
 use super::result::LearnedForce;
 use super::search::Found;
+use super::words;
+use gyradius_base::message::{Argument, Message};
 
 /// Positions and rates at which the force is told, shares of the scale.
 const GRID: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
@@ -30,13 +32,13 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
 }
 
 /// A shape that is its own closed form, and acts on more than one coordinate.
-fn of_all(equation: String, text: String, heldout_rms: f64) -> LearnedForce {
+fn of_all(equation: String, message: Message, heldout_rms: f64) -> LearnedForce {
     LearnedForce {
         coordinate: "all".into(),
         unit: "N".into(),
         points: vec![],
         equation,
-        text,
+        message,
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some(heldout_rms),
     }
@@ -56,10 +58,9 @@ fn second(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
         "F(t) = −m s̈, s̈ + 2 ζ ω ṡ + ω² s = −a; m = {mass_kg:.3} kg, ω = 2π · {frequency_hz:.3} Hz, ζ = {:.3}",
         log_damping.exp()
     );
-    let text = format!(
-        "What is missing looks most like something more that moves inside the hull, with a frequency of its own of {frequency_hz:.2} Hz"
-    );
-    Some(of_all(equation, text, heldout_rms))
+    let frequency = [("frequency_hz", words::number(frequency_hz, 2))];
+    let message = words::message("learned_second", frequency);
+    Some(of_all(equation, message, heldout_rms))
 }
 
 fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> {
@@ -80,8 +81,9 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
         .collect();
     let at_s = cause.parameters[4].told(values[4]);
     let equation = format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", "));
-    let text = format!("{id}: something pushed the hull at {at_s:.2} s of the recording");
-    Some(of_all(equation, text, heldout_rms))
+    let named = [("swing", words::id(id)), ("at_s", words::number(at_s, 2))];
+    let message = words::message("learned_knock", named);
+    Some(of_all(equation, message, heldout_rms))
 }
 
 /// Lines that are longer from a moment on: no force of its own, but the lines'.
@@ -96,18 +98,20 @@ fn line_slip(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedFor
     let at_s = cause.parameters.get(2)?.told(at_s);
     let line_mm = 1e3 * cause.parameters.first()?.factor;
     let id = &found.model.swing(swing).setup.swing.id;
-    let more = format!(
-        "{:+.2} mm and {:+.2} mm",
-        positive * line_mm,
-        negative * line_mm
-    );
+    let more = [positive, negative].map(|share| format!("{:+.2}", share * line_mm));
+    let [positive_mm, negative_mm] = &more;
     let equation = format!(
-        "l(t > {at_s:.2} s) = l + {more} (line on the positive side of the axis, on the negative)"
+        "l(t > {at_s:.2} s) = l + {positive_mm} mm and {negative_mm} mm (line on the positive side of the axis, on the negative)"
     );
-    let text = format!(
-        "{id}: at {at_s:.2} s of the recording a line gave way: the lines are longer by {more} from then on"
-    );
-    Some(of_all(equation, text, heldout_rms))
+    let [positive_mm, negative_mm] = more.map(words::written);
+    let named = [
+        ("swing", words::id(id)),
+        ("at_s", words::number(at_s, 2)),
+        ("positive_mm", positive_mm),
+        ("negative_mm", negative_mm),
+    ];
+    let message = words::message("learned_line_slip", named);
+    Some(of_all(equation, message, heldout_rms))
 }
 
 fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedForce> {
@@ -145,14 +149,12 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
         unit: unit.into(),
         points: points(found, position, rate)?,
         equation: format!("{letter}_{name} = {} {unit}", sum.join(" ")),
-        text: format!(
-            "What is missing acts on the {name} and looks most like {}",
-            closed
-                .terms
-                .iter()
-                .map(|t| in_words(TERMS[*t]))
-                .collect::<Vec<_>>()
-                .join(" and ")
+        message: words::message(
+            "learned_acts",
+            [
+                ("motion", Argument::Word(format!("inertia.motion.{name}"))),
+                ("shapes", shapes(closed.terms.iter().map(|t| TERMS[*t]))),
+            ],
         ),
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: Some((chi2 / rows.max(1) as f64).sqrt()),
@@ -174,18 +176,23 @@ pub fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (S
     (text, scale)
 }
 
-pub fn in_words(term: &str) -> &'static str {
-    match term {
-        "xx" => "a spring that is stiffer on one side",
-        "xv" => "a drag that is stronger on one side",
-        "vv" => "a push that grows with the square of the speed, one way",
-        "xxx" => "a spring that is stiffer (or softer) at wide angles",
-        "xxv" => "a drag that is stronger away from the middle",
-        "xvv" => "a spring that is stiffer (or softer) at speed",
-        "vvv" => "a drag with the third power of the speed",
-        "xt" => "a spring that changes with time",
-        _ => "a drag that changes with time",
-    }
+fn in_words(term: &str) -> Argument {
+    words::word(match term {
+        "xx" => "shape.spring_on_one_side",
+        "xv" => "shape.drag_on_one_side",
+        "vv" => "shape.push_one_way",
+        "xxx" => "shape.spring_at_wide_angles",
+        "xxv" => "shape.drag_away_from_middle",
+        "xvv" => "shape.spring_at_speed",
+        "vvv" => "shape.drag_of_third_power",
+        "xt" => "shape.spring_with_time",
+        _ => "shape.drag_with_time",
+    })
+}
+
+/// What terms look like, in a row.
+pub fn shapes<'a>(terms: impl Iterator<Item = &'a str>) -> Argument {
+    words::row(terms.map(in_words).collect(), "and", "and")
 }
 
 /// The force with its standard uncertainty on a grid of positions and rates at the start and after

@@ -257,7 +257,9 @@ pub struct LearnedForce {
     /// The simplest closed form that does as well.
     pub equation: String,
     /// The same in words.
-    pub text: String,
+    #[serde(flatten, with = "text_and_said")]
+    #[schemars(with = "text_and_said::TextAndSaid")]
+    pub message: Message,
     /// Held-out residual over noise with the force in the simulation.
     pub heldout_rms_over_noise: Option<f64>,
     /// The same with the closed form.

@@ -7,6 +7,7 @@
 
 use super::markup::Markup;
 use super::scale::{Scale, drawable, extent, padded};
+use gyradius_base::language::Language;
 
 /// Width of every picture. At 12 units a letter reads on a phone (332 pixels wide) as on a desk
 /// (520).
@@ -50,7 +51,7 @@ pub(super) enum Mark<'a> {
         colour: &'static str,
     },
     /// A horizontal level with its standard uncertainty and a name.
-    Level { y: f64, u: f64, name: &'static str },
+    Level { y: f64, u: f64, name: String },
     /// Vertical lines with names, written above the panel.
     Names { x: Vec<(f64, String)> },
 }
@@ -60,9 +61,9 @@ pub(super) struct Panel<'a> {
     /// What is shown and its unit, written above.
     pub heading: String,
     /// Colours explained, at the right of the heading.
-    pub legend: Vec<(&'static str, &'static str)>,
+    pub legend: Vec<(&'static str, String)>,
     /// Label of the x axis; ticks have no text where it is empty (the panel below has them).
-    pub x_label: &'static str,
+    pub x_label: String,
     /// Range of x; that of the marks where absent.
     pub x_range: Option<[f64; 2]>,
     /// Logarithmic y.
@@ -74,8 +75,8 @@ pub(super) struct Panel<'a> {
 }
 
 /// Panels under one another as an SVG.
-pub(super) fn stacked(title: &str, panels: &[Panel]) -> String {
-    let mut body = Markup::default();
+pub(super) fn stacked(title: &str, panels: &[Panel], language: Language) -> String {
+    let mut body = Markup::in_language(language);
     let mut top = 0.0;
     for panel in panels {
         top = panel.draw(&mut body, top);
@@ -212,7 +213,7 @@ impl Panel<'_> {
                 bottom - 4.0,
                 "end",
                 colour::MUTED,
-                self.x_label,
+                &self.x_label,
             );
         }
         bottom
@@ -257,6 +258,7 @@ impl Panel<'_> {
                 continue;
             };
             line(out, (LEFT, y), (WIDTH - RIGHT, y), colour::GRID, 1.0);
+            let label = out.language().number(&label);
             text(out, LEFT - 6.0, y + 4.0, "end", colour::MUTED, &label);
         }
         for (value, label) in axes.x.ticks(6) {
@@ -271,6 +273,7 @@ impl Panel<'_> {
                 1.0,
             );
             if !self.x_label.is_empty() {
+                let label = out.language().number(&label);
                 text(
                     out,
                     x,

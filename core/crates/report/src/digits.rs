@@ -1,6 +1,7 @@
 //! Numbers as a measurer writes them: as many digits as the uncertainty allows.
 
-use gyradius_base::language::minus;
+use super::words::say;
+use gyradius_base::language::{Language, minus};
 use gyradius_recording::Quantity;
 
 /// Digits of an uncertainty (GUM 7.2.6: at most two).
@@ -119,12 +120,12 @@ pub(super) fn sigmas(value: f64) -> String {
 }
 
 /// A probability in percent that does not round to certainty.
-pub(super) fn percent(probability: f64) -> String {
+pub(super) fn percent(probability: f64, language: Language) -> String {
     match 100.0 * probability {
         p if !p.is_finite() => NOTHING.into(),
-        p if p > 99.9 => "over 99.9".into(),
-        p if p < 0.1 => "under 0.1".into(),
-        p => format!("{p:.1}"),
+        p if p > 99.9 => say(language, "over_99_9", []),
+        p if p < 0.1 => say(language, "under_0_1", []),
+        p => language.number(&format!("{p:.1}")),
     }
 }
 

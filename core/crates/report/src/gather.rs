@@ -7,7 +7,9 @@ use super::source::{
     Trace,
 };
 use super::thin::thinned;
-use super::words;
+use super::words::{self, plain, say};
+use gyradius_base::language::Language;
+use gyradius_base::message::{Argument, Message};
 use gyradius_identification::{Analysis, Evidence};
 use gyradius_recording::{InclineAngle, LoadedSession, Quantity, Session};
 use gyradius_signal::{ChannelGroup, residuals, spectrum};
@@ -19,16 +21,26 @@ const CLOSE_UP_SHARE: f64 = 0.6;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl ReportSource {
-    /// Fills in everything that an analysis and its session tell; a criticism, and a date where the
-    /// session has none, are for the caller to add.
-    pub fn from_analysis(analysis: &Analysis, loaded: Option<&LoadedSession>) -> Self {
+    /// Fills in everything that an analysis and its session tell, for a report in a language; a
+    /// criticism, and a date where the session has none, are for the caller to add.
+    pub fn from_analysis(
+        analysis: &Analysis,
+        loaded: Option<&LoadedSession>,
+        language: Language,
+    ) -> Self {
+        let evidence = analysis.evidence.iter().flatten();
         let session = loaded.map(|loaded| &loaded.session);
         Self {
+            language,
             measurement: analysis.measurement.clone(),
             criticism: None,
             body: session.map(body).unwrap_or_default(),
-            stated: session.map(stated).unwrap_or_default(),
-            recordings: analysis.evidence.iter().flatten().map(recording).collect(),
+            stated: session
+                .map(|session| stated(session, language))
+                .unwrap_or_default(),
+            recordings: evidence
+                .map(|evidence| recording(evidence, language))
+                .collect(),
             measured_on: session
                 .map(|session| session.measured_on.clone())
                 .filter(|date| !date.is_empty()),
@@ -47,43 +59,50 @@ fn body(session: &Session) -> BodyFacts {
 }
 
 /// Every stated figure, the same figure of several swings once.
-fn stated(session: &Session) -> Vec<StatedFigure> {
+fn stated(session: &Session, language: Language) -> Vec<StatedFigure> {
+    let name = |key: &str| say(language, key, []);
     let mut list = Stated::default();
-    list.add("gravity", session.site.gravity_m_s2, "m/s²", None);
+    list.add(
+        name("stated_gravity"),
+        session.site.gravity_m_s2,
+        "m/s²",
+        None,
+    );
     for swing in &session.swings {
         let hung = &swing.suspension;
         let id = Some(&*swing.id);
-        list.add("line length", hung.line_length_m, "m", id);
-        list.add("spacing on the hull", hung.spacing_m, "m", id);
-        list.add("spacing above", hung.top_spacing_m, "m", id);
-        list.add("height of the swing axis", hung.axis_height_m, "m", id);
-        list.add("hull pitch, bow up", hung.hull_pitch_deg, "°", id);
-        list.add(
-            "suspension points moved forward",
-            hung.points_moved_m,
-            "m",
-            id,
-        );
+        list.add(name("stated_line_length"), hung.line_length_m, "m", id);
+        list.add(name("stated_spacing"), hung.spacing_m, "m", id);
+        list.add(name("stated_top_spacing"), hung.top_spacing_m, "m", id);
+        list.add(name("stated_axis_height"), hung.axis_height_m, "m", id);
+        list.add(name("stated_hull_pitch"), hung.hull_pitch_deg, "°", id);
+        list.add(name("stated_points_moved"), hung.points_moved_m, "m", id);
         swing
             .added_masses
             .iter()
-            .for_each(|mass| list.add("added mass", Some(mass.mass_kg), "kg", id));
+            .for_each(|mass| list.add(name("added_mass"), Some(mass.mass_kg), "kg", id));
     }
     for attachment in &session.attachments {
         list.add(
-            &format!("mass of {}", attachment.name),
+            say(language, "mass_of", [("name", plain(&attachment.name))]),
             Some(attachment.mass_kg),
             "kg",
             None,
         );
     }
     for (i, incline) in session.inclines.iter().enumerate() {
-        let id = format!("incline {}", i + 1);
-        list.add("inclining weight", Some(incline.mass_kg), "kg", Some(&id));
-        list.add("its arm", Some(incline.arm_m), "m", Some(&id));
-        list.add("its depth", Some(incline.depth_m), "m", Some(&id));
+        let number = plain((i + 1).to_string());
+        let id = say(language, "incline_number", [("number", number)]);
+        list.add(
+            name("inclining_weight"),
+            Some(incline.mass_kg),
+            "kg",
+            Some(&id),
+        );
+        list.add(name("its_arm"), Some(incline.arm_m), "m", Some(&id));
+        list.add(name("its_depth"), Some(incline.depth_m), "m", Some(&id));
         if let InclineAngle::Stated(angle) = incline.angle {
-            list.add("incline angle", Some(angle), "°", Some(&id));
+            list.add(name("incline_angle"), Some(angle), "°", Some(&id));
         }
     }
     list.figures
@@ -95,7 +114,7 @@ struct Stated {
 }
 
 impl Stated {
-    fn add(&mut self, what: &str, value: Option<Quantity>, unit: &str, id: Option<&str>) {
+    fn add(&mut self, what: String, value: Option<Quantity>, unit: &str, id: Option<&str>) {
         let Some(value) = value else { return };
         let known = self
             .figures
@@ -108,7 +127,7 @@ impl Stated {
                 }
             }
             _ => self.figures.push(StatedFigure {
-                what: what.into(),
+                what,
                 value,
                 unit: unit.into(),
                 applies_to: id.into_iter().map(String::from).collect(),
@@ -120,6 +139,7 @@ impl Stated {
 /// One channel of a record with what the fit leaves of it.
 struct Channel<'a> {
     evidence: &'a Evidence,
+    language: Language,
     /// Counted through all groups.
     index: usize,
     t_s: &'a [f64],
@@ -129,7 +149,7 @@ struct Channel<'a> {
     unit: &'static str,
 }
 
-fn recording(evidence: &Evidence) -> RecordingFigureData {
+fn recording(evidence: &Evidence, language: Language) -> RecordingFigureData {
     let left = residuals(&evidence.groups, &evidence.found);
     let firsts: Vec<usize> =
         if evidence.map.gyroscope.is_none() && evidence.map.accelerometer.is_none() {
@@ -142,7 +162,7 @@ fn recording(evidence: &Evidence) -> RecordingFigureData {
         };
     let channels: Vec<Channel> = firsts
         .into_iter()
-        .filter_map(|first| Channel::strongest(evidence, &left, first))
+        .filter_map(|first| Channel::strongest((evidence, language), &left, first))
         .collect();
     RecordingFigureData {
         id: evidence.id.clone(),
@@ -153,7 +173,11 @@ fn recording(evidence: &Evidence) -> RecordingFigureData {
 
 impl<'a> Channel<'a> {
     /// The channel of the sensor that starts at `first` in which the modes are strongest.
-    fn strongest(evidence: &'a Evidence, left: &'a [ChannelGroup], first: usize) -> Option<Self> {
+    fn strongest(
+        (evidence, language): (&'a Evidence, Language),
+        left: &'a [ChannelGroup],
+        first: usize,
+    ) -> Option<Self> {
         let mut start = 0;
         let group = evidence.groups.iter().position(|group| {
             start += group.channels.len();
@@ -171,9 +195,10 @@ impl<'a> Channel<'a> {
                 .sum()
         };
         let index = (first..start).max_by(|a, b| energy(a).total_cmp(&energy(b)))?;
-        let (label, unit) = label(evidence, index);
+        let (label, unit) = label(evidence, index, language);
         Some(Self {
             evidence,
+            language,
             index,
             t_s: &in_group.t_s,
             measured: &in_group.channels[index - first_of_group],
@@ -243,7 +268,7 @@ impl<'a> Channel<'a> {
             .zip(&self.evidence.named)
             .map(|(mode, named)| Peak {
                 freq_hz: mode.omega_rad_s / TAU,
-                name: words::mode_text(named.name).into(),
+                name: words::mode_text(named.name, self.language),
             });
         SpectrumFigureData {
             label: self.label.clone(),
@@ -255,13 +280,17 @@ impl<'a> Channel<'a> {
     }
 }
 
-fn label(evidence: &Evidence, index: usize) -> (String, &'static str) {
+fn label(evidence: &Evidence, index: usize, language: Language) -> (String, &'static str) {
+    let along = |key: &str, axis: &str| {
+        let axis = ("axis", Argument::Plain(axis.into()));
+        Message::new(key, [axis]).in_language(language)
+    };
     let axis = |first: Option<usize>| first.and_then(|first| AXES.get(index.checked_sub(first)?));
     if let Some(axis) = axis(evidence.map.gyroscope) {
-        return (format!("turn rate about the phone's {axis}"), "rad/s");
+        return (along("critique.channel_turn", axis), "rad/s");
     }
     match axis(evidence.map.accelerometer) {
-        Some(axis) => (format!("acceleration along the phone's {axis}"), "m/s²"),
-        None => ("displacement".into(), "m"),
+        Some(axis) => (along("critique.channel_force", axis), "m/s²"),
+        None => (say(language, "displacement", []), "m"),
     }
 }

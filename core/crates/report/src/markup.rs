@@ -2,6 +2,9 @@
 //! own, all else is escaped.
 
 use super::pictures::Figure;
+use super::words;
+use gyradius_base::language::Language;
+use gyradius_base::message::Argument;
 
 /// Attributes of an element: names are the program's, values are escaped.
 pub(super) type Attributes<'a> = &'a [(&'static str, &'a str)];
@@ -10,9 +13,37 @@ pub(super) type Attributes<'a> = &'a [(&'static str, &'a str)];
 #[derive(Debug, Default)]
 pub(super) struct Markup {
     text: String,
+    language: Language,
 }
 
 impl Markup {
+    /// An empty piece in a language.
+    pub fn in_language(language: Language) -> Self {
+        Self {
+            language,
+            ..Self::default()
+        }
+    }
+
+    /// The language that it is written in.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
+    /// A text of the report.
+    pub fn say(&self, key: &str) -> String {
+        words::say(self.language, key, [])
+    }
+
+    /// A text of the report with what it names.
+    pub fn tell<'a>(
+        &self,
+        key: &str,
+        named: impl IntoIterator<Item = (&'a str, Argument)>,
+    ) -> String {
+        words::say(self.language, key, named)
+    }
+
     /// Message, escaped.
     pub fn write(&mut self, text: &str) {
         text.chars().for_each(|character| self.push(character));

@@ -12,9 +12,9 @@ const STYLE: &str = include_str!("style.css");
 
 /// The report as one self-contained HTML file.
 pub fn html(source: &ReportSource) -> String {
-    let mut out = Markup::default();
+    let mut out = Markup::in_language(source.language);
     out.raw("<!DOCTYPE html>\n");
-    out.within("html", &[("lang", "en")], |out| {
+    out.within("html", &[("lang", source.language.tag())], |out| {
         out.within("head", &[], |out| head(source, out));
         out.within("body", &[], |out| {
             out.within("main", &[], |out| sections::body(source, out));
@@ -40,7 +40,7 @@ fn head(source: &ReportSource, out: &mut Markup) {
             &[("name", "generator"), ("content", &source.generated_by)],
         );
     }
-    out.element("title", &[], sections::title(source));
+    out.element("title", &[], &sections::title(source));
     out.within("style", &[], |out| out.raw(STYLE));
 }
 
@@ -61,33 +61,36 @@ fn embedded(id: &str, result: &impl Serialize, out: &mut Markup) {
 
 /// Every picture of the report, in its order.
 pub fn figures(source: &ReportSource) -> Vec<Figure> {
-    let measurement = &source.measurement;
-    let mut all: Vec<Figure> = pictures::court(&measurement.consistency)
+    let (measurement, language) = (&source.measurement, source.language);
+    let mut all: Vec<Figure> = pictures::court(&measurement.consistency, language)
         .into_iter()
         .collect();
     if let Some(criticism) = source.criticised() {
-        all.extend(pictures::causes(&criticism.critique));
-        all.extend(pictures::against_simulations(&criticism.traces));
+        all.extend(pictures::causes(&criticism.critique, language));
+        all.extend(pictures::against_simulations(&criticism.traces, language));
         all.extend(
             criticism
                 .critique
                 .learned
                 .as_ref()
-                .and_then(pictures::learned_force),
+                .and_then(|force| pictures::learned_force(force, language)),
         );
     }
-    all.extend(pictures::budgets(measurement));
+    all.extend(pictures::budgets(measurement, language));
     for swing in &measurement.swings {
         if let Some(recording) = source
             .recordings
             .iter()
             .find(|recording| recording.id == swing.id)
         {
-            all.extend(pictures::fits(recording));
-            all.extend(pictures::spectrum(recording));
+            all.extend(pictures::fits(recording, language));
+            all.extend(pictures::spectrum(recording, language));
         }
-        all.extend(pictures::against_amplitude(swing));
+        all.extend(pictures::against_amplitude(swing, language));
     }
-    all.extend(pictures::ellipsoids(&Headline::of(source).quantities));
+    all.extend(pictures::ellipsoids(
+        &Headline::of(source).quantities,
+        language,
+    ));
     all
 }

@@ -1,5 +1,6 @@
 //! What a report is made from: plain data, so that any program can fill it in.
 
+use gyradius_base::language::Language;
 use gyradius_diagnosis::Criticism;
 use gyradius_identification::Measurement;
 use gyradius_recording::Quantity;
@@ -7,6 +8,8 @@ use gyradius_recording::Quantity;
 /// Everything in a report.
 #[derive(Debug, Clone, Default)]
 pub struct ReportSource {
+    /// The language of the report; names of stated figures and channels come in it already.
+    pub language: Language,
     /// The result.
     pub measurement: Measurement,
     /// What the simulation gets wrong, or why nothing can be said of it; absent where nobody asked.

@@ -3,19 +3,23 @@
 use super::markup::Markup;
 use super::pictures::Figure;
 
-/// A table whose rows become paragraphs on a narrow screen, each cell behind its head.
+/// A table whose heads are texts of the report and whose rows become paragraphs on a narrow screen,
+/// each cell behind its head.
 pub(super) fn table(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
+    let heads: Vec<String> = heads.iter().map(|head| out.say(head)).collect();
     out.within("div", &[("class", "scroll stacks")], |out| {
-        grid(out, heads, rows)
+        grid(out, &heads, rows)
     });
 }
 
 /// A table that keeps its shape and scrolls sideways on a narrow screen.
-pub(super) fn matrix(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
-    out.within("div", &[("class", "scroll")], |out| grid(out, heads, rows));
+pub(super) fn matrix(out: &mut Markup, heads: [&str; 4], rows: &[Vec<String>]) {
+    out.within("div", &[("class", "scroll")], |out| {
+        grid(out, &heads.map(String::from), rows)
+    });
 }
 
-fn grid(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
+fn grid(out: &mut Markup, heads: &[String], rows: &[Vec<String>]) {
     out.within("table", &[], |out| {
         out.within("thead", &[], |out| {
             out.within("tr", &[], |out| {
@@ -28,7 +32,7 @@ fn grid(out: &mut Markup, heads: &[&str], rows: &[Vec<String>]) {
     });
 }
 
-fn row(out: &mut Markup, heads: &[&str], cells: &[String]) {
+fn row(out: &mut Markup, heads: &[String], cells: &[String]) {
     out.within("tr", &[], |out| {
         cells
             .iter()

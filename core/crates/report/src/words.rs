@@ -1,44 +1,174 @@
 //! Words of the report, beside those of the result.
 
 use gyradius_base::language::Language;
-pub(super) use gyradius_base::message::spaced;
-use gyradius_diagnosis::cause_name;
-use gyradius_recording::RepairKind;
+use gyradius_base::message::{Argument, Message, name};
+pub(super) use gyradius_base::message::{id_in, spaced};
+use gyradius_diagnosis::DiscrepancyKind;
+use gyradius_identification::{Claim, Route, input, quantity_in, words};
+use gyradius_recording::{ModeName, Repair, RepairKind};
 
+pub(super) use gyradius_diagnosis::cause_name as cause;
+pub(super) use gyradius_identification::route_in as route;
 pub(super) use gyradius_identification::words::{
-    claim_name, claim_unit, mode_text, quantity, quantity_name, rank, route, unit_of,
+    claim_unit, mode_text as mode_id, quantity, rank, unit_of,
 };
 
-/// What was wrong with a recording.
-pub(super) fn repair(kind: RepairKind) -> &'static str {
-    match kind {
-        RepairKind::Jitter => "uneven time stamps",
-        RepairKind::RepeatedStamp => "repeated time stamps",
-        RepairKind::BackwardStamp => "time stamps stepping back",
-        RepairKind::MissingRows => "missing rows",
-        RepairKind::Stall => "the record stood still",
-        RepairKind::NotANumber => "cells that are not numbers",
-        RepairKind::Saturation => "samples at the sensor's limit",
-        RepairKind::Pause => "a pause, put back",
-        RepairKind::LostByRecorder => "parts lost by the recorder",
-        RepairKind::SecondSwing => "a second swing, left out",
+/// A text of the report in a language, with what it names.
+pub(super) fn say<'a>(
+    language: Language,
+    key: &str,
+    named: impl IntoIterator<Item = (&'a str, Argument)>,
+) -> String {
+    Message::new(format!("report.{key}"), named).in_language(language)
+}
+
+/// A figure, with its unit or without, as an argument.
+pub(super) fn figure(written: impl Into<String>) -> Argument {
+    Argument::Figure(written.into())
+}
+
+/// Text as it stands, as an argument.
+pub(super) fn plain(text: impl Into<String>) -> Argument {
+    Argument::Plain(text.into())
+}
+
+/// Ids of swings, in a row.
+pub(super) fn ids<'a>(ids: impl IntoIterator<Item = &'a String>, language: Language) -> String {
+    let told: Vec<String> = ids.into_iter().map(|id| id_in(id, language)).collect();
+    told.join(", ")
+}
+
+/// A quantity's name in words, its key where it has none.
+pub(super) fn quantity_name(key: &str, language: Language) -> String {
+    match (key, language) {
+        (_, Language::English) => words::quantity_name(key),
+        ("principal_gyradii_m", _) => say(language, "principal_gyradii", []),
+        ("inertia_kg_m2", _) => say(language, "moments_of_inertia", []),
+        _ => quantity_in(key, language),
     }
 }
 
-/// A cause of what the simulation gets wrong, in words.
-pub(super) fn cause(id: &str) -> String {
-    cause_name(id, Language::English)
+/// A quantity's name within a sentence.
+pub(super) fn quantity_inside(key: &str, language: Language) -> String {
+    let name = quantity_name(key, language);
+    match language {
+        Language::English => name.to_lowercase(),
+        Language::German => name,
+    }
+}
+
+/// A stated figure or a route's quantity as the court names it.
+pub(super) fn claim_name(claim: &str, language: Language) -> String {
+    match (quantity(claim), language) {
+        (_, Language::English) => words::claim_name(claim),
+        (Some(_), _) => quantity_in(claim, language),
+        (None, _) => input(claim).in_language(language),
+    }
+}
+
+/// What implies the other figure of a claim.
+pub(super) fn claim_from(claim: &Claim, language: Language) -> String {
+    if language == Language::English {
+        return claim.from.clone();
+    }
+    // The sentence of the claim names it, in the case that the sentence asks for.
+    let named = &claim.message.arguments;
+    let by = match named.get("by") {
+        Some(Argument::Texts(by)) => by.first(),
+        _ => None,
+    };
+    let key = match by.map(|by| &*by.key) {
+        Some("inertia.by_sway") => "from_sway",
+        Some("inertia.by_all") => "from_all",
+        _ if named.contains_key("other") => "from_route",
+        _ => return claim.from.clone(),
+    };
+    let arguments = by.map_or(named, |by| &by.arguments);
+    let named = arguments
+        .iter()
+        .map(|(name, value)| (&**name, value.clone()));
+    say(language, key, named)
+}
+
+/// A mode's name in words.
+pub(super) fn mode_text(mode: ModeName, language: Language) -> String {
+    let english = words::mode_text(mode);
+    name(&format!("inertia.motion.{english}"), language).unwrap_or_else(|| english.into())
+}
+
+/// The equations that a route takes.
+pub(super) fn equation(route: &Route, language: Language) -> String {
+    match &*route.method {
+        "tilt_fit" => say(language, "equation_of_tilt_fit", []),
+        _ => route.equation.clone(),
+    }
+}
+
+/// What was wrong with a recording.
+pub(super) fn repair(kind: RepairKind, language: Language) -> String {
+    let key = match kind {
+        RepairKind::Jitter => "uneven_stamps",
+        RepairKind::RepeatedStamp => "repeated_stamps",
+        RepairKind::BackwardStamp => "backward_stamps",
+        RepairKind::MissingRows => "missing_rows",
+        RepairKind::Stall => "stood_still",
+        RepairKind::NotANumber => "not_numbers",
+        RepairKind::Saturation => "at_the_limit",
+        RepairKind::Pause => "pause_put_back",
+        RepairKind::LostByRecorder => "lost_by_recorder",
+        RepairKind::SecondSwing => "second_swing_left_out",
+    };
+    say(language, key, [])
+}
+
+/// What was found in a recording and what was done; where there is no more of it than English, the
+/// sensor and the times.
+pub(super) fn repair_text(repair: &Repair, language: Language) -> String {
+    if language == Language::English {
+        return repair.text.clone();
+    }
+    let sensor = name(repair.sensor.name(), language);
+    let named = [
+        ("sensor", plain(sensor.unwrap_or_default())),
+        ("from", Argument::Number(repair.first_s, 2)),
+        ("to", Argument::Number(repair.last_s, 2)),
+    ];
+    say(language, "repair_place", named)
+}
+
+/// What kind of thing the simulation gets wrong, in words.
+pub(super) fn discrepancy(kind: DiscrepancyKind, language: Language) -> String {
+    let key = match kind {
+        DiscrepancyKind::AcrossTheAxis => "across_the_axis",
+        DiscrepancyKind::BetweenSwings => "between_swings",
+        DiscrepancyKind::DecayVsAmplitude => "decay_against_amplitude",
+        DiscrepancyKind::Dimension => "dimension",
+        DiscrepancyKind::LineInSpectrum => "line_in_spectrum",
+        DiscrepancyKind::PeriodVsAmplitude => "period_against_amplitude",
+        DiscrepancyKind::ResidualVsPhase => "residual_against_phase",
+        DiscrepancyKind::ResidualVsTime => "residual_against_time",
+        DiscrepancyKind::Saturated => "saturated",
+        DiscrepancyKind::Structure => "structure",
+    };
+    say(language, key, [])
+}
+
+/// A parameter of a cause in words, without its unit.
+pub(super) fn parameter(key: &str, unit: &str, language: Language) -> String {
+    let bare = without_unit(key, unit);
+    name(&format!("critique.number.{bare}"), language).unwrap_or_else(|| spaced(bare))
 }
 
 /// A generalised force along a coordinate, in words.
-pub(super) fn force(coordinate: &str) -> &'static str {
-    match coordinate {
-        "yaw" => "torque about the vertical",
-        "turn" => "torque in pitch or roll",
-        "across" => "force across the suspension",
-        "along" => "force along the suspension",
-        _ => "force",
-    }
+pub(super) fn force(coordinate: &str, language: Language) -> String {
+    let key = match coordinate {
+        "yaw" => "torque_about_vertical",
+        "turn" => "torque_of_turn",
+        "across" => "force_across",
+        "along" => "force_along",
+        _ => "some_force",
+    };
+    say(language, key, [])
 }
 
 /// `N m s^2` as it is printed: `N m s²`; the unit of a bare number is not.

@@ -3,9 +3,10 @@
 
 use super::super::causes::{TERMS, UNKNOWN};
 use super::super::evidence::LEAST_GAIN;
-use super::super::learned::{grid, in_words, written};
+use super::super::learned::{grid, shapes, written};
 use super::super::point::Part;
 use super::super::result::LearnedForce;
+use super::super::words::message;
 use super::causes::{Cause, Kind, learned};
 use super::fitting::{Fitted, fit};
 use super::search::Found;
@@ -49,13 +50,13 @@ pub fn force(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
             format!("{:+.4e} {powers}", -q * factor / scale)
         })
         .collect();
-    let shapes: Vec<&str> = closed.terms.iter().map(|term| in_words(term)).collect();
+    let looks = shapes(closed.terms.iter().copied());
     Some(LearnedForce {
         coordinate: mode_text(swing.mode).into(),
         unit: "rad/s^2".into(),
         points: grid(terms, (&fitted.point[first..], &covariance), factor, reach),
         equation: format!("M/I = {} rad/s^2", sum.join(" ")),
-        text: format!("What is missing looks most like {}", shapes.join(" and ")),
+        message: message("learned_looks", [("shapes", looks)]),
         heldout_rms_over_noise: Some(heldout_rms),
         closed_heldout_rms_over_noise: heldout_rms_of(found, &closed),
     })

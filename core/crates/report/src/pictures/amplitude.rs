@@ -4,23 +4,24 @@ use super::Figure;
 use crate::chart::{Mark, Panel, colour, stacked};
 use crate::digits::{prefix, with_u};
 use crate::scale::{drawable, extent};
-use crate::words;
+use crate::words::{self, figure, id_in, plain, say};
+use gyradius_base::language::Language;
 use gyradius_identification::{AmplitudePoint, ModeResult, SwingResult};
 
 /// Fewer windows than this show no dependence.
 const LEAST_POINTS: usize = 2;
 
 /// One picture for each mode of a swing that was seen at more than one amplitude.
-pub(crate) fn against_amplitude(swing: &SwingResult) -> Vec<Figure> {
+pub(crate) fn against_amplitude(swing: &SwingResult, language: Language) -> Vec<Figure> {
     swing
         .modes
         .iter()
         .enumerate()
-        .filter_map(|(i, mode)| picture(swing, i, mode))
+        .filter_map(|(i, mode)| picture(swing, i, mode, language))
         .collect()
 }
 
-fn picture(swing: &SwingResult, i: usize, mode: &ModeResult) -> Option<Figure> {
+fn picture(swing: &SwingResult, i: usize, mode: &ModeResult, language: Language) -> Option<Figure> {
     let points: Vec<&AmplitudePoint> = mode
         .against_amplitude
         .iter()
@@ -29,22 +30,21 @@ fn picture(swing: &SwingResult, i: usize, mode: &ModeResult) -> Option<Figure> {
     if points.len() < LEAST_POINTS || !drawable(mode.period_s) {
         return None;
     }
-    let data = Columns::of(&points, mode);
-    let title = format!(
-        "{}: {} against amplitude",
-        swing.id,
-        words::mode_text(mode.mode)
-    );
-    let svg = stacked(&title, &[data.period_panel(), data.decrement_panel()]);
-    let caption = format!(
-        "T₀ = {} s. Each dot is one window of the record, with one standard error.",
-        with_u(mode.period_s, mode.period_se_s)
-    );
+    let data = Columns::of(&points, mode, language);
+    let named = [
+        ("swing", plain(id_in(&swing.id, language))),
+        ("mode", plain(words::mode_text(mode.mode, language))),
+    ];
+    let title = say(language, "against_amplitude", named);
+    let panels = [data.period_panel(language), data.decrement_panel(language)];
+    let svg = stacked(&title, &panels, language);
+    let limit = figure(with_u(mode.period_s, mode.period_se_s));
+    let caption = say(language, "each_window", [("limit", limit)]);
     let id = format!(
         "{}-amplitude-{}-{}",
         swing.id,
         i + 1,
-        words::mode_text(mode.mode)
+        words::mode_id(mode.mode)
     );
     Some(Figure::new(&id, title, caption, svg))
 }
@@ -56,7 +56,7 @@ fn is_drawable(point: &AmplitudePoint) -> bool {
 /// Columns to draw, in the units of the picture.
 struct Columns {
     amplitude: Vec<f64>,
-    amplitude_label: &'static str,
+    amplitude_label: String,
     range: [f64; 2],
     shift: Vec<f64>,
     shift_u: Vec<f64>,
@@ -67,12 +67,12 @@ struct Columns {
 }
 
 impl Columns {
-    fn of(points: &[&AmplitudePoint], mode: &ModeResult) -> Self {
+    fn of(points: &[&AmplitudePoint], mode: &ModeResult, language: Language) -> Self {
         let (factor, amplitude_label) = match &*mode.amplitude_unit {
-            "rad" => (1f64.to_degrees(), "amplitude, degrees"),
-            "m" => (1e3, "amplitude, mm"),
-            "rad/s" => (1f64.to_degrees(), "amplitude, degrees per second"),
-            _ => (1.0, "amplitude"),
+            "rad" => (1f64.to_degrees(), "amplitude_degrees"),
+            "m" => (1e3, "amplitude_mm"),
+            "rad/s" => (1f64.to_degrees(), "amplitude_degrees_s"),
+            _ => (1.0, "amplitude_bare"),
         };
         let column =
             |value: fn(&AmplitudePoint) -> f64| points.iter().map(|p| value(p)).collect::<Vec<_>>();
@@ -86,24 +86,28 @@ impl Columns {
         Self {
             range: [0.0, if top > 0.0 { 1.05 * top } else { 1.0 }],
             amplitude,
-            amplitude_label,
+            amplitude_label: say(language, amplitude_label, []),
             shift: points
                 .iter()
                 .map(|p| scale * (p.period_s - mode.period_s))
                 .collect(),
             shift_u: points.iter().map(|p| scale * p.period_se_s).collect(),
             limit_u: scale * mode.period_se_s,
-            heading: format!("period T − T₀, {letter}s"),
+            heading: say(
+                language,
+                "period_less_limit",
+                [("unit", plain(format!("{letter}s")))],
+            ),
             decrement: column(|p| p.decrement),
             decrement_u: column(|p| p.decrement_se),
         }
     }
 
-    fn period_panel(&self) -> Panel<'_> {
+    fn period_panel(&self, language: Language) -> Panel<'_> {
         let limit = Mark::Level {
             y: 0.0,
             u: self.limit_u,
-            name: "small-amplitude limit T₀",
+            name: say(language, "small_amplitude_limit", []),
         };
         let dots = Mark::Points {
             x: &self.amplitude,
@@ -111,10 +115,15 @@ impl Columns {
             u: &self.shift_u,
             colour: colour::MODEL,
         };
-        self.panel(self.heading.clone(), "", 110.0, vec![limit, dots])
+        self.panel(
+            self.heading.clone(),
+            String::new(),
+            110.0,
+            vec![limit, dots],
+        )
     }
 
-    fn decrement_panel(&self) -> Panel<'_> {
+    fn decrement_panel(&self, language: Language) -> Panel<'_> {
         let dots = Mark::Points {
             x: &self.amplitude,
             y: &self.decrement,
@@ -122,8 +131,8 @@ impl Columns {
             colour: colour::MODEL,
         };
         self.panel(
-            "decrement per cycle".into(),
-            self.amplitude_label,
+            say(language, "decrement_per_cycle", []),
+            self.amplitude_label.clone(),
             90.0,
             vec![dots],
         )
@@ -132,7 +141,7 @@ impl Columns {
     fn panel<'a>(
         &self,
         heading: String,
-        x_label: &'static str,
+        x_label: String,
         height: f64,
         marks: Vec<Mark<'a>>,
     ) -> Panel<'a> {

@@ -4,7 +4,8 @@ use super::Figure;
 use crate::chart::{self, WIDTH, colour, rectangle, shortened, text};
 use crate::digits::percent;
 use crate::markup::Markup;
-use crate::words;
+use crate::words::{self, say};
+use gyradius_base::language::Language;
 use gyradius_diagnosis::{CauseResult, Critique};
 
 const MOST_BARS: usize = 12;
@@ -13,20 +14,19 @@ const BAR: f64 = 9.0;
 const VALUE_WIDTH: f64 = 96.0;
 
 /// The picture; none where no cause was tried.
-pub(crate) fn causes(critique: &Critique) -> Option<Figure> {
+pub(crate) fn causes(critique: &Critique, language: Language) -> Option<Figure> {
     if critique.causes.is_empty() {
         return None;
     }
     let shown = &critique.causes[..critique.causes.len().min(MOST_BARS)];
-    let mut body = Markup::default();
+    let mut body = Markup::in_language(language);
     for (i, cause) in shown.iter().enumerate() {
         draw_bar(&mut body, ROW * i as f64, cause);
     }
-    let title = "Probability of each cause".to_string();
-    let caption =
-        "Of the causes tried in its place, that it is this one. Blue: in the extended simulation.";
+    let title = say(language, "cause_probabilities", []);
+    let caption = say(language, "cause_probabilities_are", []);
     let svg = chart::svg(&title, ROW * shown.len() as f64 + 2.0, body);
-    Some(Figure::new("critique-causes", title, caption.into(), svg))
+    Some(Figure::new("critique-causes", title, caption, svg))
 }
 
 fn draw_bar(out: &mut Markup, top: f64, cause: &CauseResult) {
@@ -40,7 +40,7 @@ fn draw_bar(out: &mut Markup, top: f64, cause: &CauseResult) {
     } else {
         colour::MEASURED
     };
-    let label = words::sentence_case(&words::cause(&cause.id));
+    let label = words::sentence_case(&words::cause(&cause.id, out.language()));
     text(
         out,
         0.0,
@@ -55,7 +55,7 @@ fn draw_bar(out: &mut Markup, top: f64, cause: &CauseResult) {
         top + 13.0,
         "end",
         colour::MUTED,
-        &format!("{} %", percent(cause.probability)),
+        &format!("{} %", percent(cause.probability, out.language())),
     );
     rectangle(out, (0.0, top + 18.0), (WIDTH, BAR), "#eef1f4");
     rectangle(out, (0.0, top + 18.0), (WIDTH * share, BAR), fill);

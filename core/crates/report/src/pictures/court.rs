@@ -5,7 +5,8 @@ use super::Figure;
 use crate::chart::{self, WIDTH, colour, dashed, dot, line, number, rectangle, text};
 use crate::digits::sigmas;
 use crate::markup::Markup;
-use crate::words;
+use crate::words::{self, say};
+use gyradius_base::language::Language;
 use gyradius_identification::Claim;
 
 /// Rows shown; all that are flagged are among them, for the claims come with the largest difference
@@ -20,23 +21,21 @@ const LEFT: f64 = 10.0;
 const RIGHT: f64 = WIDTH - 58.0;
 
 /// The picture; none without claims.
-pub(crate) fn court(claims: &[Claim]) -> Option<Figure> {
+pub(crate) fn court(claims: &[Claim], language: Language) -> Option<Figure> {
     if claims.is_empty() {
         return None;
     }
     let rows = &claims[..claims.len().min(MOST_ROWS)];
     let bottom = TOP + ROW * rows.len() as f64;
-    let mut body = Markup::default();
+    let mut body = Markup::in_language(language);
     draw_axis(&mut body, bottom);
     for (i, claim) in rows.iter().enumerate() {
         draw_row(&mut body, claim, TOP + ROW * i as f64);
     }
-    let caption = "Each dot is what the rest of the session implies minus what was stated, in standard uncertainties of \
-                   that difference; the whisker is one of them either way. Agreement lies in the grey band (two), \
-                   beyond three the report speaks up.";
-    let title = "Stated against implied".to_string();
+    let caption = say(language, "court_dots", []);
+    let title = say(language, "stated_against_implied", []);
     let svg = chart::svg(&title, bottom + 38.0, body);
-    Some(Figure::new("court", title, caption.into(), svg))
+    Some(Figure::new("court", title, caption, svg))
 }
 
 fn place(sigma: f64) -> f64 {
@@ -50,20 +49,20 @@ fn draw_axis(out: &mut Markup, bottom: f64) {
         let x = place(f64::from(sigma));
         line(out, (x, bottom), (x, bottom + 4.0), colour::MUTED, 1.0);
         let label = match sigma {
-            0 => "stated".into(),
+            0 => out.say("as_stated"),
             s if s < 0 => format!("−{}", -s),
             s => format!("+{s}"),
         };
         text(out, x, bottom + 16.0, "middle", colour::MUTED, &label);
     }
-    let label = "implied − stated, standard uncertainties";
+    let label = out.say("implied_less_stated");
     text(
         out,
         place(0.0),
         bottom + 32.0,
         "middle",
         colour::MUTED,
-        label,
+        &label,
     );
 }
 
@@ -114,9 +113,16 @@ fn draw_row(out: &mut Markup, claim: &Claim, top: f64) {
     };
     let y = top + 27.0;
     draw_lane(out, y);
-    text(out, LEFT, top + 13.0, "start", colour::INK, &label(claim));
+    text(
+        out,
+        LEFT,
+        top + 13.0,
+        "start",
+        colour::INK,
+        &label(claim, out.language()),
+    );
     let figure = if claim.sigma.is_finite() {
-        format!("{} σ", sigmas(sigma))
+        out.language().number(&format!("{} σ", sigmas(sigma)))
     } else {
         "–".into()
     };
@@ -148,11 +154,11 @@ fn draw_arrow(out: &mut Markup, side: f64, y: f64, fill: &str) {
     out.empty("polygon", &[("points", &points.join(" ")), ("fill", fill)]);
 }
 
-fn label(claim: &Claim) -> String {
+fn label(claim: &Claim, language: Language) -> String {
     let whole = format!(
         "{} · {}",
-        words::sentence_case(&words::claim_name(&claim.claim)),
-        claim.from
+        words::sentence_case(&words::claim_name(&claim.claim, language)),
+        words::claim_from(claim, language)
     );
     chart::shortened(&whole, WIDTH - LEFT)
 }

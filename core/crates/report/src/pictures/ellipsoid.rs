@@ -12,6 +12,9 @@ use super::Figure;
 use crate::chart::{self, WIDTH, colour, dashed, dot, line, number, text};
 use crate::digits::significant;
 use crate::markup::Markup;
+use crate::words::{figure as number_of, plain, say};
+use gyradius_base::language::Language;
+use gyradius_base::message::name;
 use gyradius_identification::QuantityResult;
 use gyradius_identification::routes::ellipsoid::equivalent_semi_axes_m;
 
@@ -27,39 +30,42 @@ struct Known {
 }
 
 /// The two pictures; none where a gyradius is missing.
-pub(crate) fn ellipsoids(quantities: &BTreeMap<String, QuantityResult>) -> Vec<Figure> {
+pub(crate) fn ellipsoids(
+    quantities: &BTreeMap<String, QuantityResult>,
+    language: Language,
+) -> Vec<Figure> {
     let Some(known) = known(quantities) else {
         return vec![];
     };
-    [mass_equivalent(&known), inertia(&known)]
+    [mass_equivalent(&known, language), inertia(&known, language)]
         .into_iter()
         .flatten()
         .collect()
 }
 
 /// Why there is no picture.
-pub(crate) fn no_ellipsoid_reason(quantities: &BTreeMap<String, QuantityResult>) -> Option<String> {
+pub(crate) fn no_ellipsoid_reason(
+    quantities: &BTreeMap<String, QuantityResult>,
+    language: Language,
+) -> Option<String> {
     if known(quantities).is_some() {
         return None;
     }
-    let missing: Vec<&str> = [
-        ("k_roll_m", "roll"),
-        ("k_pitch_m", "pitch"),
-        ("k_yaw_m", "yaw"),
+    let missing: Vec<String> = [
+        ("k_roll_m", "inertia.motion.roll"),
+        ("k_pitch_m", "inertia.motion.pitch"),
+        ("k_yaw_m", "inertia.motion.yaw"),
     ]
     .iter()
     .filter(|(key, _)| scalar(quantities, key).is_none())
-    .map(|(_, name)| *name)
+    .filter_map(|(_, motion)| name(motion, language))
     .collect();
-    let plural = if missing.len() == 1 {
-        "gyradius is"
-    } else {
-        "gyradii are"
+    let key = match missing.len() {
+        1 => "no_ellipsoid_for_one",
+        _ => "no_ellipsoid",
     };
-    Some(format!(
-        "An ellipsoid is drawn where the roll, pitch and yaw gyradii are all known; here the {} {plural} not.",
-        missing.join(" and ")
-    ))
+    let motions = plain(missing.join(language.and()));
+    Some(say(language, key, [("motions", motions)]))
 }
 
 fn scalar(quantities: &BTreeMap<String, QuantityResult>, key: &str) -> Option<f64> {
@@ -95,23 +101,16 @@ fn known(quantities: &BTreeMap<String, QuantityResult>) -> Option<Known> {
 }
 
 /// Semi-axes after Fig. 1: a² = 5/2 (k_y² + k_z² − k_x²) and so on around.
-fn mass_equivalent(known: &Known) -> Option<Figure> {
+fn mass_equivalent(known: &Known, language: Language) -> Option<Figure> {
     let semi_axes = equivalent_semi_axes_m(known.gyradii_m).ok()?;
-    let [a, b, c] = semi_axes.map(|axis| significant(axis, 3));
-    let caption = format!(
-        "A homogeneous ellipsoid of the hull's mass with these semi-axes (along x {a} m, y {b} m, z {c} m) has the hull's \
-         inertia.{}{}",
-        axes_note(known),
-        if known.depth_m.is_some() {
-            " The open circle is the line of the suspension points."
-        } else {
-            ""
-        }
-    );
+    let explained = caption("mass_ellipsoid_is", semi_axes, known, language);
+    let caption = match known.depth_m {
+        Some(_) => format!("{explained} {}", say(language, "open_circle", [])),
+        None => explained,
+    };
+    let title = say(language, "mass_ellipsoid", []);
     Some(figure(
-        "ellipsoid-mass",
-        "Mass-equivalent ellipsoid",
-        caption,
+        ("ellipsoid-mass", title, caption, language),
         semi_axes,
         known,
         known.depth_m,
@@ -119,44 +118,40 @@ fn mass_equivalent(known: &Known) -> Option<Figure> {
 }
 
 /// Semi-axes 1/k: the distance to the surface along an axis is one over the gyradius about it.
-fn inertia(known: &Known) -> Option<Figure> {
+fn inertia(known: &Known, language: Language) -> Option<Figure> {
     let semi_axes = known.gyradii_m.map(|k| 1.0 / k);
-    let [a, b, c] = semi_axes.map(|axis| significant(axis, 3));
-    let caption = format!(
-        "The distance from the centre to the surface along any direction is one over the gyradius about it (along x {a}, \
-         y {b}, z {c} per metre).{}",
-        axes_note(known)
-    );
+    let caption = caption("inertia_ellipsoid_is", semi_axes, known, language);
+    let title = say(language, "inertia_ellipsoid", []);
     Some(figure(
-        "ellipsoid-inertia",
-        "Inertia ellipsoid",
-        caption,
+        ("ellipsoid-inertia", title, caption, language),
         semi_axes,
         known,
         None,
     ))
 }
 
-fn axes_note(known: &Known) -> &'static str {
-    match known.psi_rad {
-        Some(_) => " Solid lines are the principal axes, dashed ones the hull's.",
-        None => " ψ is not known: the hull's axes are taken as principal.",
-    }
+/// What the picture is, with its semi-axes, and what its lines are.
+fn caption(key: &str, semi_axes: [f64; 3], known: &Known, language: Language) -> String {
+    let [x, y, z] = semi_axes.map(|axis| number_of(significant(axis, 3)));
+    let explained = say(language, key, [("x", x), ("y", y), ("z", z)]);
+    let lines = match known.psi_rad {
+        Some(_) => "solid_lines",
+        None => "psi_not_known",
+    };
+    format!("{explained} {}", say(language, lines, []))
 }
 
 fn figure(
-    id: &str,
-    title: &str,
-    caption: String,
+    (id, title, caption, language): (&str, String, String, Language),
     semi_axes: [f64; 3],
     known: &Known,
     suspension_above: Option<f64>,
 ) -> Figure {
     let views = Views::of(semi_axes, known.psi_rad.unwrap_or(0.0), suspension_above);
-    let mut body = Markup::default();
+    let mut body = Markup::in_language(language);
     views.draw(&mut body);
-    let svg = chart::svg(title, views.height(), body);
-    Figure::new(id, title.into(), caption, svg)
+    let svg = chart::svg(&title, views.height(), body);
+    Figure::new(id, title, caption, svg)
 }
 
 /// Three views to one scale: plan above the side view, from astern beside it.
@@ -225,12 +220,13 @@ impl Views {
     fn draw(&self, out: &mut Markup) {
         let [a, _, c] = self.semi_axes.map(|axis| self.scale * axis);
         let [x, y, z] = [self.px(0), self.px(1), self.px(2)];
-        self.draw_view(out, self.plan(), (x, y), 0.0, "from above");
-        self.draw_view(out, self.astern(), (y, z), 0.0, "from astern");
-        self.draw_view(out, self.side(), (a, c), self.psi, "from starboard");
+        self.draw_view(out, self.plan(), (x, y), 0.0, "from_above");
+        self.draw_view(out, self.astern(), (y, z), 0.0, "from_astern");
+        self.draw_view(out, self.side(), (a, c), self.psi, "from_starboard");
         self.draw_suspension(out);
         let (cx, cy) = self.side();
-        text(out, cx + x + 4.0, cy + 4.0, "start", colour::MUTED, "bow");
+        let bow = out.say("bow_end");
+        text(out, cx + x + 4.0, cy + 4.0, "start", colour::MUTED, &bow);
     }
 
     /// An ellipse with its axes, the hull's dashed where they differ.
@@ -240,7 +236,7 @@ impl Views {
         (cx, cy): (f64, f64),
         (rx, ry): (f64, f64),
         turn: f64,
-        name: &str,
+        view: &str,
     ) {
         let degrees = -turn.to_degrees();
         let turned = format!("rotate({} {} {})", number(degrees), number(cx), number(cy));
@@ -275,13 +271,14 @@ impl Views {
             0.8,
         );
         dot(out, cx, cy, 2.6, colour::INK);
+        let name = out.say(view);
         text(
             out,
             cx,
             cy + ry.max(rx * sin.abs()) + 16.0,
             "middle",
             colour::MUTED,
-            name,
+            &name,
         );
     }
 

@@ -3,17 +3,18 @@
 use super::Figure;
 use crate::chart::{Mark, Panel, colour, stacked};
 use crate::scale::{drawable, extent};
-use crate::words;
+use crate::words::{self, say};
+use gyradius_base::language::Language;
 use gyradius_diagnosis::LearnedForce;
 
 /// The picture; none without points.
-pub(crate) fn learned_force(force: &LearnedForce) -> Option<Figure> {
+pub(crate) fn learned_force(force: &LearnedForce, language: Language) -> Option<Figure> {
     let points: Vec<&[f64; 5]> = force.points.iter().filter(|p| drawable(p[3])).collect();
     let column = |i: usize| -> Vec<f64> { points.iter().map(|p| p[i]).collect() };
     let (f, u) = (column(3), column(4));
     let labels = match &*force.coordinate {
-        "yaw" | "turn" => ["angle, rad", "turn rate, rad/s", "time, s"],
-        _ => ["displacement, m", "velocity, m/s", "time, s"],
+        "yaw" | "turn" => ["angle_rad", "turn_rate_rad_s", "time_s"],
+        _ => ["displacement_m", "velocity_m_s", "time_s"],
     };
     let columns: Vec<(Vec<f64>, &'static str)> = (0..3)
         .map(column)
@@ -25,20 +26,20 @@ pub(crate) fn learned_force(force: &LearnedForce) -> Option<Figure> {
     }
     let heading = format!(
         "{}, {}",
-        words::force(&force.coordinate),
+        words::force(&force.coordinate, language),
         words::unit_text(&force.unit)
     );
     let panels: Vec<Panel> = columns
         .iter()
-        .map(|(x, x_label)| panel(heading.clone(), x_label, [x, &f, &u]))
+        .map(|(x, x_label)| panel(heading.clone(), say(language, x_label, []), [x, &f, &u]))
         .collect();
-    let title = "The force that is missing".to_string();
-    let caption = "Learned inside the simulation from the samples, with one standard uncertainty.";
-    let svg = stacked(&title, &panels);
-    Some(Figure::new("critique-force", title, caption.into(), svg))
+    let title = say(language, "missing_force", []);
+    let caption = say(language, "missing_force_is", []);
+    let svg = stacked(&title, &panels, language);
+    Some(Figure::new("critique-force", title, caption, svg))
 }
 
-fn panel<'a>(heading: String, x_label: &'static str, [x, y, u]: [&'a [f64]; 3]) -> Panel<'a> {
+fn panel<'a>(heading: String, x_label: String, [x, y, u]: [&'a [f64]; 3]) -> Panel<'a> {
     Panel {
         heading,
         legend: vec![],

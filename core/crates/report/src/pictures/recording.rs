@@ -5,30 +5,37 @@ use super::Figure;
 use crate::chart::{Mark, Panel, colour, stacked};
 use crate::digits::significant;
 use crate::source::{Curve, RecordingFigureData, SpectrumFigureData, Trace};
+use crate::words::{figure, id_in, plain, say};
+use gyradius_base::language::Language;
 
 /// A spectrum is shown up to this multiple of its highest named line.
 const BEYOND_LAST_PEAK: f64 = 3.0;
 
 /// Fit and residual of each channel shown.
-pub(crate) fn fits(recording: &RecordingFigureData) -> Vec<Figure> {
+pub(crate) fn fits(recording: &RecordingFigureData, language: Language) -> Vec<Figure> {
     let fit = |(i, trace): (usize, &Trace)| {
-        let title = format!("{}: {}", recording.id, trace.label);
-        let svg = stacked(&title, &panels(trace));
+        let title = format!("{}: {}", id_in(&recording.id, language), trace.label);
+        let svg = stacked(&title, &panels(trace, language), language);
         Figure::new(
             &format!("{}-fit-{}", recording.id, i + 1),
             title,
-            caption(trace),
+            caption(trace, language),
             svg,
         )
     };
     recording.traces.iter().enumerate().map(fit).collect()
 }
 
-fn panels(trace: &Trace) -> Vec<Panel<'_>> {
-    let overlaid = |heading: &str, measured, model, height| Panel {
-        heading: heading.into(),
-        legend: vec![(colour::MEASURED, "measured"), (colour::MODEL, "fit")],
-        x_label: "",
+fn panels(trace: &Trace, language: Language) -> Vec<Panel<'_>> {
+    let name = |key: &str| say(language, key, []);
+    let heading = |key: &str| say(language, key, [("unit", plain(&trace.unit))]);
+    let overlaid = |heading: String, measured, model, height| Panel {
+        heading,
+        legend: vec![
+            (colour::MEASURED, name("measured")),
+            (colour::MODEL, name("fit")),
+        ],
+        x_label: String::new(),
         x_range: None,
         log_y: false,
         height,
@@ -38,24 +45,24 @@ fn panels(trace: &Trace) -> Vec<Panel<'_>> {
         ],
     };
     let whole = overlaid(
-        &format!("whole record, {}", trace.unit),
+        heading("whole_record"),
         &trace.measured,
         &trace.model,
         130.0,
     );
     let residual = Panel {
-        heading: format!("what the fit leaves, {}", trace.unit),
+        heading: heading("fit_leaves"),
         legend: vec![],
-        x_label: "time, s",
+        x_label: name("time_s"),
         marks: vec![line(&trace.residual, colour::MUTED, 0.7)],
         height: 70.0,
-        ..overlaid("", &trace.measured, &trace.model, 0.0)
+        ..overlaid(String::new(), &trace.measured, &trace.model, 0.0)
     };
     let mut panels = vec![whole, residual];
     if let Some([measured, model]) = &trace.close_up {
         panels.push(Panel {
-            x_label: "time, s",
-            ..overlaid(&format!("close up, {}", trace.unit), measured, model, 90.0)
+            x_label: name("time_s"),
+            ..overlaid(heading("close_up"), measured, model, 90.0)
         });
     }
     panels
@@ -70,27 +77,31 @@ fn line<'a>(curve: &'a Curve, colour: &'static str, width: f64) -> Mark<'a> {
     }
 }
 
-fn caption(trace: &Trace) -> String {
-    let text = "Damped oscillations, shared by all channels, over the data; below, what they leave, on its own scale.";
+fn caption(trace: &Trace, language: Language) -> String {
+    let text = say(language, "fit_is", []);
     match trace.noise.filter(|noise| noise.is_finite()) {
-        Some(noise) => format!(
-            "{text} Noise of one sample: {} {}.",
-            significant(noise, 2),
-            trace.unit
-        ),
-        None => text.into(),
+        Some(noise) => {
+            let noise = figure(format!("{} {}", significant(noise, 2), trace.unit));
+            let noise = say(language, "noise_of_a_sample", [("noise", noise)]);
+            format!("{text} {noise}")
+        }
+        None => text,
     }
 }
 
 /// The spectrum, where there is one.
-pub(crate) fn spectrum(recording: &RecordingFigureData) -> Option<Figure> {
+pub(crate) fn spectrum(recording: &RecordingFigureData, language: Language) -> Option<Figure> {
     let data = recording.spectrum.as_ref()?;
-    let title = format!("{}: spectrum of {}", recording.id, data.label);
+    let named = [
+        ("swing", plain(id_in(&recording.id, language))),
+        ("channel", plain(&data.label)),
+    ];
+    let title = say(language, "spectrum_of", named);
     let mut marks = vec![line(&data.amplitude, colour::MODEL, 1.2)];
-    let mut legend = vec![(colour::MODEL, "measured")];
+    let mut legend = vec![(colour::MODEL, say(language, "measured", []))];
     if let Some(residual) = &data.residual {
         marks.push(line(residual, colour::MEASURED, 1.0));
-        legend.push((colour::MEASURED, "residual"));
+        legend.push((colour::MEASURED, say(language, "residual", [])));
     }
     marks.push(Mark::Names {
         x: data
@@ -100,18 +111,16 @@ pub(crate) fn spectrum(recording: &RecordingFigureData) -> Option<Figure> {
             .collect(),
     });
     let panel = Panel {
-        heading: format!("amplitude, {}", data.unit),
+        heading: say(language, "amplitude_in", [("unit", plain(&data.unit))]),
         legend,
-        x_label: "frequency, Hz",
+        x_label: say(language, "frequency_hz", []),
         x_range: range_hz(data),
         log_y: true,
         height: 170.0,
         marks,
     };
-    let caption = "Amplitude of a sinusoid at each frequency, on a logarithmic scale. The lines with names are the modes \
-                   that the fit found."
-        .to_string();
-    let svg = stacked(&title, &[panel]);
+    let caption = say(language, "spectrum_is", []);
+    let svg = stacked(&title, &[panel], language);
     Some(Figure::new(
         &format!("{}-spectrum", recording.id),
         title,

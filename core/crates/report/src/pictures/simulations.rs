@@ -6,30 +6,29 @@ use crate::digits::significant;
 use crate::scale::extent;
 use crate::source::Curve;
 use crate::thin::thinned;
+use crate::words::{figure, id_in, plain, say};
+use gyradius_base::language::Language;
 use gyradius_diagnosis::SwingTrace;
 
 /// Cycles in a close-up.
 const CLOSE_UP_CYCLES: usize = 4;
 
 /// One picture for each swing that was fitted.
-pub(crate) fn against_simulations(traces: &[SwingTrace]) -> Vec<Figure> {
+pub(crate) fn against_simulations(traces: &[SwingTrace], language: Language) -> Vec<Figure> {
     traces
         .iter()
         .enumerate()
-        .map(|(i, trace)| picture(i, trace))
+        .map(|(i, trace)| picture(i, trace, language))
         .collect()
 }
 
-fn picture(i: usize, trace: &SwingTrace) -> Figure {
+fn picture(i: usize, trace: &SwingTrace, language: Language) -> Figure {
     let curves = Curves::of(trace);
-    let title = format!("{}: {}", trace.swing, trace.channel.english);
-    let svg = stacked(&title, &curves.panels());
-    let caption = format!(
-        "The swing, and what each simulation leaves of it in units of the noise of one sample ({} {}); the lines stand one \
-         noise either way. Last, the few cycles in which the base simulation is furthest off.",
-        significant(trace.noise, 2),
-        trace.unit
-    );
+    let channel = trace.channel.in_language(language);
+    let title = format!("{}: {channel}", id_in(&trace.swing, language));
+    let svg = stacked(&title, &curves.panels(language), language);
+    let noise = figure(format!("{} {}", significant(trace.noise, 2), trace.unit));
+    let caption = say(language, "simulations_are", [("noise", noise)]);
     Figure::new(
         &format!("critique-{}-{}", i + 1, trace.swing),
         title,
@@ -67,12 +66,13 @@ impl Curves {
         }
     }
 
-    fn panels(&self) -> Vec<Panel<'_>> {
-        let unit = &self.unit;
+    fn panels(&self, language: Language) -> Vec<Panel<'_>> {
+        let heading = |key: &str| say(language, key, [("unit", plain(&self.unit))]);
+        let time = || say(language, "time_s", []);
         let mut panels = vec![
-            overlaid(format!("whole record, {unit}"), &self.whole),
+            overlaid(heading("whole_record"), &self.whole, language),
             residual(
-                "left by the base simulation, noise",
+                say(language, "left_by_base", []),
                 &self.before,
                 &self.band,
                 colour::SECOND,
@@ -81,18 +81,18 @@ impl Curves {
         // Where nothing was missing there is but one simulation.
         if self.whole[1] != self.whole[2] {
             panels.push(residual(
-                "left by the extended one, noise",
+                say(language, "left_by_extended", []),
                 &self.after,
                 &self.band,
                 colour::MODEL,
             ));
         }
         if let Some(last) = panels.last_mut() {
-            last.x_label = "time, s";
+            last.x_label = time();
         }
-        let close_up = overlaid(format!("where the base is worst, {unit}"), &self.close_up);
+        let close_up = overlaid(heading("where_worst"), &self.close_up, language);
         panels.push(Panel {
-            x_label: "time, s",
+            x_label: time(),
             ..close_up
         });
         panels
@@ -109,15 +109,19 @@ fn line<'a>(curve: &'a Curve, colour: &'static str, width: f64) -> Mark<'a> {
     }
 }
 
-fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3]) -> Panel<'_> {
+fn overlaid(
+    heading: String,
+    [measured, base, extended]: &[Curve; 3],
+    language: Language,
+) -> Panel<'_> {
     Panel {
         heading,
         legend: vec![
-            (colour::MEASURED, "measured"),
-            (colour::SECOND, "base"),
-            (colour::MODEL, "extended"),
+            (colour::MEASURED, say(language, "measured", [])),
+            (colour::SECOND, say(language, "base", [])),
+            (colour::MODEL, say(language, "extended", [])),
         ],
-        x_label: "",
+        x_label: String::new(),
         x_range: None,
         log_y: false,
         height: 90.0,
@@ -130,15 +134,15 @@ fn overlaid(heading: String, [measured, base, extended]: &[Curve; 3]) -> Panel<'
 }
 
 fn residual<'a>(
-    heading: &str,
+    heading: String,
     curve: &'a Curve,
     band: &'a [Curve; 2],
     colour: &'static str,
 ) -> Panel<'a> {
     Panel {
-        heading: heading.into(),
+        heading,
         legend: vec![],
-        x_label: "",
+        x_label: String::new(),
         x_range: None,
         log_y: false,
         // High enough for ticks on both sides of zero.

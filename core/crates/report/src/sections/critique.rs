@@ -7,7 +7,9 @@ use crate::markup::Markup;
 use crate::pictures;
 use crate::source::ReportSource;
 use crate::table::{figures, list, table};
-use crate::words;
+use crate::words::{self, figure, id_in, plain, say};
+use gyradius_base::language::Language;
+use gyradius_base::message;
 use gyradius_diagnosis::{
     CauseResult, Criticism, Critique, Discrepancy, LearnedForce, ModelResult, NextSwing,
     ParameterResult, Status,
@@ -24,12 +26,11 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
         return;
     };
     out.within("section", &[("id", "critique")], |out| {
-        out.element("h2", &[], "What the simulation gets wrong, and why");
+        out.element("h2", &[], &out.say("critique"));
         match criticism {
             Ok(criticism) => written(criticism, out),
             Err(reason) => {
-                let text =
-                    format!("There is no criticism of the simulation for this session: {reason}.");
+                let text = out.tell("no_critique", [("reason", plain(reason))]);
                 out.element("p", &[], &text);
             }
         }
@@ -50,8 +51,9 @@ fn written(criticism: &Criticism, out: &mut Markup) {
     next_swing(critique.verdict.next_swing.as_ref(), out);
     discrepancies(&critique.discrepancies, out);
     if !criticism.traces.is_empty() {
-        out.element("h3", &[], "Measured against simulated");
-        figures(out, &pictures::against_simulations(&criticism.traces));
+        out.element("h3", &[], &out.say("against_simulated"));
+        let shown = pictures::against_simulations(&criticism.traces, out.language());
+        figures(out, &shown);
     }
 }
 
@@ -62,18 +64,16 @@ fn is_adequate(critique: &Critique) -> bool {
 
 fn verdict(critique: &Critique, out: &mut Markup) {
     let (word, class) = match critique.verdict.status {
-        Status::Adequate => ("Nothing is missing", "verdict pass"),
-        Status::Explained => ("Explained", "verdict pass"),
-        Status::Ambiguous => ("Ambiguous", "verdict undecided"),
-        Status::Unexplained => ("Unexplained", "verdict fail"),
+        Status::Adequate => ("nothing_missing", "verdict pass"),
+        Status::Explained => ("explained", "verdict pass"),
+        Status::Ambiguous => ("ambiguous", "verdict undecided"),
+        Status::Unexplained => ("unexplained", "verdict fail"),
     };
     out.within("p", &[("class", class)], |out| {
-        out.element("strong", &[], word);
-        if !critique.verdict.message.english.is_empty() {
-            out.write(&format!(
-                ". {}",
-                words::sentence_case(&critique.verdict.message.english)
-            ));
+        out.element("strong", &[], &out.say(word));
+        let sentence = critique.verdict.message.in_language(out.language());
+        if !sentence.is_empty() {
+            out.write(&format!(". {}", words::sentence_case(&sentence)));
         }
     });
 }
@@ -82,7 +82,7 @@ fn warnings(critique: &Critique, out: &mut Markup) {
     let sentences: Vec<String> = critique
         .warnings
         .iter()
-        .map(|text| words::sentence_case(&text.english))
+        .map(|text| words::sentence_case(&text.in_language(out.language())))
         .collect();
     list(out, "notes", &sentences);
 }
@@ -91,100 +91,102 @@ fn causes(critique: &Critique, out: &mut Markup) {
     if critique.causes.is_empty() {
         return;
     }
-    out.element("h3", &[], "The causes tried");
-    let text = "Each cause was put into the simulation and fitted to the samples together with the body. Evidence counts what \
-                it gains against what its freedom costs: a logarithm of 5 is odds of 150 to 1.";
-    out.element("p", &[], text);
+    out.element("h3", &[], &out.say("causes_tried"));
+    out.element("p", &[], &out.say("causes_tried_how"));
+    let language = out.language();
     let rows: Vec<Vec<String>> = critique
         .causes
         .iter()
-        .map(|cause| cause_row(critique, cause))
+        .map(|cause| cause_row(critique, cause, language))
         .collect();
     let heads = [
-        "Cause",
-        "Probability",
-        "Log evidence",
-        "What it is, and how strong",
+        "cause",
+        "probability",
+        "log_evidence",
+        "what_and_how_strong",
     ];
     table(out, &heads, &rows);
-    figures(out, pictures::causes(critique).as_slice());
+    figures(out, pictures::causes(critique, language).as_slice());
 }
 
-fn cause_row(critique: &Critique, cause: &CauseResult) -> Vec<String> {
-    let remark = match (
+fn cause_row(critique: &Critique, cause: &CauseResult, language: Language) -> Vec<String> {
+    let name = words::cause(&cause.id, language);
+    let name = match (
         cause.taken,
         critique.verdict.indistinguishable_from.contains(&cause.id),
     ) {
-        (true, _) => " (in the extended simulation)",
-        (false, true) => " (cannot be told apart)",
-        (false, false) => "",
+        (true, _) => say(language, "cause_taken", [("cause", plain(name))]),
+        (false, true) => say(language, "cause_not_told_apart", [("cause", plain(name))]),
+        (false, false) => name,
     };
-    let figures: Vec<String> = cause.parameters.iter().map(parameter).collect();
-    let text = Some(cause.message.english.trim_end_matches('.').to_string())
-        .filter(|text| !text.is_empty());
+    let parameters = cause.parameters.iter();
+    let figures: Vec<String> = parameters.map(|one| parameter(one, language)).collect();
+    let text = cause.message.in_language(language);
+    let text = Some(text.trim_end_matches('.').to_string()).filter(|text| !text.is_empty());
     let said: Vec<String> = text
         .into_iter()
         .chain(Some(figures.join("; ")).filter(|f| !f.is_empty()))
         .collect();
     vec![
-        words::sentence_case(&format!("{}{remark}", words::cause(&cause.id))),
-        format!("{} %", percent(cause.probability)),
-        signed(
+        words::sentence_case(&name),
+        format!("{} %", percent(cause.probability, language)),
+        language.number(&signed(
             cause.log_evidence_gain,
             &significant(cause.log_evidence_gain, 3),
-        ),
+        )),
         words::sentence_case(&said.join(": ")),
     ]
 }
 
 /// `yaw torque coefficient 12.10 ± 0.30 N m s²`.
-fn parameter((name, parameter): (&String, &ParameterResult)) -> String {
-    let name = words::spaced(words::without_unit(name, &parameter.unit));
+fn parameter((name, parameter): (&String, &ParameterResult), language: Language) -> String {
+    let name = words::parameter(name, &parameter.unit, language);
     // An uncertainty that is no number determines nothing either.
     if parameter.u <= UNDETERMINED * parameter.value.abs() {
         let figure = joined(
             &with_u(parameter.value, parameter.u),
             &words::unit_text(&parameter.unit),
         );
-        format!("{name} {figure}")
+        format!("{name} {}", language.number(&figure))
     } else {
-        format!("{name} not determined")
+        say(language, "not_determined", [("name", plain(name))])
     }
 }
 
 fn misfit(critique: &Critique, out: &mut Markup) {
-    out.element("h3", &[], "How much is left");
-    let ratio = |value: Option<f64>| value.map_or(NOTHING.into(), |value| significant(value, 3));
+    out.element("h3", &[], &out.say("how_much_is_left"));
+    let language = out.language();
+    let ratio = |value: Option<f64>| {
+        value.map_or(NOTHING.into(), |value| {
+            language.number(&significant(value, 3))
+        })
+    };
     let row = |name: &str, model: &ModelResult| {
         vec![
-            name.to_string(),
+            say(language, name, []),
             ratio(model.rms_over_noise),
             ratio(model.heldout_rms_over_noise),
         ]
     };
-    let mut rows = vec![row("Base simulation", &critique.baseline)];
+    let mut rows = vec![row("base_simulation", &critique.baseline)];
     if !is_adequate(critique) {
-        rows.push(row("Extended simulation", &critique.extended));
+        rows.push(row("extended_simulation", &critique.extended));
     }
     table(
         out,
-        &["Residual over noise", "Samples fitted", "Samples held out"],
+        &["residual_over_noise", "samples_fitted", "samples_held_out"],
         &rows,
     );
 }
 
 fn gain(critique: &Critique, out: &mut Markup) {
     let gained = critique.gain.heldout_rms_ratio.map(|ratio| {
-        format!(
-            "On samples that took no part in the fit the residual is {} times smaller.",
-            significant(ratio, 3)
-        )
+        let times = figure(significant(ratio, 3));
+        out.tell("residual_smaller", [("times", times)])
     });
     let score = critique.gain.log_score_per_sample.map(|gain| {
-        format!(
-            "The logarithm of the density of each such sample grows by {}.",
-            significant(gain, 2)
-        )
+        let gain = figure(significant(gain, 2));
+        out.tell("log_density_grows", [("gain", gain)])
     });
     let said: Vec<String> = [gained, score].into_iter().flatten().collect();
     if !said.is_empty() {
@@ -193,6 +195,7 @@ fn gain(critique: &Critique, out: &mut Markup) {
 }
 
 fn quantities(critique: &Critique, out: &mut Markup) {
+    let language = out.language();
     let (base, extended) = (&critique.baseline.quantities, &critique.extended.quantities);
     let mut keys: Vec<&String> = base
         .keys()
@@ -203,21 +206,15 @@ fn quantities(critique: &Critique, out: &mut Markup) {
     keys.sort_by_key(|key| words::rank(key));
     let rows: Vec<Vec<String>> = keys
         .into_iter()
-        .flat_map(|key| quantity_rows(key, base.get(key), extended.get(key)))
+        .flat_map(|key| quantity_rows(key, [base.get(key), extended.get(key)], language))
         .collect();
     if rows.is_empty() {
         return;
     }
-    out.element("h3", &[], "The body before and after");
+    out.element("h3", &[], &out.say("body_before_and_after"));
     table(
         out,
-        &[
-            "Quantity",
-            "Base ± u",
-            "Extended ± u",
-            "Shift",
-            "Shift over u",
-        ],
+        &["quantity", "base_u", "extended_u", "shift", "shift_over_u"],
         &rows,
     );
 }
@@ -225,17 +222,21 @@ fn quantities(critique: &Critique, out: &mut Markup) {
 /// One row for a number, one for each axis of a triple; a tensor has none.
 fn quantity_rows(
     key: &str,
-    base: Option<&QuantityResult>,
-    extended: Option<&QuantityResult>,
+    both: [Option<&QuantityResult>; 2],
+    language: Language,
 ) -> Vec<Vec<String>> {
-    let (base, extended) = (elements(base), elements(extended));
+    let [base, extended] = both.map(elements);
+    let of = words::quantity_name(key, language);
     let count = base.len().max(extended.len());
     let name = |i: usize| match count {
-        1 => words::quantity_name(key),
-        _ => format!("{} {}", words::quantity_name(key), ["x", "y", "z"][i]),
+        1 => of.clone(),
+        _ => format!("{of} {}", ["x", "y", "z"][i]),
     };
     (0..count)
-        .map(|i| quantity_row(name(i), words::unit_of(key), base.get(i), extended.get(i)))
+        .map(|i| quantity_row(words::unit_of(key), [base.get(i), extended.get(i)]))
+        .map(|cells| cells.map(|cell| language.number(&cell)))
+        .enumerate()
+        .map(|(i, cells)| std::iter::once(name(i)).chain(cells).collect())
         .collect()
 }
 
@@ -257,12 +258,7 @@ fn elements(quantity: Option<&QuantityResult>) -> Vec<(f64, f64)> {
 
 type Figure = (f64, f64);
 
-fn quantity_row(
-    name: String,
-    unit: &str,
-    base: Option<&Figure>,
-    extended: Option<&Figure>,
-) -> Vec<String> {
+fn quantity_row(unit: &str, [base, extended]: [Option<&Figure>; 2]) -> [String; 4] {
     let text = |figure: Option<&Figure>| {
         figure.map_or(NOTHING.into(), |(value, u)| {
             joined(&with_u(*value, *u), unit)
@@ -271,8 +267,7 @@ fn quantity_row(
     let shift = base
         .zip(extended)
         .map(|(base, extended)| (extended.0 - base.0, base.1));
-    vec![
-        name,
+    [
         text(base),
         text(extended),
         shift.map_or(NOTHING.into(), |(shift, u)| {
@@ -284,101 +279,104 @@ fn quantity_row(
 
 fn learned(force: Option<&LearnedForce>, out: &mut Markup) {
     let Some(force) = force else { return };
-    out.element("h3", &[], "The force that no known cause gives");
-    out.element("p", &[], &words::sentence_case(&force.text));
+    out.element("h3", &[], &out.say("unknown_force"));
+    out.element(
+        "p",
+        &[],
+        &words::sentence_case(&force.message.in_language(out.language())),
+    );
     if !force.equation.is_empty() {
         out.within("p", &[], |out| {
-            out.write("The simplest equation that does as well: ");
+            out.write(&format!("{} ", out.say("simplest_equation")));
             out.element("strong", &[], &force.equation);
         });
     }
-    let left = |what: &str, value: Option<f64>| {
-        value.map(|v| format!("{} with {what}", significant(v, 3)))
+    let left = |with: &str, value: Option<f64>| {
+        value.map(|v| out.tell(with, [("ratio", figure(significant(v, 3)))]))
     };
     let figures_left: Vec<String> = [
-        left("the learned force", force.heldout_rms_over_noise),
-        left("the equation", force.closed_heldout_rms_over_noise),
+        left("with_the_force", force.heldout_rms_over_noise),
+        left("with_the_equation", force.closed_heldout_rms_over_noise),
     ]
     .into_iter()
     .flatten()
     .collect();
     if !figures_left.is_empty() {
-        let text = format!(
-            "Residual over noise of the samples held out: {}.",
-            figures_left.join(", ")
-        );
+        let ratios = plain(figures_left.join(", "));
+        let text = out.tell("left_of_samples_held_out", [("ratios", ratios)]);
         out.element("p", &[], &text);
     }
-    figures(out, pictures::learned_force(force).as_slice());
+    let picture = pictures::learned_force(force, out.language());
+    figures(out, picture.as_slice());
 }
 
 fn next_swing(next: Option<&NextSwing>, out: &mut Markup) {
     let Some(next) = next else { return };
-    out.element("h3", &[], "The next swing");
-    if !next.message.english.is_empty() {
-        out.element("p", &[], &words::sentence_case(&next.message.english));
+    out.element("h3", &[], &out.say("next_swing"));
+    let language = out.language();
+    let sentence = next.message.in_language(language);
+    if !sentence.is_empty() {
+        out.element("p", &[], &words::sentence_case(&sentence));
     }
-    let row = |name: &str, value: f64, unit: &str| {
-        vec![name.into(), joined(&significant(value, 4), unit)]
+    let row = |key: &str, value: String| vec![say(language, key, []), value];
+    let number = |key: &str, value: f64, unit: &str| {
+        row(key, language.number(&joined(&significant(value, 4), unit)))
     };
+    let excited = next.excited.iter();
+    let excited = excited
+        .filter_map(|one| message::name(&format!("inertia.motion.{}", one.name()), language));
     let rows = [
-        vec!["Hung like the swing".into(), next.like.clone()],
-        row("Length of the lines", next.line_length_m, "m"),
-        row("Spacing of the lines", next.spacing_m, "m"),
-        row("Bow-up angle", next.hull_pitch_deg, "°"),
-        vec![
-            "Set going".into(),
-            next.excited
-                .iter()
-                .map(|one| one.name())
-                .collect::<Vec<_>>()
-                .join(", "),
-        ],
-        row("Angle of the release", next.amplitude_deg, "°"),
-        row("Length of the recording", next.duration_s, "s"),
-        vec![
-            "The causes in doubt then differ by".into(),
-            format!("{} σ", sigmas(next.sigma)),
-        ],
+        row("hung_like", id_in(&next.like, language)),
+        number("next_line_length", next.line_length_m, "m"),
+        number("next_spacing", next.spacing_m, "m"),
+        number("bow_up_angle", next.hull_pitch_deg, "°"),
+        row("set_going", excited.collect::<Vec<_>>().join(", ")),
+        number("release_angle", next.amplitude_deg, "°"),
+        number("recording_length", next.duration_s, "s"),
+        row(
+            "causes_then_differ",
+            language.number(&format!("{} σ", sigmas(next.sigma))),
+        ),
     ];
-    table(out, &["What", "Set to"], &rows);
+    table(out, &["what", "set_to"], &rows);
 }
 
 fn discrepancies(all: &[Discrepancy], out: &mut Markup) {
     if all.is_empty() {
         return;
     }
-    out.element("h3", &[], "What shows in the data");
-    let text = "Where the base simulation differs from the samples in a way that chance would not, the clearest first.";
-    out.element("p", &[], text);
+    out.element("h3", &[], &out.say("discrepancies"));
+    out.element("p", &[], &out.say("discrepancies_are"));
+    let language = out.language();
     let shown = &all[..all.len().min(MOST_DISCREPANCIES)];
     table(
         out,
-        &["Swing", "What", "Size", "Significance", "In words"],
-        &shown.iter().map(row).collect::<Vec<_>>(),
+        &["of_swing", "what", "size", "significance", "in_words"],
+        &shown
+            .iter()
+            .map(|one| row(one, language))
+            .collect::<Vec<_>>(),
     );
     let rest = all.len() - shown.len();
     if rest > 0 {
-        out.element(
-            "p",
-            &[("class", "note")],
-            &format!("And {rest} more, in the data of this file."),
-        );
+        let text = out.tell("and_more", [("count", plain(rest.to_string()))]);
+        out.element("p", &[("class", "note")], &text);
     }
 }
 
-fn row(found: &Discrepancy) -> Vec<String> {
+fn row(found: &Discrepancy, language: Language) -> Vec<String> {
     vec![
         if found.swing.is_empty() {
-            "between swings".into()
+            say(language, "between_swings", [])
         } else {
-            found.swing.clone()
+            id_in(&found.swing, language)
         },
-        words::sentence_case(&words::spaced(
-            &found.what.name().replace("_vs_", " against "),
+        words::sentence_case(&words::discrepancy(found.what, language)),
+        language.number(&joined(
+            &significant(found.size, 3),
+            &words::unit_text(&found.unit),
         )),
-        joined(&significant(found.size, 3), &words::unit_text(&found.unit)),
-        format!("{} σ", sigmas(found.sigma)),
-        words::sentence_case(&found.message.english),
+        language.number(&format!("{} σ", sigmas(found.sigma))),
+        words::sentence_case(&found.message.in_language(language)),
     ]
 }

@@ -3,43 +3,44 @@
 use crate::digits::{significant, with_unit};
 use crate::markup::Markup;
 use crate::source::ReportSource;
+use crate::words::say;
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     out.within("header", &[], |out| {
-        out.element(
-            "p",
-            &[("class", "kind")],
-            "Inertia of a hull by suspension: measurement report",
-        );
-        out.element("h1", &[], title(source));
+        out.element("p", &[("class", "kind")], &out.say("kind_of_document"));
+        out.element("h1", &[], &title(source));
         facts(source, out);
         signing(source, out);
     });
 }
 
 /// The title, or what stands for it.
-pub(crate) fn title(source: &ReportSource) -> &str {
+pub(crate) fn title(source: &ReportSource) -> String {
     let names = [&source.measurement.title, &source.body.name];
     names
         .into_iter()
         .find(|name| !name.trim().is_empty())
-        .map_or("Measurement", |name| name)
+        .map_or_else(|| say(source.language, "untitled", []), String::clone)
 }
 
 fn facts(source: &ReportSource, out: &mut Markup) {
     let body = &source.body;
-    let mut facts: Vec<(&str, String)> = Vec::new();
+    let number = |text: &str| source.language.number(text);
+    let mut facts: Vec<(String, String)> = Vec::new();
     if !body.name.is_empty() && body.name != title(source) {
-        facts.push(("Body", body.name.clone()));
+        facts.push((out.say("body"), body.name.clone()));
     }
     if let Some(mass) = body.mass_kg {
-        facts.push(("Mass that swung", with_unit(mass, "kg")));
+        facts.push((out.say("mass_that_swung"), number(&with_unit(mass, "kg"))));
     }
     if let Some(length) = body.length_overall_m {
-        facts.push(("Length overall", format!("{} m", significant(length, 5))));
+        facts.push((
+            out.say("length_overall"),
+            number(&format!("{} m", significant(length, 5))),
+        ));
     }
     let count = source.measurement.swings.len();
-    facts.push(("Swings", count.to_string()));
+    facts.push((out.say("swings"), count.to_string()));
     let line: Vec<String> = facts
         .into_iter()
         .map(|(name, value)| format!("{name}: {value}"))
@@ -51,16 +52,16 @@ fn facts(source: &ReportSource, out: &mut Markup) {
 fn signing(source: &ReportSource, out: &mut Markup) {
     let date = source.measured_on.as_deref().unwrap_or("");
     let blanks = [
-        ["Measured by", ""],
-        ["Date and place", date],
-        ["Signature", ""],
+        [out.say("measured_by"), String::new()],
+        [out.say("date_and_place"), date.into()],
+        [out.say("signature"), String::new()],
     ];
     out.within("table", &[("class", "sign")], |out| {
         out.within("tbody", &[], |out| {
             for [name, value] in blanks {
                 out.within("tr", &[], |out| {
-                    out.element("th", &[], name);
-                    out.element("td", &[], value);
+                    out.element("th", &[], &name);
+                    out.element("td", &[], &value);
                 });
             }
         });

@@ -5,12 +5,13 @@ use crate::digits::{NOTHING, interval, joined, rounded, signed, significant, wit
 use crate::markup::Markup;
 use crate::source::{ReportSource, StatedFigure};
 use crate::table::{list, table};
-use crate::words;
-use gyradius_identification::{Measurement, Route, SwingResult};
+use crate::words::{self, figure, id_in, ids, plain, say};
+use gyradius_base::language::{Language, minus};
+use gyradius_identification::{Measurement, Route, SwingResult, input};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     out.within("section", &[("id", "method")], |out| {
-        out.element("h2", &[], "How it was got");
+        out.element("h2", &[], &out.say("method"));
         swings(&source.measurement, out);
         stated(&source.stated, out);
         estimate(&source.measurement, out);
@@ -20,22 +21,12 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
 }
 
 fn swings(measurement: &Measurement, out: &mut Markup) {
-    let text = "The body hung on lines, was set swinging and let go. Each recording was fitted with damped oscillations \
-                shared by all channels, their number decided from the data; each oscillation was named by the shape \
-                of the motion.";
-    out.element("p", &[], text);
-    let simulated: Vec<&str> = measurement
-        .swings
-        .iter()
-        .filter(|s| s.simulated)
-        .map(|s| &*s.id)
-        .collect();
+    let language = out.language();
+    out.element("p", &[], &out.say("swings_fitted"));
+    let simulated = measurement.swings.iter().filter(|s| s.simulated);
+    let simulated = ids(simulated.map(|s| &s.id), language);
     if !simulated.is_empty() {
-        let text = format!(
-            "Then the full motion of the hull on its lines was simulated and fitted to the samples themselves, all of these \
-             swings together: {}. Their periods below are those of the fitted hull at small amplitude.",
-            simulated.join(", ")
-        );
+        let text = out.tell("swings_simulated", [("swings", plain(simulated))]);
         out.element("p", &[], &text);
     }
     list(
@@ -44,70 +35,68 @@ fn swings(measurement: &Measurement, out: &mut Markup) {
         &measurement
             .swings
             .iter()
-            .map(swing_sentence)
+            .map(|swing| swing_sentence(swing, language))
             .collect::<Vec<_>>(),
     );
 }
 
-fn swing_sentence(swing: &SwingResult) -> String {
-    let span = swing.span_s.map_or(String::new(), |[start, end]| {
-        format!(" ({} s of free swing)", significant(end - start, 3))
-    });
+fn swing_sentence(swing: &SwingResult, language: Language) -> String {
+    let id = id_in(&swing.id, language);
+    let name = match swing.span_s {
+        Some([start, end]) => {
+            let seconds = figure(significant(end - start, 3));
+            let named = [("swing", plain(id)), ("seconds", seconds)];
+            say(language, "swing_of_seconds", named)
+        }
+        None => id,
+    };
     let modes: Vec<String> = swing
         .modes
         .iter()
         .map(|m| {
-            format!(
-                "{} {} s",
-                words::mode_text(m.mode),
-                with_u(m.period_s, m.period_se_s)
-            )
+            let period = language.number(&with_u(m.period_s, m.period_se_s));
+            format!("{} {period} s", words::mode_text(m.mode, language))
         })
         .collect();
     if modes.is_empty() {
-        return format!("{}{span}: no period was found.", swing.id);
+        return say(language, "no_period", [("swing", plain(name))]);
     }
-    format!("{}{span}: {}.", swing.id, modes.join("; "))
+    format!("{name}: {}.", modes.join("; "))
 }
 
 fn stated(stated: &[StatedFigure], out: &mut Markup) {
     if stated.is_empty() {
         return;
     }
-    out.element("h3", &[], "Stated figures");
-    let row = |figure: &StatedFigure| {
-        let uncertain = figure.value.u > 0.0;
-        let value = with_unit(figure.value, &figure.unit);
+    out.element("h3", &[], &out.say("stated_figures"));
+    let language = out.language();
+    let row = |stated: &StatedFigure| {
+        let uncertain = stated.value.u > 0.0;
+        let value = language.number(&with_unit(stated.value, &stated.unit));
         vec![
-            words::sentence_case(&figure.what),
+            words::sentence_case(&stated.what),
             if uncertain {
                 value
             } else {
-                format!("{value} (as exact)")
+                say(language, "as_exact", [("value", plain(value))])
             },
-            if figure.applies_to.is_empty() {
-                "all".into()
+            if stated.applies_to.is_empty() {
+                say(language, "for_all", [])
             } else {
-                figure.applies_to.join(", ")
+                ids(&stated.applies_to, language)
             },
         ]
     };
-    table(
-        out,
-        &["Figure", "Stated ± u", "For"],
-        &stated.iter().map(row).collect::<Vec<_>>(),
-    );
+    let rows: Vec<Vec<String>> = stated.iter().map(row).collect();
+    table(out, &["figure", "stated_u", "applies_to"], &rows);
 }
 
 fn estimate(measurement: &Measurement, out: &mut Markup) {
     if measurement.quantities.is_empty() {
         return;
     }
-    out.element("h3", &[], "The joint estimate");
-    let text = "Swings, dimensions and angles were then fitted together: one body, one gravity, one tape. Each figure \
-                weighs by its uncertainty, and what several figures share is counted once, with its correlation. Where \
-                no simulation was fitted, the periods of small, undamped swings enter.";
-    out.element("p", &[], text);
+    out.element("h3", &[], &out.say("joint_estimate"));
+    out.element("p", &[], &out.say("joint_estimate_is"));
 }
 
 fn routes(measurement: &Measurement, out: &mut Markup) {
@@ -119,31 +108,44 @@ fn routes(measurement: &Measurement, out: &mut Markup) {
     if all.is_empty() {
         return;
     }
-    out.element("h3", &[], "Single routes beside it");
-    let text = "Each route uses few of the figures and the equations of the paper whose numbers stand beside it. Routes \
-                are shown as a check; they take no further part.";
-    out.element("p", &[], text);
+    out.element("h3", &[], &out.say("single_routes"));
+    out.element("p", &[], &out.say("single_routes_are"));
+    let language = out.language();
     let mut rows: Vec<(usize, Vec<String>)> = all
         .iter()
-        .map(|(key, route)| (words::rank(key), route_row(measurement, key, route)))
+        .map(|(key, route)| {
+            (
+                words::rank(key),
+                route_row(measurement, (key, route), language),
+            )
+        })
         .collect();
     rows.sort_by_key(|(rank, _)| *rank);
     let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, row)| row).collect();
     table(
         out,
         &[
-            "Quantity",
-            "Route",
-            "Value ± u",
-            "Less joint",
-            "Equation",
-            "From",
+            "quantity",
+            "route",
+            "value_u",
+            "less_joint",
+            "equation",
+            "from",
         ],
         &rows,
     );
 }
 
-fn route_row(measurement: &Measurement, key: &str, route: &Route) -> Vec<String> {
+fn route_row(
+    measurement: &Measurement,
+    (key, route): (&str, &Route),
+    language: Language,
+) -> Vec<String> {
+    let number = |text: &str| language.number(text);
+    let from = route.from.iter();
+    let from: Vec<String> = from
+        .map(|label| input(label).in_language(language))
+        .collect();
     let unit = words::unit_of(key);
     let joint = measurement
         .quantities
@@ -151,15 +153,19 @@ fn route_row(measurement: &Measurement, key: &str, route: &Route) -> Vec<String>
         .and_then(|q| q.value.scalar());
     let difference = joint.map_or(NOTHING.into(), |joint| {
         let difference = route.value - joint;
-        signed(difference, &rounded(difference, route.u))
+        number(&signed(difference, &rounded(difference, route.u)))
     });
     vec![
-        words::quantity_name(key),
-        words::sentence_case(&words::route(&route.method)),
-        with_interval(key, route, &joined(&with_u(route.value, route.u), unit)),
+        words::quantity_name(key, language),
+        words::sentence_case(&words::route(&route.method, language)),
+        number(&with_interval(
+            key,
+            route,
+            &joined(&with_u(route.value, route.u), unit),
+        )),
         difference,
-        route.equation.clone(),
-        route.from.join(", "),
+        words::equation(route, language),
+        from.join(", "),
     ]
 }
 
@@ -172,21 +178,23 @@ fn with_interval(key: &str, route: &Route, value: &str) -> String {
 }
 
 fn correlations(measurement: &Measurement, out: &mut Markup) {
+    let language = out.language();
     let pairs: Vec<String> = measurement
         .correlations
         .iter()
         .filter(|(_, _, r)| r.is_finite())
         .map(|(a, b, r)| {
-            let value = gyradius_base::language::minus(&format!("{r:.2}"));
-            format!("{} and {} {value}", name(a), name(b))
+            let [one, other] = [a, b].map(|key| plain(words::quantity_inside(key, language)));
+            let r = figure(minus(&format!("{r:.2}")));
+            say(
+                language,
+                "correlation",
+                [("one", one), ("other", other), ("r", r)],
+            )
         })
         .collect();
     if !pairs.is_empty() {
-        let text = format!("Correlations of the results: {}.", pairs.join("; "));
+        let text = out.tell("correlations", [("pairs", plain(pairs.join("; ")))]);
         out.element("p", &[("class", "note")], &text);
     }
-}
-
-fn name(key: &str) -> String {
-    words::quantity_name(key).to_lowercase()
 }

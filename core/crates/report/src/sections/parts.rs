@@ -6,7 +6,8 @@ use crate::markup::Markup;
 use crate::pictures;
 use crate::source::ReportSource;
 use crate::table::{figures, table};
-use crate::words;
+use crate::words::{self, figure, plain, say};
+use gyradius_base::language::Language;
 use gyradius_identification::Claim;
 
 pub(super) fn court(source: &ReportSource, out: &mut Markup) {
@@ -16,86 +17,87 @@ pub(super) fn court(source: &ReportSource, out: &mut Markup) {
         return;
     }
     out.within("section", &[("id", "consistency")], |out| {
-        out.element("h2", &[], "Does the session agree with itself?");
+        out.element("h2", &[], &out.say("court"));
         if claims.is_empty() {
-            out.element(
-                "p",
-                &[],
-                "There was nothing to hold against one another: each figure was stated or implied once.",
-            );
+            out.element("p", &[], &out.say("court_empty"));
             return;
         }
         let flagged = claims.iter().filter(|claim| claim.flagged).count();
-        out.element("p", &[], &verdict(claims.len(), flagged));
+        out.element("p", &[], &verdict(claims.len(), flagged, out.language()));
         for claim in claims.iter().filter(|claim| claim.flagged) {
-            out.element("p", &[("class", "flagged")], &words::sentence_case(&claim.message.english));
-        }
-        figures(out, pictures::court(claims).as_slice());
-        let shown = claims.len().min(pictures::MOST_ROWS);
-        let heads = ["Claim", "Stated ± u", "Implied ± u", "Difference", "Implied by"];
-        table(out, &heads, &claims[..shown].iter().map(row).collect::<Vec<_>>());
-        if claims.len() > shown {
-            let text = format!(
-                "{} further comparisons differ by less; they are in the data of this file.",
-                claims.len() - shown
+            out.element(
+                "p",
+                &[("class", "flagged")],
+                &words::sentence_case(&claim.message.in_language(out.language())),
             );
+        }
+        figures(out, pictures::court(claims, out.language()).as_slice());
+        let shown = claims.len().min(pictures::MOST_ROWS);
+        let heads = ["claim", "stated_u", "implied_u", "difference", "implied_by"];
+        let rows = claims[..shown]
+            .iter()
+            .map(|claim| row(claim, out.language()));
+        let rows: Vec<Vec<String>> = rows.collect();
+        table(out, &heads, &rows);
+        if claims.len() > shown {
+            let rest = plain((claims.len() - shown).to_string());
+            let text = out.tell("claims_left_out", [("count", rest)]);
             out.element("p", &[("class", "note")], &text);
         }
     });
 }
 
-fn verdict(count: usize, flagged: usize) -> String {
-    let compared = format!(
-        "Every stated dimension was held against what the swings imply, and every route against every other: {count} {}.",
-        if count == 1 {
-            "comparison"
-        } else {
-            "comparisons"
-        }
-    );
-    match flagged {
-        0 => format!("{compared} None differs by more than three standard uncertainties."),
-        1 => format!("{compared} One differs by more than three standard uncertainties:"),
-        n => format!("{compared} {n} differ by more than three standard uncertainties:"),
-    }
+fn verdict(count: usize, flagged: usize, language: Language) -> String {
+    let compared = match count {
+        1 => say(language, "compared_one", []),
+        n => say(language, "compared", [("count", plain(n.to_string()))]),
+    };
+    let differing = match flagged {
+        0 => say(language, "none_differs", []),
+        1 => say(language, "one_differs", []),
+        n => say(language, "some_differ", [("count", plain(n.to_string()))]),
+    };
+    format!("{compared} {differing}")
 }
 
-fn row(claim: &Claim) -> Vec<String> {
+fn row(claim: &Claim, language: Language) -> Vec<String> {
     let unit = words::claim_unit(&claim.claim);
-    let flag = if claim.flagged {
-        " – contradiction"
-    } else {
-        ""
-    };
+    let number = |text: &str| language.number(text);
     let sigma = match claim.sigma_range {
-        None => format!("{} σ", sigmas(claim.sigma)),
-        Some([least, most]) => {
-            let pairs = claim.pairs;
-            format!("{} to {} σ over {pairs} pairs", sigmas(least), sigmas(most))
-        }
+        None => number(&format!("{} σ", sigmas(claim.sigma))),
+        Some([least, most]) => say(
+            language,
+            "sigma_range",
+            [
+                ("least", figure(sigmas(least))),
+                ("most", figure(sigmas(most))),
+                ("pairs", plain(claim.pairs.to_string())),
+            ],
+        ),
+    };
+    let difference = match claim.flagged {
+        true => say(language, "contradiction", [("sigma", plain(sigma))]),
+        false => sigma,
     };
     vec![
-        words::sentence_case(&words::claim_name(&claim.claim)),
-        joined(&with_u(claim.stated, claim.stated_u), unit),
-        joined(&with_u(claim.implied, claim.implied_u), unit),
-        format!("{sigma}{flag}"),
-        words::sentence_case(&claim.from),
+        words::sentence_case(&words::claim_name(&claim.claim, language)),
+        number(&joined(&with_u(claim.stated, claim.stated_u), unit)),
+        number(&joined(&with_u(claim.implied, claim.implied_u), unit)),
+        difference,
+        words::sentence_case(&words::claim_from(claim, language)),
     ]
 }
 
 pub(super) fn budget(source: &ReportSource, out: &mut Markup) {
-    let pictures = pictures::budgets(&source.measurement);
+    let pictures = pictures::budgets(&source.measurement, source.language);
     if pictures.is_empty() {
         return;
     }
     out.within("section", &[("id", "budget")], |out| {
-        out.element("h2", &[], "Where the uncertainty comes from");
-        let text = "Each bar is an input's own uncertainty times the sensitivity of the result to it. Contributions add as \
-                    squares: halving a bar that is half as long as the longest hardly helps.";
-        out.element("p", &[], text);
+        out.element("h2", &[], &out.say("budget"));
+        out.element("p", &[], &out.say("budget_read"));
         if !Headline::of(source).replaced.is_empty() {
-            let text = "The bars are those of the fit without the causes that the criticism found.";
-            out.element("p", &[("class", "note")], text);
+            out.element("p", &[("class", "note")], &out.say("budget_base"));
         }
         figures(out, &pictures);
     });
@@ -107,10 +109,10 @@ pub(super) fn ellipsoids(source: &ReportSource, out: &mut Markup) {
         return;
     }
     out.within("section", &[("id", "ellipsoids")], |out| {
-        out.element("h2", &[], "The inertia as a picture");
-        match pictures::no_ellipsoid_reason(&quantities) {
+        out.element("h2", &[], &out.say("ellipsoids"));
+        match pictures::no_ellipsoid_reason(&quantities, source.language) {
             Some(reason) => out.element("p", &[], &reason),
-            None => figures(out, &pictures::ellipsoids(&quantities)),
+            None => figures(out, &pictures::ellipsoids(&quantities, source.language)),
         }
     });
 }

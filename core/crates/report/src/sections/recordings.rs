@@ -5,8 +5,8 @@ use crate::markup::Markup;
 use crate::pictures;
 use crate::source::ReportSource;
 use crate::table::{figures, list, table};
-use crate::words;
-use gyradius_base::language::minus;
+use crate::words::{self, figure, id_in, plain, say};
+use gyradius_base::language::{Language, minus};
 use gyradius_identification::{ModeResult, SwingResult};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
@@ -14,7 +14,7 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
         return;
     }
     out.within("section", &[("id", "recordings")], |out| {
-        out.element("h2", &[], "Each swing");
+        out.element("h2", &[], &out.say("each_swing"));
         source
             .measurement
             .swings
@@ -24,9 +24,17 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
 }
 
 fn one(source: &ReportSource, swing: &SwingResult, out: &mut Markup) {
+    let language = source.language;
     out.within("section", &[("class", "swing")], |out| {
-        out.element("h3", &[], &format!("Swing {}", swing.id));
-        let said: Vec<String> = [span(swing), misfit(swing)].into_iter().flatten().collect();
+        out.element(
+            "h3",
+            &[],
+            &out.tell("swing", [("id", plain(id_in(&swing.id, language)))]),
+        );
+        let said: Vec<String> = [span(swing, out), misfit(swing, out)]
+            .into_iter()
+            .flatten()
+            .collect();
         if !said.is_empty() {
             out.element("p", &[], &said.join(" "));
         }
@@ -37,7 +45,7 @@ fn one(source: &ReportSource, swing: &SwingResult, out: &mut Markup) {
             &swing
                 .warnings
                 .iter()
-                .map(|text| words::sentence_case(&text.english))
+                .map(|text| words::sentence_case(&text.in_language(language)))
                 .collect::<Vec<_>>(),
         );
         repairs(swing, out);
@@ -47,80 +55,73 @@ fn one(source: &ReportSource, swing: &SwingResult, out: &mut Markup) {
             .iter()
             .find(|recording| recording.id == swing.id)
         {
-            shown.extend(pictures::fits(recording));
-            shown.extend(pictures::spectrum(recording));
+            shown.extend(pictures::fits(recording, language));
+            shown.extend(pictures::spectrum(recording, language));
         }
-        shown.extend(pictures::against_amplitude(swing));
+        shown.extend(pictures::against_amplitude(swing, language));
         figures(out, &shown);
     });
 }
 
-fn span(swing: &SwingResult) -> Option<String> {
+fn span(swing: &SwingResult, out: &Markup) -> Option<String> {
     let [start, end] = swing.span_s?;
-    Some(format!(
-        "Free swing from {} s to {} s.",
-        significant(start, 4),
-        significant(end, 4)
-    ))
+    let named = [
+        ("start", figure(significant(start, 4))),
+        ("end", figure(significant(end, 4))),
+    ];
+    Some(out.tell("free_swing", named))
 }
 
 /// How well the fit describes the record.
-fn misfit(swing: &SwingResult) -> Option<String> {
+fn misfit(swing: &SwingResult, out: &Markup) -> Option<String> {
     let ratio = swing.rms_over_noise.filter(|ratio| ratio.is_finite())?;
-    let meaning = match ratio {
-        r if r < 1.05 => "the fit describes the record down to its noise",
-        r if r < 1.5 => {
-            "a little is left that the fit does not know, and the standard errors are widened for it"
-        }
-        _ => {
-            "something moves that the fit does not know, and the standard errors are widened for it"
-        }
+    let key = match ratio {
+        r if r < 1.05 => "misfit_none",
+        r if r < 1.5 => "misfit_little",
+        _ => "misfit_some",
     };
-    Some(format!(
-        "The residual of all channels is {} times the noise: {meaning}.",
-        significant(ratio, 3)
-    ))
+    Some(out.tell(key, [("times", figure(significant(ratio, 3)))]))
 }
 
 fn modes(swing: &SwingResult, out: &mut Markup) {
     if swing.modes.is_empty() {
-        out.element("p", &[], "No oscillation was found.");
+        out.element("p", &[], &out.say("no_oscillation"));
         return;
     }
     let heads = [
-        "Mode",
-        "Period at small amplitude, s",
-        "Period as swung, s",
-        "Decay time, s",
-        "Amplitude",
-        "Size",
+        "mode",
+        "small_period_s",
+        "observed_period_s",
+        "decay_time_s",
+        "amplitude",
+        "size",
     ];
-    table(
-        out,
-        &heads,
-        &swing.modes.iter().map(row).collect::<Vec<_>>(),
-    );
+    let language = out.language();
+    let rows = swing.modes.iter().map(|mode| row(mode, language));
+    table(out, &heads, &rows.collect::<Vec<_>>());
 }
 
-fn row(mode: &ModeResult) -> Vec<String> {
-    let unmeant = match (mode.parasitic, mode.doubtful) {
-        (_, true) => " (doubtful: it may be part of the misfit)",
-        (true, false) => " (not meant)",
-        (false, false) => "",
+fn row(mode: &ModeResult, language: Language) -> Vec<String> {
+    let name = words::mode_text(mode.mode, language);
+    let name = match (mode.parasitic, mode.doubtful) {
+        (_, true) => say(language, "mode_doubtful", [("mode", plain(name))]),
+        (true, false) => say(language, "mode_not_meant", [("mode", plain(name))]),
+        (false, false) => name,
     };
+    let number = |text: &str| language.number(text);
     let observed_u = if mode.period_se_s > 0.0 {
         mode.period_se_s
     } else {
         f64::NAN
     };
     vec![
-        words::sentence_case(&format!("{}{unmeant}", words::mode_text(mode.mode))),
-        with_u(mode.period_s, mode.period_se_s),
-        crate::digits::rounded(mode.period_observed_s, observed_u),
+        words::sentence_case(&name),
+        number(&with_u(mode.period_s, mode.period_se_s)),
+        number(&crate::digits::rounded(mode.period_observed_s, observed_u)),
         mode.decay_time_s.map_or(NOTHING.into(), |tau| {
-            with_u(tau, mode.decay_time_se_s.unwrap_or(0.0))
+            number(&with_u(tau, mode.decay_time_se_s.unwrap_or(0.0)))
         }),
-        amplitude(mode),
+        number(&amplitude(mode)),
         minus(&format!("{:.0}", mode.relative_db)).to_string() + " dB",
     ]
 }
@@ -144,22 +145,21 @@ fn repairs(swing: &SwingResult, out: &mut Markup) {
     if swing.repairs.is_empty() {
         return;
     }
-    out.element(
-        "h4",
-        &[],
-        "What was wrong with the recording, and what was done",
-    );
+    out.element("h4", &[], &out.say("repairs"));
     let sentences: Vec<String> = swing
         .repairs
         .iter()
         .map(|repair| {
-            let kind = words::sentence_case(words::repair(repair.kind));
+            let kind = words::sentence_case(&words::repair(repair.kind, out.language()));
             let count = if repair.count > 1 {
                 format!(" ({})", repair.count)
             } else {
                 String::new()
             };
-            format!("{kind}{count}: {}", repair.text)
+            format!(
+                "{kind}{count}: {}",
+                words::repair_text(repair, out.language())
+            )
         })
         .collect();
     list(out, "notes", &sentences);

@@ -5,13 +5,14 @@ use crate::headline::Headline;
 use crate::markup::Markup;
 use crate::source::ReportSource;
 use crate::table::{list, matrix};
-use crate::words;
+use crate::words::{self, figure, plain};
+use gyradius_base::language::Language;
 use gyradius_identification::{COVERAGE_95, QuantityResult, Value, Verdict};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     let headline = Headline::of(source);
     out.within("section", &[("id", "result")], |out| {
-        out.element("h2", &[], "Result");
+        out.element("h2", &[], &out.say("result"));
         quantities(&headline, out);
         verdicts(&headline, out);
         warnings(source, out);
@@ -23,32 +24,28 @@ fn quantities(headline: &Headline, out: &mut Markup) {
     let all = &headline.quantities;
     let mut keys: Vec<&String> = all.keys().filter(|key| is_listed(&all[*key])).collect();
     if keys.is_empty() {
-        let text = "The swings do not determine any inertia: below are the modes that were found.";
-        out.element("p", &[], text);
+        out.element("p", &[], &out.say("no_inertia"));
         return;
     }
     keys.sort_by_key(|key| (words::rank(key), key.to_string()));
     out.within("div", &[("class", "scroll")], |out| {
         out.within("table", &[("class", "result")], |out| {
-            out.raw("<thead><tr><th>Quantity</th><th>Value ± u</th><th>95 % interval</th>");
-            out.raw(if headline.replaced.is_empty() {
-                ""
-            } else {
-                "<th>Base simulation</th>"
-            });
+            out.raw("<thead><tr>");
+            for head in ["quantity", "value_u", "interval"] {
+                out.element("th", &[], &out.say(head));
+            }
+            if !headline.replaced.is_empty() {
+                out.element("th", &[], &out.say("base_simulation"));
+            }
             out.raw("</tr></thead>");
             out.within("tbody", &[], |out| {
                 keys.iter().for_each(|key| quantity(out, key, headline))
             });
         });
     });
-    let note = "u is one standard uncertainty: every input and what inputs share is counted. The interval holds the true \
-                value with a probability of 95 %, provided that what is stated below is true.";
-    out.element("p", &[("class", "note")], note);
+    out.element("p", &[("class", "note")], &out.say("u_is"));
     if !headline.replaced.is_empty() {
-        let note = "The simulation of a hull on its lines was found wanting. The values are those of the simulation with what was \
-                    found to be missing; the last column is without it. What was found stands below.";
-        out.element("p", &[("class", "note")], note);
+        out.element("p", &[("class", "note")], &out.say("values_extended"));
     }
 }
 
@@ -59,29 +56,33 @@ fn is_listed(quantity: &QuantityResult) -> bool {
 }
 
 fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
-    let quantity = &headline.quantities[key];
+    let (quantity, language) = (&headline.quantities[key], out.language());
     if !matches!(quantity.value, Value::Scalar(_)) {
         return triple(out, key, headline);
     }
     out.within("tr", &[], |out| {
         out.within("th", &[], |out| {
-            out.write(&words::quantity_name(key));
+            out.write(&words::quantity_name(key, language));
             if let Some(words) = words::quantity(key) {
                 out.write(" ");
                 symbol(out, words.symbol);
             }
         });
-        out.element("td", &[("class", "value")], &value_text(key, quantity));
+        out.element(
+            "td",
+            &[("class", "value")],
+            &value_text(key, quantity, language),
+        );
         let u = quantity.u.scalar().unwrap_or(0.0);
-        let bounds = quantity
-            .interval_95
-            .map_or(String::new(), |bounds| interval(bounds, u));
+        let bounds = quantity.interval_95.map_or(String::new(), |bounds| {
+            language.number(&interval(bounds, u))
+        });
         out.element("td", &[("class", "interval")], &bounds);
         if !headline.replaced.is_empty() {
             let base = headline
                 .replaced
                 .get(key)
-                .map_or(String::new(), |base| value_text(key, base));
+                .map_or(String::new(), |base| value_text(key, base, language));
             out.element("td", &[("class", "base")], &base);
         }
     });
@@ -90,10 +91,11 @@ fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
 /// One row for each axis.
 fn triple(out: &mut Markup, key: &str, headline: &Headline) {
     let name = if key == "principal_gyradii_m" {
-        "Gyradius about principal".into()
+        out.say("about_principal")
     } else {
-        words::quantity_name(key)
+        words::quantity_name(key, out.language())
     };
+    let language = out.language();
     let base = headline.replaced.get(key).map(pairs).unwrap_or_default();
     let values = pairs(&headline.quantities[key])
         .into_iter()
@@ -104,13 +106,13 @@ fn triple(out: &mut Markup, key: &str, headline: &Headline) {
             out.element(
                 "td",
                 &[("class", "value")],
-                &joined(&with_u(value, u), words::unit_of(key)),
+                &language.number(&joined(&with_u(value, u), words::unit_of(key))),
             );
             let half = COVERAGE_95 * u;
             out.element(
                 "td",
                 &[("class", "interval")],
-                &interval([value - half, value + half], u),
+                &language.number(&interval([value - half, value + half], u)),
             );
             if !headline.replaced.is_empty() {
                 let base = base
@@ -119,7 +121,7 @@ fn triple(out: &mut Markup, key: &str, headline: &Headline) {
                 out.element(
                     "td",
                     &[("class", "base")],
-                    &joined(&base, words::unit_of(key)),
+                    &language.number(&joined(&base, words::unit_of(key))),
                 );
             }
         });
@@ -137,10 +139,10 @@ fn symbol(out: &mut Markup, symbol: &str) {
     });
 }
 
-fn value_text(key: &str, quantity: &QuantityResult) -> String {
+fn value_text(key: &str, quantity: &QuantityResult, language: Language) -> String {
     let pairs: Vec<String> = pairs(quantity)
         .into_iter()
-        .map(|(value, u)| with_u(value, u))
+        .map(|(value, u)| language.number(&with_u(value, u)))
         .collect();
     joined(&pairs.join(", "), words::unit_of(key))
 }
@@ -163,44 +165,64 @@ fn flat(value: &Value) -> Vec<f64> {
 fn verdicts(headline: &Headline, out: &mut Markup) {
     for verdict in &headline.verdicts {
         let word = match &*verdict.verdict {
-            "pass" => "Pass",
-            "fail" => "Fail",
-            _ => "Undecided",
+            "pass" => "pass",
+            "fail" => "fail",
+            _ => "undecided",
         };
-        let class = format!("verdict {}", word.to_lowercase());
+        let class = format!("verdict {word}");
         out.within("p", &[("class", &class)], |out| {
-            out.element("strong", &[], word);
-            out.write(&format!(": {}", verdict_text(headline, verdict)));
+            out.element("strong", &[], &out.say(word));
+            out.write(&format!(": {}", verdict_text(headline, verdict, out)));
         });
     }
 }
 
-fn verdict_text(headline: &Headline, verdict: &Verdict) -> String {
+fn verdict_text(headline: &Headline, verdict: &Verdict, out: &Markup) -> String {
     let unit = words::unit_of(&verdict.quantity);
     let measured = headline.quantities.get(&verdict.quantity);
     let value = measured.and_then(|q| Some((q.value.scalar()?, q.u.scalar()?)));
     let relation = match &*verdict.relation {
-        ">=" => "at least",
-        "<=" => "at most",
-        other => other,
+        ">=" => out.say("at_least"),
+        "<=" => out.say("at_most"),
+        other => other.into(),
     };
-    let asked = format!(
-        "{} asked to be {relation} {} {unit}",
-        words::quantity_name(&verdict.quantity).to_lowercase(),
-        significant(verdict.limit, 6)
-    );
-    let found = value.map_or(String::new(), |(v, u)| {
-        format!(", measured {} {unit}", with_u(v, u))
-    });
-    let explained = match &*verdict.verdict {
-        "pass" | "fail" => "",
-        _ => " The limit lies within the guard band: neither can be stated with confidence.",
+    let language = out.language();
+    let asked = [
+        (
+            "quantity",
+            plain(words::quantity_inside(&verdict.quantity, language)),
+        ),
+        ("relation", plain(relation)),
+        (
+            "limit",
+            figure(format!("{} {unit}", significant(verdict.limit, 6))),
+        ),
+    ];
+    let asked = out.tell("asked", asked);
+    let asked = match value {
+        Some((v, u)) => {
+            let found = figure(format!("{} {unit}", with_u(v, u)));
+            out.tell(
+                "asked_measured",
+                [("asked", plain(asked)), ("measured", found)],
+            )
+        }
+        None => asked,
     };
-    format!(
-        "{asked}{found}; guard band {} {unit}, probability that the hull conforms {} %.{explained}",
-        significant(verdict.guard_band, 2),
-        percent(verdict.conformance_probability)
-    )
+    let probability = percent(verdict.conformance_probability, language);
+    let named = [
+        ("asked", plain(asked)),
+        (
+            "guard_band",
+            figure(format!("{} {unit}", significant(verdict.guard_band, 2))),
+        ),
+        ("percent", plain(probability)),
+    ];
+    let judged = out.tell("judged", named);
+    match &*verdict.verdict {
+        "pass" | "fail" => judged,
+        _ => format!("{judged} {}", out.say("within_guard_band")),
+    }
 }
 
 /// The tensor about the centre of mass, and the correlations of the scalars.
@@ -218,22 +240,17 @@ fn tensor(headline: &Headline, out: &mut Markup) {
         .enumerate()
         .map(|(i, axis)| {
             let cells = (0..3).map(|j| with_u(values[3 * i + j], u(3 * i + j)));
+            let cells = cells.map(|cell| out.language().number(&cell));
             std::iter::once(axis.to_string()).chain(cells).collect()
         })
         .collect();
-    out.element(
-        "h3",
-        &[],
-        "Inertia about the centre of mass, hull axes, kg m²",
-    );
-    matrix(out, &["", "x", "y", "z"], &rows);
+    out.element("h3", &[], &out.say("tensor"));
+    matrix(out, ["", "x", "y", "z"], &rows);
     if !headline.replaced.is_empty() && !headline.replaced.contains_key("inertia_kg_m2") {
-        out.element("p", &[("class", "note")], "By the base simulation.");
+        out.element("p", &[("class", "note")], &out.say("by_base"));
     }
     if inertia.method.contains("taken as principal") {
-        let text =
-            "The products of inertia were not measured: the hull's axes are taken as principal.";
-        out.element("p", &[("class", "note")], text);
+        out.element("p", &[("class", "note")], &out.say("no_products"));
     }
 }
 
@@ -243,10 +260,10 @@ fn warnings(source: &ReportSource, out: &mut Markup) {
         return;
     }
     out.within("div", &[("class", "warnings")], |out| {
-        out.element("h3", &[], "To be read with the result");
+        out.element("h3", &[], &out.say("to_be_read"));
         let sentences: Vec<String> = warnings
             .iter()
-            .map(|text| words::sentence_case(&text.english))
+            .map(|text| words::sentence_case(&text.in_language(out.language())))
             .collect();
         list(out, "", &sentences);
     });

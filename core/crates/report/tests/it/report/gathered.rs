@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use gyradius_base::language::Language;
 use gyradius_identification::{MeasureOptions, measure_recording};
 use gyradius_recording::{Recording, Triad};
 use gyradius_report::{MOST_POINTS, ReportSource, html};
@@ -52,7 +53,7 @@ fn yawing() -> Recording {
 #[test]
 fn a_bare_recording_becomes_a_page() {
     let analysis = measure_recording(&yawing(), &MeasureOptions::default()).expect("an analysis");
-    let source = ReportSource::from_analysis(&analysis, None);
+    let source = ReportSource::from_analysis(&analysis, None, Language::English);
     let [recording] = source.recordings.as_slice() else {
         panic!("one recording")
     };

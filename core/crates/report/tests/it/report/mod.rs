@@ -7,5 +7,6 @@ mod content;
 mod critique;
 mod degenerate;
 mod gathered;
+mod german;
 mod samples;
 mod well_formed;

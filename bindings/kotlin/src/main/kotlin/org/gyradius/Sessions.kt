@@ -31,12 +31,13 @@ suspend fun Session.planToTellApart(
 suspend fun planSwings(request: PlanRequest, onProgress: OnProgress? = null): Plan =
     watched(onProgress) { Plan.makeBlocking(request, it) }
 
-/** The report: one self-contained HTML file. */
+/** The report: one self-contained HTML file in a language. */
 suspend fun Analysis.reportHtml(
     criticism: Criticism? = null,
     measuredOn: String? = null,
+    language: Language = Language.ENGLISH,
     onProgress: OnProgress? = null,
-): String = watched(onProgress) { reportHtmlBlocking(criticism, measuredOn, it) }
+): String = watched(onProgress) { reportHtmlBlocking(criticism, measuredOn, language, it) }
 
 /** A quantity of the result, e.g. `k_yaw_m`. */
 fun InertiaResult.quantity(name: String): QuantityResult? = quantities.firstOrNull { it.name == name }?.quantity

@@ -33,7 +33,7 @@ class ResultsTest {
 
     @Test
     fun `pictures come thinned`() = runBlocking {
-        val recordings = boatPark.recordings()
+        val recordings = boatPark.recordings(Language.ENGLISH)
         assertEquals(5, recordings.size)
         for (trace in recordings.flatMap { it.traces }) {
             // A pause in the record adds a point to the 1200 of the core.
@@ -41,9 +41,12 @@ class ResultsTest {
             assertEquals(trace.measured.x.size, trace.measured.y.size)
         }
         assertTrue(recordings.all { it.spectrum!!.amplitude.x.isNotEmpty() })
-        assertTrue(boatPark.figures(null).all { it.svg.startsWith("<svg") && it.title.isNotEmpty() })
+        assertTrue(boatPark.figures(null, Language.ENGLISH).all { it.svg.startsWith("<svg") && it.title.isNotEmpty() })
         val html = boatPark.reportHtml(measuredOn = "4 May 2026")
         assertTrue(html.startsWith("<!DOCTYPE html>") && "4 May 2026" in html)
+        val german = boatPark.reportHtml(language = Language.GERMAN)
+        assertTrue("<html lang=\"de\">" in german && "Trägheitsradius Gieren" in german)
+        assertTrue(boatPark.recordings(Language.GERMAN).first().traces.first().label.startsWith("Drehrate um "))
     }
 
     @Test

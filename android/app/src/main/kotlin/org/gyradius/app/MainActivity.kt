@@ -25,6 +25,7 @@ import androidx.lifecycle.compose.collectAsStateWithLifecycle
 import androidx.lifecycle.viewmodel.initializer
 import androidx.lifecycle.viewmodel.viewModelFactory
 import java.io.File
+import org.gyradius.Language
 import org.gyradius.ProcedurePhase
 import kotlinx.coroutines.Dispatchers
 import org.gyradius.app.result.ResultModel
@@ -97,8 +98,8 @@ class MainActivity : ComponentActivity() {
         val deeds = ResultDeeds(
             judge = result::judge,
             criticise = result::criticise,
-            share = { result.report(app.store.shared) { shareFile(this, it, "text/html") } },
-            print = { result.report(app.store.shared) { printed = printReport(this, it) } },
+            share = { result.report(app.store.shared, language()) { shareFile(this, it, "text/html") } },
+            print = { result.report(app.store.shared, language()) { printed = printReport(this, it) } },
             leave = result::close,
         )
         ResultScreen(shown, deeds)
@@ -172,8 +173,11 @@ class MainActivity : ComponentActivity() {
     }
 
     private fun openResult(folder: File) {
-        app.store.measurable(folder)?.let(result::open)
+        app.store.measurable(folder)?.let { result.open(it, language()) }
     }
+
+    /** The language of the app's own words, so that a report never has another. */
+    private fun language() = Language.valueOf(getString(R.string.library_language))
 
     private fun phone() = PhoneSource(checkNotNull(getSystemService(SensorManager::class.java)))
 

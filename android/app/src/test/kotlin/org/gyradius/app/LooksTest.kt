@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.io.File
 import java.time.Instant
+import org.gyradius.Language
 import org.gyradius.Placement
 import org.gyradius.PlanRequest
 import org.gyradius.ProcedurePhase
@@ -130,7 +131,7 @@ class LooksTest {
 
     @Test
     fun `a result with verdicts`() {
-        val shown = ResultShown("Boat", Core.boatPark.result(), Core.boatPark.recordings())
+        val shown = ResultShown("Boat", Core.boatPark.result(), Core.boatPark.recordings(Language.ENGLISH))
         rule.looks("result") { ResultScreen(shown, noResultDeeds) }
     }
 

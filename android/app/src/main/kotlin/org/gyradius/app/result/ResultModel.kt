@@ -18,6 +18,7 @@ import org.gyradius.Criticism
 import org.gyradius.Critique
 import org.gyradius.GyradiusException
 import org.gyradius.InertiaResult
+import org.gyradius.Language
 import org.gyradius.RecordingFigureData
 import org.gyradius.Session
 import org.gyradius.app.Failure
@@ -52,13 +53,15 @@ class ResultModel(private val store: SessionStore) : ViewModel() {
     private var session: Session? = null
     private var analysis: Analysis? = null
     private var criticism: Criticism? = null
+    private var language = Language.ENGLISH
     private var working: Job? = null
 
     /** What the screen shows; absent while no result is open. */
     val shown: StateFlow<ResultShown?> = flow.asStateFlow()
 
-    /** Reads a session, measures it, and takes the criticism that was kept, if there is one. */
-    fun open(found: Measurable) {
+    /** Reads a session, measures it, and takes the criticism that was kept; channels have names in a language. */
+    fun open(found: Measurable, language: Language) {
+        this.language = language
         flow.value = ResultShown(found.title, limits = found.limits, share = 0.0)
         opened = found
         criticism = null
@@ -89,16 +92,16 @@ class ResultModel(private val store: SessionStore) : ViewModel() {
         withContext(Dispatchers.IO) { opened?.let { found.keep(it.folder.path) } }
     }
 
-    /** Writes the report into a folder and hands over its file. */
-    fun report(folder: File, then: (File) -> Unit) = work {
-        val html = analysis?.reportHtml(criticism) ?: return@work
+    /** Writes the report in a language into a folder and hands over its file. */
+    fun report(folder: File, language: Language, then: (File) -> Unit) = work {
+        val html = analysis?.reportHtml(criticism, language = language) ?: return@work
         then(withContext(Dispatchers.IO) { File(folder.apply { mkdirs() }, "report.html").apply { writeText(html) } })
     }
 
     private suspend fun measure(limits: List<String>) {
         val found = session?.measure(limits, ::tell) ?: return
         analysis = found
-        show { it.copy(result = found.result(), recordings = found.recordings()) }
+        show { it.copy(result = found.result(), recordings = found.recordings(language)) }
     }
 
     private fun show(found: Criticism) {
