@@ -6,15 +6,15 @@ use std::collections::BTreeMap;
 use super::source::ReportSource;
 use gyradius_diagnosis::Status;
 use gyradius_identification::routes::guard::{Limit, verdict};
-use gyradius_identification::{QuantityResult, Verdict};
+use gyradius_identification::{QuantityName, QuantityResult, Verdict};
 use gyradius_recording::Quantity;
 
 /// The figures that head the report.
 pub(super) struct Headline {
     /// The result.
-    pub quantities: BTreeMap<String, QuantityResult>,
+    pub quantities: BTreeMap<QuantityName, QuantityResult>,
     /// The base figures that others of these took the place of.
-    pub replaced: BTreeMap<String, QuantityResult>,
+    pub replaced: BTreeMap<QuantityName, QuantityResult>,
     /// Verdicts on the figures that head the report.
     pub verdicts: Vec<Verdict>,
 }
@@ -43,7 +43,7 @@ impl Headline {
     }
 }
 
-fn extended(source: &ReportSource) -> BTreeMap<String, QuantityResult> {
+fn extended(source: &ReportSource) -> BTreeMap<QuantityName, QuantityResult> {
     let critique = source.criticised().map(|criticism| &criticism.critique);
     critique
         .filter(|critique| critique.verdict.status != Status::Adequate)
@@ -53,9 +53,11 @@ fn extended(source: &ReportSource) -> BTreeMap<String, QuantityResult> {
 }
 
 fn judged_again(old: &Verdict, quantity: &QuantityResult) -> Option<Verdict> {
-    let limit: Limit = format!("{}{}{}", old.quantity, old.relation, old.limit)
-        .parse()
-        .ok()?;
+    let limit = Limit {
+        quantity: old.quantity.to_string(),
+        relation: old.relation,
+        limit: old.limit,
+    };
     verdict(
         Quantity::new(quantity.value.scalar()?, quantity.u.scalar()?),
         &limit,

@@ -4,13 +4,14 @@ use gyradius_base::language::Language;
 use gyradius_base::message::{Argument, Message, name};
 pub(super) use gyradius_base::message::{id_in, spaced};
 use gyradius_diagnosis::DiscrepancyKind;
-use gyradius_identification::{Claim, Route, input, quantity_in, words};
+use gyradius_identification::{
+    Claim, QuantityName, Route, RouteMethod, Subject, quantity_in, route_in, words,
+};
 use gyradius_recording::{ModeName, Repair, RepairKind};
 
 pub(super) use gyradius_diagnosis::cause_name as cause;
-pub(super) use gyradius_identification::route_in as route;
 pub(super) use gyradius_identification::words::{
-    claim_unit, mode_text as mode_id, quantity, rank, unit_of,
+    mode_text as mode_id, rank, symbol,
 };
 
 /// A text of the report in a language, with what it names.
@@ -38,19 +39,19 @@ pub(super) fn ids<'a>(ids: impl IntoIterator<Item = &'a String>, language: Langu
     told.join(", ")
 }
 
-/// A quantity's name in words, its key where it has none.
-pub(super) fn quantity_name(key: &str, language: Language) -> String {
-    match (key, language) {
-        (_, Language::English) => words::quantity_name(key),
-        ("principal_gyradii_m", _) => say(language, "principal_gyradii", []),
-        ("inertia_kg_m2", _) => say(language, "moments_of_inertia", []),
-        _ => quantity_in(key, language),
+/// A quantity's name in words.
+pub(super) fn quantity_name(quantity: &QuantityName, language: Language) -> String {
+    match (quantity, language) {
+        (_, Language::English) => words::quantity_name(quantity),
+        (QuantityName::PrincipalGyradii, _) => say(language, "principal_gyradii", []),
+        (QuantityName::Inertia, _) => say(language, "moments_of_inertia", []),
+        _ => quantity_in(quantity.as_str(), language),
     }
 }
 
 /// A quantity's name within a sentence.
-pub(super) fn quantity_inside(key: &str, language: Language) -> String {
-    let name = quantity_name(key, language);
+pub(super) fn quantity_inside(quantity: &QuantityName, language: Language) -> String {
+    let name = quantity_name(quantity, language);
     match language {
         Language::English => name.to_lowercase(),
         Language::German => name,
@@ -58,11 +59,11 @@ pub(super) fn quantity_inside(key: &str, language: Language) -> String {
 }
 
 /// A stated figure or a route's quantity as the court names it.
-pub(super) fn claim_name(claim: &str, language: Language) -> String {
-    match (quantity(claim), language) {
-        (_, Language::English) => words::claim_name(claim),
-        (Some(_), _) => quantity_in(claim, language),
-        (None, _) => input(claim).in_language(language),
+pub(super) fn claim_name(subject: &Subject, language: Language) -> String {
+    match (subject, language) {
+        (_, Language::English) => words::claim_name(subject),
+        (Subject::Quantity(quantity), _) => quantity_name(quantity, language),
+        (Subject::Stated(kind), _) => kind.in_words().in_language(language),
     }
 }
 
@@ -96,10 +97,15 @@ pub(super) fn mode_text(mode: ModeName, language: Language) -> String {
     name(&format!("inertia.motion.{english}"), language).unwrap_or_else(|| english.into())
 }
 
+/// A route in words.
+pub(super) fn route(method: RouteMethod, language: Language) -> String {
+    route_in(method.name(), language)
+}
+
 /// The equations that a route takes.
 pub(super) fn equation(route: &Route, language: Language) -> String {
-    match &*route.method {
-        "tilt_fit" => say(language, "equation_of_tilt_fit", []),
+    match route.method {
+        RouteMethod::TiltFit => say(language, "equation_of_tilt_fit", []),
         _ => route.equation.clone(),
     }
 }

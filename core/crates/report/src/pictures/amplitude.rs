@@ -6,7 +6,7 @@ use crate::digits::{prefix, with_u};
 use crate::scale::{drawable, extent};
 use crate::words::{self, figure, id_in, plain, say};
 use gyradius_base::language::Language;
-use gyradius_identification::{AmplitudePoint, ModeResult, SwingResult};
+use gyradius_identification::{AmplitudePoint, AmplitudeUnit, ModeResult, SwingResult};
 
 /// Fewer windows than this show no dependence.
 const LEAST_POINTS: usize = 2;
@@ -68,11 +68,11 @@ struct Columns {
 
 impl Columns {
     fn of(points: &[&AmplitudePoint], mode: &ModeResult, language: Language) -> Self {
-        let (factor, amplitude_label) = match &*mode.amplitude_unit {
-            "rad" => (1f64.to_degrees(), "amplitude_degrees"),
-            "m" => (1e3, "amplitude_mm"),
-            "rad/s" => (1f64.to_degrees(), "amplitude_degrees_s"),
-            _ => (1.0, "amplitude_bare"),
+        let (factor, amplitude_label) = match mode.amplitude_unit {
+            AmplitudeUnit::Radian => (1f64.to_degrees(), "amplitude_degrees"),
+            AmplitudeUnit::Metre => (1e3, "amplitude_mm"),
+            AmplitudeUnit::RadianPerSecond => (1f64.to_degrees(), "amplitude_degrees_s"),
+            AmplitudeUnit::None => (1.0, "amplitude_bare"),
         };
         let column =
             |value: fn(&AmplitudePoint) -> f64| points.iter().map(|p| value(p)).collect::<Vec<_>>();

@@ -6,7 +6,7 @@ use crate::digits::{decimals_for, joined, prefix};
 use crate::markup::Markup;
 use crate::words::{self, plain, say};
 use gyradius_base::language::Language;
-use gyradius_identification::{BudgetLine, Measurement, input};
+use gyradius_identification::{BudgetLine, Measurement, QuantityName};
 
 const MOST_BARS: usize = 8;
 const ROW: f64 = 32.0;
@@ -15,14 +15,14 @@ const VALUE_WIDTH: f64 = 84.0;
 
 /// One picture for each quantity with a budget, in the order of the report.
 pub(crate) fn budgets(measurement: &Measurement, language: Language) -> Vec<Figure> {
-    let mut keys: Vec<&String> = measurement.budget.keys().collect();
-    keys.sort_by_key(|key| (words::rank(key), key.to_string()));
+    let mut keys: Vec<&QuantityName> = measurement.budget.keys().collect();
+    keys.sort_by_key(|key| (words::rank(key), *key));
     keys.into_iter()
         .filter_map(|key| picture(measurement, key, language))
         .collect()
 }
 
-fn picture(measurement: &Measurement, key: &str, language: Language) -> Option<Figure> {
+fn picture(measurement: &Measurement, key: &QuantityName, language: Language) -> Option<Figure> {
     let bars = shown(measurement.budget.get(key)?, language);
     let largest = bars.iter().map(|bar| bar.u).fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -33,7 +33,7 @@ fn picture(measurement: &Measurement, key: &str, language: Language) -> Option<F
         .filter(|u| u.is_finite())
         .unwrap_or(largest)
         .max(largest);
-    let unit = Unit::of(scale, words::unit_of(key));
+    let unit = Unit::of(scale, key.unit());
     let mut body = Markup::in_language(language);
     for (i, bar) in bars.iter().enumerate() {
         draw_bar(&mut body, ROW * i as f64, bar, scale, &unit, colour::MODEL);
@@ -64,7 +64,7 @@ struct Bar {
 
 impl Bar {
     fn of(line: &BudgetLine, language: Language) -> Self {
-        let name = input(&line.input).in_language(language);
+        let name = line.input.message().in_language(language);
         Self {
             label: words::sentence_case(&words::spaced(&name)),
             u: line.u_contribution.abs(),

@@ -15,7 +15,7 @@ use crate::markup::Markup;
 use crate::words::{figure as number_of, plain, say};
 use gyradius_base::language::Language;
 use gyradius_base::message::name;
-use gyradius_identification::QuantityResult;
+use gyradius_identification::{QuantityName, QuantityResult};
 use gyradius_identification::routes::ellipsoid::equivalent_semi_axes_m;
 
 const GAP: f64 = 34.0;
@@ -31,7 +31,7 @@ struct Known {
 
 /// The two pictures; none where a gyradius is missing.
 pub(crate) fn ellipsoids(
-    quantities: &BTreeMap<String, QuantityResult>,
+    quantities: &BTreeMap<QuantityName, QuantityResult>,
     language: Language,
 ) -> Vec<Figure> {
     let Some(known) = known(quantities) else {
@@ -45,16 +45,16 @@ pub(crate) fn ellipsoids(
 
 /// Why there is no picture.
 pub(crate) fn no_ellipsoid_reason(
-    quantities: &BTreeMap<String, QuantityResult>,
+    quantities: &BTreeMap<QuantityName, QuantityResult>,
     language: Language,
 ) -> Option<String> {
     if known(quantities).is_some() {
         return None;
     }
     let missing: Vec<String> = [
-        ("k_roll_m", "inertia.motion.roll"),
-        ("k_pitch_m", "inertia.motion.pitch"),
-        ("k_yaw_m", "inertia.motion.yaw"),
+        (QuantityName::KRoll, "inertia.motion.roll"),
+        (QuantityName::KPitch, "inertia.motion.pitch"),
+        (QuantityName::KYaw, "inertia.motion.yaw"),
     ]
     .iter()
     .filter(|(key, _)| scalar(quantities, key).is_none())
@@ -68,7 +68,7 @@ pub(crate) fn no_ellipsoid_reason(
     Some(say(language, key, [("motions", motions)]))
 }
 
-fn scalar(quantities: &BTreeMap<String, QuantityResult>, key: &str) -> Option<f64> {
+fn scalar(quantities: &BTreeMap<QuantityName, QuantityResult>, key: &QuantityName) -> Option<f64> {
     quantities
         .get(key)?
         .value
@@ -76,17 +76,17 @@ fn scalar(quantities: &BTreeMap<String, QuantityResult>, key: &str) -> Option<f6
         .filter(|value| value.is_finite())
 }
 
-fn known(quantities: &BTreeMap<String, QuantityResult>) -> Option<Known> {
-    let principal = quantities.get("principal_gyradii_m").and_then(|q| {
+fn known(quantities: &BTreeMap<QuantityName, QuantityResult>) -> Option<Known> {
+    let principal = quantities.get(&QuantityName::PrincipalGyradii).and_then(|q| {
         let values = q.value.vector()?;
         q.value.is_finite().then_some(values)
     });
     let single = |key| scalar(quantities, key);
     let about_hull = || {
         Some([
-            single("k_roll_m")?,
-            single("k_pitch_m")?,
-            single("k_yaw_m")?,
+            single(&QuantityName::KRoll)?,
+            single(&QuantityName::KPitch)?,
+            single(&QuantityName::KYaw)?,
         ])
     };
     let gyradii_m = principal.or_else(about_hull)?;
@@ -95,8 +95,8 @@ fn known(quantities: &BTreeMap<String, QuantityResult>) -> Option<Known> {
         .all(|k| k.is_finite() && *k > 0.0)
         .then_some(Known {
             gyradii_m,
-            psi_rad: single("psi_deg").map(f64::to_radians),
-            depth_m: single("cm_depth_m"),
+            psi_rad: single(&QuantityName::Psi).map(f64::to_radians),
+            depth_m: single(&QuantityName::CmDepth),
         })
 }
 

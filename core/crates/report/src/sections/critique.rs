@@ -14,7 +14,7 @@ use gyradius_diagnosis::{
     CauseResult, Criticism, Critique, Discrepancy, LearnedForce, ModelResult, NextSwing,
     ParameterResult, Status,
 };
-use gyradius_identification::{QuantityResult, Value};
+use gyradius_identification::{QuantityName, QuantityResult, Value};
 
 /// Discrepancies that are worth a row; the rest is in the JSON.
 const MOST_DISCREPANCIES: usize = 10;
@@ -197,7 +197,7 @@ fn gain(critique: &Critique, out: &mut Markup) {
 fn quantities(critique: &Critique, out: &mut Markup) {
     let language = out.language();
     let (base, extended) = (&critique.baseline.quantities, &critique.extended.quantities);
-    let mut keys: Vec<&String> = base
+    let mut keys: Vec<&QuantityName> = base
         .keys()
         .chain(extended.keys())
         .collect::<BTreeSet<_>>()
@@ -221,7 +221,7 @@ fn quantities(critique: &Critique, out: &mut Markup) {
 
 /// One row for a number, one for each axis of a triple; a tensor has none.
 fn quantity_rows(
-    key: &str,
+    key: &QuantityName,
     both: [Option<&QuantityResult>; 2],
     language: Language,
 ) -> Vec<Vec<String>> {
@@ -233,7 +233,7 @@ fn quantity_rows(
         _ => format!("{of} {}", ["x", "y", "z"][i]),
     };
     (0..count)
-        .map(|i| quantity_row(words::unit_of(key), [base.get(i), extended.get(i)]))
+        .map(|i| quantity_row(key.unit(), [base.get(i), extended.get(i)]))
         .map(|cells| cells.map(|cell| language.number(&cell)))
         .enumerate()
         .map(|(i, cells)| std::iter::once(name(i)).chain(cells).collect())

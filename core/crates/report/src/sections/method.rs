@@ -7,7 +7,7 @@ use crate::source::{ReportSource, StatedFigure};
 use crate::table::{list, table};
 use crate::words::{self, figure, id_in, ids, plain, say};
 use gyradius_base::language::{Language, minus};
-use gyradius_identification::{Measurement, Route, SwingResult, input};
+use gyradius_identification::{Measurement, QuantityName, Route, SwingResult, input};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     out.within("section", &[("id", "method")], |out| {
@@ -100,7 +100,7 @@ fn estimate(measurement: &Measurement, out: &mut Markup) {
 }
 
 fn routes(measurement: &Measurement, out: &mut Markup) {
-    let all: Vec<(&String, &Route)> = measurement
+    let all: Vec<(&QuantityName, &Route)> = measurement
         .alternatives
         .iter()
         .flat_map(|(key, routes)| routes.iter().map(move |r| (key, r)))
@@ -138,7 +138,7 @@ fn routes(measurement: &Measurement, out: &mut Markup) {
 
 fn route_row(
     measurement: &Measurement,
-    (key, route): (&str, &Route),
+    (key, route): (&QuantityName, &Route),
     language: Language,
 ) -> Vec<String> {
     let number = |text: &str| language.number(text);
@@ -146,7 +146,7 @@ fn route_row(
     let from: Vec<String> = from
         .map(|label| input(label).in_language(language))
         .collect();
-    let unit = words::unit_of(key);
+    let unit = key.unit();
     let joint = measurement
         .quantities
         .get(key)
@@ -157,7 +157,7 @@ fn route_row(
     });
     vec![
         words::quantity_name(key, language),
-        words::sentence_case(&words::route(&route.method, language)),
+        words::sentence_case(&words::route(route.method, language)),
         number(&with_interval(
             key,
             route,
@@ -170,9 +170,9 @@ fn route_row(
 }
 
 /// ψ is never printed without its interval (errata to (4)).
-fn with_interval(key: &str, route: &Route, value: &str) -> String {
+fn with_interval(key: &QuantityName, route: &Route, value: &str) -> String {
     match key {
-        "psi_deg" => format!("{value} ({})", interval(route.interval_95, route.u)),
+        QuantityName::Psi => format!("{value} ({})", interval(route.interval_95, route.u)),
         _ => value.into(),
     }
 }

@@ -61,7 +61,7 @@ fn verdict(count: usize, flagged: usize, language: Language) -> String {
 }
 
 fn row(claim: &Claim, language: Language) -> Vec<String> {
-    let unit = words::claim_unit(&claim.claim);
+    let unit = claim.claim.unit();
     let number = |text: &str| language.number(text);
     let sigma = match claim.sigma_range {
         None => number(&format!("{} σ", sigmas(claim.sigma))),

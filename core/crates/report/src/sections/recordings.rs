@@ -7,7 +7,7 @@ use crate::source::ReportSource;
 use crate::table::{figures, list, table};
 use crate::words::{self, figure, id_in, plain, say};
 use gyradius_base::language::{Language, minus};
-use gyradius_identification::{ModeResult, SwingResult};
+use gyradius_identification::{AmplitudeUnit, ModeResult, SwingResult};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     if source.measurement.swings.is_empty() {
@@ -131,13 +131,11 @@ fn amplitude(mode: &ModeResult) -> String {
     let Some(size) = mode.amplitude else {
         return NOTHING.into();
     };
-    match &*mode.amplitude_unit {
-        "rad" => format!("{}°", significant(size.to_degrees(), 3)),
-        "m" => format!("{} mm", significant(1e3 * size, 3)),
-        "rad/s" => format!("{}°/s", significant(size.to_degrees(), 3)),
-        unit => format!("{} {unit}", significant(size, 3))
-            .trim_end()
-            .to_string(),
+    match mode.amplitude_unit {
+        AmplitudeUnit::Radian => format!("{}°", significant(size.to_degrees(), 3)),
+        AmplitudeUnit::Metre => format!("{} mm", significant(1e3 * size, 3)),
+        AmplitudeUnit::RadianPerSecond => format!("{}°/s", significant(size.to_degrees(), 3)),
+        AmplitudeUnit::None => significant(size, 3),
     }
 }
 

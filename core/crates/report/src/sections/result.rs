@@ -7,7 +7,9 @@ use crate::source::ReportSource;
 use crate::table::{list, matrix};
 use crate::words::{self, figure, plain};
 use gyradius_base::language::Language;
-use gyradius_identification::{COVERAGE_95, QuantityResult, Value, Verdict};
+use gyradius_identification::{
+    COVERAGE_95, Decision, Method, QuantityName, QuantityResult, Relation, Value, Verdict,
+};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     let headline = Headline::of(source);
@@ -22,12 +24,12 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
 
 fn quantities(headline: &Headline, out: &mut Markup) {
     let all = &headline.quantities;
-    let mut keys: Vec<&String> = all.keys().filter(|key| is_listed(&all[*key])).collect();
+    let mut keys: Vec<&QuantityName> = all.keys().filter(|key| is_listed(&all[*key])).collect();
     if keys.is_empty() {
         out.element("p", &[], &out.say("no_inertia"));
         return;
     }
-    keys.sort_by_key(|key| (words::rank(key), key.to_string()));
+    keys.sort_by_key(|key| (words::rank(key), *key));
     out.within("div", &[("class", "scroll")], |out| {
         out.within("table", &[("class", "result")], |out| {
             out.raw("<thead><tr>");
@@ -55,7 +57,7 @@ fn is_listed(quantity: &QuantityResult) -> bool {
     quantity.value.is_finite() && !is_tensor
 }
 
-fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
+fn quantity(out: &mut Markup, key: &QuantityName, headline: &Headline) {
     let (quantity, language) = (&headline.quantities[key], out.language());
     if !matches!(quantity.value, Value::Scalar(_)) {
         return triple(out, key, headline);
@@ -63,9 +65,9 @@ fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
     out.within("tr", &[], |out| {
         out.within("th", &[], |out| {
             out.write(&words::quantity_name(key, language));
-            if let Some(words) = words::quantity(key) {
+            if let Some(sign) = words::symbol(key) {
                 out.write(" ");
-                symbol(out, words.symbol);
+                symbol(out, sign);
             }
         });
         out.element(
@@ -89,8 +91,8 @@ fn quantity(out: &mut Markup, key: &str, headline: &Headline) {
 }
 
 /// One row for each axis.
-fn triple(out: &mut Markup, key: &str, headline: &Headline) {
-    let name = if key == "principal_gyradii_m" {
+fn triple(out: &mut Markup, key: &QuantityName, headline: &Headline) {
+    let name = if *key == QuantityName::PrincipalGyradii {
         out.say("about_principal")
     } else {
         words::quantity_name(key, out.language())
@@ -106,7 +108,7 @@ fn triple(out: &mut Markup, key: &str, headline: &Headline) {
             out.element(
                 "td",
                 &[("class", "value")],
-                &language.number(&joined(&with_u(value, u), words::unit_of(key))),
+                &language.number(&joined(&with_u(value, u), key.unit())),
             );
             let half = COVERAGE_95 * u;
             out.element(
@@ -121,7 +123,7 @@ fn triple(out: &mut Markup, key: &str, headline: &Headline) {
                 out.element(
                     "td",
                     &[("class", "base")],
-                    &language.number(&joined(&base, words::unit_of(key))),
+                    &language.number(&joined(&base, key.unit())),
                 );
             }
         });
@@ -139,12 +141,12 @@ fn symbol(out: &mut Markup, symbol: &str) {
     });
 }
 
-fn value_text(key: &str, quantity: &QuantityResult, language: Language) -> String {
+fn value_text(key: &QuantityName, quantity: &QuantityResult, language: Language) -> String {
     let pairs: Vec<String> = pairs(quantity)
         .into_iter()
         .map(|(value, u)| language.number(&with_u(value, u)))
         .collect();
-    joined(&pairs.join(", "), words::unit_of(key))
+    joined(&pairs.join(", "), key.unit())
 }
 
 /// Values with their uncertainties, whatever the shape.
@@ -164,11 +166,7 @@ fn flat(value: &Value) -> Vec<f64> {
 
 fn verdicts(headline: &Headline, out: &mut Markup) {
     for verdict in &headline.verdicts {
-        let word = match &*verdict.verdict {
-            "pass" => "pass",
-            "fail" => "fail",
-            _ => "undecided",
-        };
+        let word = verdict.verdict.name();
         let class = format!("verdict {word}");
         out.within("p", &[("class", &class)], |out| {
             out.element("strong", &[], &out.say(word));
@@ -178,14 +176,13 @@ fn verdicts(headline: &Headline, out: &mut Markup) {
 }
 
 fn verdict_text(headline: &Headline, verdict: &Verdict, out: &Markup) -> String {
-    let unit = words::unit_of(&verdict.quantity);
+    let unit = verdict.quantity.unit();
     let measured = headline.quantities.get(&verdict.quantity);
     let value = measured.and_then(|q| Some((q.value.scalar()?, q.u.scalar()?)));
-    let relation = match &*verdict.relation {
-        ">=" => out.say("at_least"),
-        "<=" => out.say("at_most"),
-        other => other.into(),
-    };
+    let relation = out.say(match verdict.relation {
+        Relation::AtLeast => "at_least",
+        Relation::AtMost => "at_most",
+    });
     let language = out.language();
     let asked = [
         (
@@ -219,15 +216,15 @@ fn verdict_text(headline: &Headline, verdict: &Verdict, out: &Markup) -> String 
         ("percent", plain(probability)),
     ];
     let judged = out.tell("judged", named);
-    match &*verdict.verdict {
-        "pass" | "fail" => judged,
-        _ => format!("{judged} {}", out.say("within_guard_band")),
+    match verdict.verdict {
+        Decision::Pass | Decision::Fail => judged,
+        Decision::Undecided => format!("{judged} {}", out.say("within_guard_band")),
     }
 }
 
 /// The tensor about the centre of mass, and the correlations of the scalars.
 fn tensor(headline: &Headline, out: &mut Markup) {
-    let Some(inertia) = headline.quantities.get("inertia_kg_m2") else {
+    let Some(inertia) = headline.quantities.get(&QuantityName::Inertia) else {
         return;
     };
     let (values, us) = (flat(&inertia.value), flat(&inertia.u));
@@ -246,10 +243,10 @@ fn tensor(headline: &Headline, out: &mut Markup) {
         .collect();
     out.element("h3", &[], &out.say("tensor"));
     matrix(out, ["", "x", "y", "z"], &rows);
-    if !headline.replaced.is_empty() && !headline.replaced.contains_key("inertia_kg_m2") {
+    if !headline.replaced.is_empty() && !headline.replaced.contains_key(&QuantityName::Inertia) {
         out.element("p", &[("class", "note")], &out.say("by_base"));
     }
-    if inertia.method.contains("taken as principal") {
+    if inertia.method == Method::JointEstimateAlongHullAxes {
         out.element("p", &[("class", "note")], &out.say("no_products"));
     }
 }
