@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use gyradius_identification::{Input, InputKind, QuantityName, Subject};
 use gyradius_report::{ReportSource, figures, html};
 
 use crate::report::samples::{bare_recording, keelboat, yaw_only};
@@ -119,10 +120,11 @@ fn text_from_outside_stays_text() {
     m.swings[0].warnings.push(ATTACK.into());
     m.consistency[0].message = ATTACK.into();
     m.consistency[1].from = ATTACK.into();
-    m.consistency[2].claim = ATTACK.into();
-    m.verdicts[0].quantity = ATTACK.into();
+    let quantity = QuantityName::small_period_of(ATTACK);
+    m.consistency[2].claim = Subject::Quantity(quantity.clone());
+    m.verdicts[0].quantity = quantity;
     if let Some(lines) = m.budget.get_mut("k_yaw_m") {
-        lines[0].input = ATTACK.into();
+        lines[0].input = Input::of(InputKind::Mass, ATTACK);
     }
     source.body.name = ATTACK.into();
     source.measured_on = Some(ATTACK.into());

@@ -4,11 +4,13 @@
 #![allow(clippy::expect_used)]
 
 use std::collections::BTreeMap;
+use std::str::FromStr;
 use std::f64::consts::TAU;
 
 use gyradius_diagnosis::{Criticism, SwingTrace};
 use gyradius_identification::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
+    AmplitudePoint, AmplitudeUnit, BudgetLine, Claim, Measurement, Method, ModeResult,
+    QuantityName, QuantityResult, Relation, Route, SwingResult,
     Value, Verdict,
 };
 use gyradius_recording::{ModeName, Quantity, Repair, RepairKind, Sensor};
@@ -20,13 +22,18 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 
+/// What a file's name stands for.
+pub fn named<T: FromStr<Err: std::fmt::Debug>>(name: &str) -> T {
+    name.parse().unwrap()
+}
+
 fn quantity(value: f64, u: f64) -> QuantityResult {
     let interval = [value - 1.96 * u, value + 1.96 * u];
     QuantityResult {
         value: value.into(),
         u: u.into(),
         interval_95: Some(interval),
-        method: "joint_estimate".into(),
+        method: Method::JointEstimate,
     }
 }
 
@@ -34,7 +41,7 @@ fn route(method: &str, value: f64, u: f64, equation: &str, from: &[&str]) -> Rou
     let from = from.iter().map(|id| id.to_string()).collect();
     let interval_95 = [value - 1.96 * u, value + 1.96 * u];
     Route {
-        method: method.into(),
+        method: named(method),
         value,
         u,
         interval_95,
@@ -52,7 +59,7 @@ fn mode(mode: ModeName, period_s: f64, tau_s: f64, amplitude_rad: f64) -> ModeRe
         decay_time_s: Some(tau_s),
         decay_time_se_s: Some(0.006 * tau_s),
         amplitude: Some(amplitude_rad),
-        amplitude_unit: "rad".into(),
+        amplitude_unit: AmplitudeUnit::Radian,
         relative_db: 0.0,
         parasitic: false,
         doubtful: false,
@@ -71,7 +78,7 @@ pub fn bare_mode() -> ModeResult {
         decay_time_s: None,
         decay_time_se_s: None,
         amplitude: None,
-        amplitude_unit: String::new(),
+        amplitude_unit: AmplitudeUnit::None,
         phase_rad: None,
         relative_db: 0.0,
         parasitic: false,
@@ -202,7 +209,7 @@ fn claims() -> Vec<Claim> {
     let claim = |name: &str, stated: (f64, f64), implied: (f64, f64), from: &str| {
         let sigma = (implied.0 - stated.0).abs() / stated.1.hypot(implied.1);
         Claim {
-            claim: name.into(),
+            claim: named(name),
             stated: stated.0,
             stated_u: stated.1,
             implied: implied.0,
@@ -314,14 +321,14 @@ pub fn keelboat() -> ReportSource {
             swings,
             quantities: quantities(),
             alternatives: BTreeMap::from([(
-                "k_yaw_m".into(),
+                QuantityName::KYaw,
                 vec![
                     route("yaw_period", 1.0566, 0.0021, "(5), (6)", &["yaw-1"]),
                     route("period_ratio", 1.0398, 0.0014, "(8)", &["yaw-1"]),
                 ],
             )]),
             budget: budget(),
-            correlations: vec![("k_yaw_m".into(), "k_pitch_m".into(), 0.31)],
+            correlations: vec![(QuantityName::KYaw, QuantityName::KPitch, 0.31)],
             consistency: claims(),
             verdicts: verdicts(),
             warnings: vec![
@@ -346,18 +353,18 @@ pub fn keelboat() -> ReportSource {
     }
 }
 
-fn quantities() -> BTreeMap<String, QuantityResult> {
+fn quantities() -> BTreeMap<QuantityName, QuantityResult> {
     let whole = |value, u| QuantityResult {
         value,
         u,
         interval_95: None,
-        method: "joint_estimate".into(),
+        method: Method::JointEstimate,
     };
     BTreeMap::from([
-        ("k_yaw_m".into(), quantity(1.0566, 0.00093)),
-        ("k_pitch_m".into(), quantity(1.156, 0.0031)),
-        ("k_roll_m".into(), quantity(0.625, 0.0042)),
-        ("cm_depth_m".into(), quantity(0.923, 0.012)),
+        (QuantityName::KYaw, quantity(1.0566, 0.00093)),
+        (QuantityName::KPitch, quantity(1.156, 0.0031)),
+        (QuantityName::KRoll, quantity(0.625, 0.0042)),
+        (QuantityName::CmDepth, quantity(0.923, 0.012)),
         ("psi_deg".into(), quantity(5.55, 1.4)),
         (
             "principal_gyradii_m".into(),
@@ -376,19 +383,19 @@ fn quantities() -> BTreeMap<String, QuantityResult> {
     ])
 }
 
-fn budget() -> BTreeMap<String, Vec<BudgetLine>> {
+fn budget() -> BTreeMap<QuantityName, Vec<BudgetLine>> {
     let lines = |lines: &[(&str, f64)]| {
         lines
             .iter()
             .map(|(input, u)| BudgetLine {
-                input: input.to_string(),
+                input: named(input),
                 u_contribution: *u,
             })
             .collect()
     };
     BTreeMap::from([
         (
-            "k_yaw_m".into(),
+            QuantityName::KYaw,
             lines(&[
                 ("line_length", 0.00074),
                 ("spacing", 0.00051),
@@ -398,7 +405,7 @@ fn budget() -> BTreeMap<String, Vec<BudgetLine>> {
             ]),
         ),
         (
-            "k_pitch_m".into(),
+            QuantityName::KPitch,
             lines(&[
                 (
                     "pitch out of phase period of pitch-1 with a rather long name",
@@ -410,7 +417,7 @@ fn budget() -> BTreeMap<String, Vec<BudgetLine>> {
                 ("mass of cross beam", 0.0002),
                 ("pitch in phase period of pitch-1", 0.00018),
                 ("gravity", 0.0001),
-                ("hull pitch", 0.00006),
+                ("hull_pitch", 0.00006),
                 ("mass", 0.00003),
                 ("finite-amplitude correction", 0.00002),
             ]),
@@ -420,12 +427,12 @@ fn budget() -> BTreeMap<String, Vec<BudgetLine>> {
 
 fn verdicts() -> Vec<Verdict> {
     let verdict = |quantity: &str, limit: f64, probability: f64, verdict: &str| Verdict {
-        quantity: quantity.into(),
-        relation: ">=".into(),
+        quantity: named(quantity),
+        relation: Relation::AtLeast,
         limit,
         guard_band: 0.0051,
         conformance_probability: probability,
-        verdict: verdict.into(),
+        verdict: named(verdict),
     };
     vec![
         verdict("k_pitch_m", 1.1, 0.99999, "pass"),
@@ -491,7 +498,7 @@ pub fn yaw_only() -> ReportSource {
     source
         .measurement
         .quantities
-        .retain(|key, _| key == "k_yaw_m");
+        .retain(|key, _| *key == QuantityName::KYaw);
     source.measurement.budget.remove("k_pitch_m");
     source.measurement.swings.truncate(1);
     source.measurement.consistency = claims().split_off(2);
