@@ -15,6 +15,8 @@ use super::point::{Model, Point};
 use super::result::{Discrepancy, DiscrepancyKind};
 use super::seen::Seen;
 use super::shape::{direction, energy, shape};
+use super::stated::Stated;
+use super::unit::UnitName;
 use super::white::{Band, Left};
 use super::words;
 use gyradius_base::message::{Argument, Message};
@@ -151,7 +153,7 @@ pub fn structure_of(
     let mut all = vec![Discrepancy::of(
         id,
         DiscrepancyKind::Structure,
-        (rms, "1"),
+        (rms, UnitName::One),
         excess.sqrt(),
         said,
     )];
@@ -182,7 +184,7 @@ fn line(id: &str, band: &Band, rows_of_channel: usize, channel: Message) -> Disc
     Discrepancy::of(
         id,
         DiscrepancyKind::LineInSpectrum,
-        (size, "1"),
+        (size, UnitName::One),
         band.sigma,
         said,
     )
@@ -221,7 +223,7 @@ fn against_time(record: &Record) -> Option<Discrepancy> {
         Discrepancy::of(
             id,
             DiscrepancyKind::ResidualVsTime,
-            (early.sqrt() - late.sqrt(), "1"),
+            (early.sqrt() - late.sqrt(), UnitName::One),
             sigma,
             said,
         )
@@ -238,10 +240,11 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
             continue;
         }
         let change = point.x[*i] - parameter.prior.value;
-        let unit = unit_of(&parameter.name);
+        let of = Stated::of(base.layout(), *i);
+        let unit = unit_of(of);
         let stated = parameter.prior.value;
         let times = ("sigma", words::number(sigma.abs(), 1));
-        let said = if parameter.name == "phone_clock" {
+        let said = if of == Stated::Clock {
             words::message(
                 "clock",
                 [
@@ -258,7 +261,7 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
                         words::word(&format!("parameter.{}", parameter.name)),
                     ),
                     ("stated", words::number(stated, 5)),
-                    ("unit", Argument::Plain(unit.into())),
+                    ("unit", Argument::Plain(unit.to_string())),
                     ("change", words::written(format!("{change:+.5}"))),
                     times,
                 ],
@@ -275,13 +278,13 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
     all
 }
 
-fn unit_of(name: &str) -> &'static str {
-    match name {
-        "gravity" => "m/s²",
-        "hull_pitch" => "°",
-        "phone_clock" => "1",
-        "line_length" | "spacing" | "top_spacing" | "axis_height" => "m",
-        _ => "kg",
+fn unit_of(stated: Stated) -> UnitName {
+    match stated {
+        Stated::Gravity => UnitName::MetrePerSecondSquaredRaised,
+        Stated::Tilt => UnitName::Degree,
+        Stated::Clock => UnitName::One,
+        Stated::Length => UnitName::Metre,
+        Stated::Mass => UnitName::Kilogram,
     }
 }
 
@@ -314,7 +317,7 @@ fn saturated(base: &Base) -> Vec<Discrepancy> {
             all.push(Discrepancy::of(
                 id,
                 DiscrepancyKind::Saturated,
-                (size, "1"),
+                (size, UnitName::One),
                 (repair.count as f64).sqrt(),
                 said,
             ));

@@ -2,7 +2,7 @@
 
 use gyradius_base::language::Language;
 pub(super) use gyradius_base::message::spaced;
-use gyradius_diagnosis::cause_name;
+use gyradius_diagnosis::{CauseId, ForceCoordinate, ParameterId, Unit, UnitName, cause_name};
 use gyradius_recording::RepairKind;
 
 pub(super) use gyradius_identification::words::{
@@ -26,26 +26,37 @@ pub(super) fn repair(kind: RepairKind) -> &'static str {
 }
 
 /// A cause of what the simulation gets wrong, in words.
-pub(super) fn cause(id: &str) -> String {
+pub(super) fn cause(id: CauseId) -> String {
     cause_name(id, Language::English)
 }
 
 /// A generalised force along a coordinate, in words.
-pub(super) fn force(coordinate: &str) -> &'static str {
+pub(super) fn force(coordinate: ForceCoordinate) -> &'static str {
     match coordinate {
-        "yaw" => "torque about the vertical",
-        "turn" => "torque in pitch or roll",
-        "across" => "force across the suspension",
-        "along" => "force along the suspension",
-        _ => "force",
+        ForceCoordinate::Yaw => "torque about the vertical",
+        ForceCoordinate::Pitch
+        | ForceCoordinate::PitchInPhase
+        | ForceCoordinate::PitchOutOfPhase
+        | ForceCoordinate::Roll
+        | ForceCoordinate::RollInPhase
+        | ForceCoordinate::RollOutOfPhase => "torque in pitch or roll",
+        ForceCoordinate::All
+        | ForceCoordinate::Compound
+        | ForceCoordinate::Other
+        | ForceCoordinate::Surge
+        | ForceCoordinate::Sway => "force",
     }
 }
 
 /// `N m s^2` as it is printed: `N m s²`; the unit of a bare number is not.
-pub(super) fn unit_text(unit: &str) -> String {
-    if unit == "1" {
-        return String::new();
+pub(super) fn unit_text(unit: Unit) -> String {
+    match unit {
+        Unit::Of(UnitName::One) => String::new(),
+        unit => with_powers(&unit.to_string()),
     }
+}
+
+fn with_powers(unit: &str) -> String {
     let mut parts = unit.split('^');
     let first = parts.next().unwrap_or_default().to_string();
     parts.fold(first, |text, part| {
@@ -57,12 +68,11 @@ pub(super) fn unit_text(unit: &str) -> String {
 }
 
 /// A name less the unit that it ends in: `yaw_n_m_s` in `N m s` is `yaw`.
-pub(super) fn without_unit<'a>(name: &'a str, unit: &str) -> &'a str {
-    let ending = unit
-        .to_lowercase()
-        .replace('^', "")
-        .replace([' ', '/'], "_");
-    name.strip_suffix(&format!("_{ending}")).unwrap_or(name)
+pub(super) fn without_unit(id: ParameterId, unit: Unit) -> String {
+    match (id.swing, unit) {
+        (None, Unit::Of(unit)) => id.name.without(unit).into(),
+        _ => id.to_string(),
+    }
 }
 
 /// A digit or a minus set high.
@@ -109,7 +119,7 @@ mod tests {
             "1",
             "",
         ]
-        .map(unit_text);
+        .map(with_powers);
         assert_eq!(
             written,
             [
@@ -118,7 +128,7 @@ mod tests {
                 "rad s⁻¹",
                 "kg m²/rad",
                 "N² m⁻¹⁰ s",
-                "",
+                "1",
                 ""
             ]
         );
@@ -126,13 +136,16 @@ mod tests {
 
     #[test]
     fn a_unit_is_not_said_twice() {
-        assert_eq!(without_unit("yaw_n_m_s", "N m s"), "yaw");
-        assert_eq!(without_unit("yaw_kg_m2_rad", "kg m^2/rad"), "yaw");
-        assert_eq!(without_unit("steady_x_m_s", "m/s"), "steady_x");
+        let told = |id: &str, unit: &str| without_unit(id.parse().unwrap(), unit.parse().unwrap());
+        assert_eq!(told("yaw_n_m_s", "N m s"), "yaw");
+        assert_eq!(told("yaw_kg_m2_rad", "kg m^2/rad"), "yaw");
+        assert_eq!(told("speed_m_s", "m/s"), "speed");
         assert_eq!(
-            without_unit("yaw_torque_coefficient", "N m s^2"),
+            told("yaw_torque_coefficient", "N m s^2"),
             "yaw_torque_coefficient"
         );
-        assert_eq!(without_unit("exponent", "1"), "exponent");
+        assert_eq!(told("exponent", "1"), "exponent");
+        assert_eq!(told("start_kg_m_2", "kg m"), "start_kg_m_2");
+        assert_eq!(unit_text("1".parse().unwrap()), "");
     }
 }

@@ -4,16 +4,26 @@ use super::Figure;
 use crate::chart::{Mark, Panel, colour, stacked};
 use crate::scale::{drawable, extent};
 use crate::words;
-use gyradius_diagnosis::LearnedForce;
+use gyradius_diagnosis::{ForceCoordinate, LearnedForce};
 
 /// The picture; none without points.
 pub(crate) fn learned_force(force: &LearnedForce) -> Option<Figure> {
     let points: Vec<&[f64; 5]> = force.points.iter().filter(|p| drawable(p[3])).collect();
     let column = |i: usize| -> Vec<f64> { points.iter().map(|p| p[i]).collect() };
     let (f, u) = (column(3), column(4));
-    let labels = match &*force.coordinate {
-        "yaw" | "turn" => ["angle, rad", "turn rate, rad/s", "time, s"],
-        _ => ["displacement, m", "velocity, m/s", "time, s"],
+    let labels = match force.coordinate {
+        ForceCoordinate::Surge | ForceCoordinate::Sway | ForceCoordinate::All => {
+            ["displacement, m", "velocity, m/s", "time, s"]
+        }
+        ForceCoordinate::Yaw
+        | ForceCoordinate::Pitch
+        | ForceCoordinate::PitchInPhase
+        | ForceCoordinate::PitchOutOfPhase
+        | ForceCoordinate::Roll
+        | ForceCoordinate::RollInPhase
+        | ForceCoordinate::RollOutOfPhase
+        | ForceCoordinate::Compound
+        | ForceCoordinate::Other => ["angle, rad", "turn rate, rad/s", "time, s"],
     };
     let columns: Vec<(Vec<f64>, &'static str)> = (0..3)
         .map(column)
@@ -25,8 +35,8 @@ pub(crate) fn learned_force(force: &LearnedForce) -> Option<Figure> {
     }
     let heading = format!(
         "{}, {}",
-        words::force(&force.coordinate),
-        words::unit_text(&force.unit)
+        words::force(force.coordinate),
+        words::unit_text(force.unit)
     );
     let panels: Vec<Panel> = columns
         .iter()

@@ -10,7 +10,7 @@ use crate::table::{figures, list, table};
 use crate::words;
 use gyradius_diagnosis::{
     CauseResult, Criticism, Critique, Discrepancy, LearnedForce, ModelResult, NextSwing,
-    ParameterResult, Status,
+    ParameterId, ParameterResult, Status,
 };
 use gyradius_identification::{QuantityResult, Value};
 
@@ -127,7 +127,7 @@ fn cause_row(critique: &Critique, cause: &CauseResult) -> Vec<String> {
         .chain(Some(figures.join("; ")).filter(|f| !f.is_empty()))
         .collect();
     vec![
-        words::sentence_case(&format!("{}{remark}", words::cause(&cause.id))),
+        words::sentence_case(&format!("{}{remark}", words::cause(cause.id))),
         format!("{} %", percent(cause.probability)),
         signed(
             cause.log_evidence_gain,
@@ -138,13 +138,13 @@ fn cause_row(critique: &Critique, cause: &CauseResult) -> Vec<String> {
 }
 
 /// `yaw torque coefficient 12.10 ± 0.30 N m s²`.
-fn parameter((name, parameter): (&String, &ParameterResult)) -> String {
-    let name = words::spaced(words::without_unit(name, &parameter.unit));
+fn parameter((id, parameter): (&ParameterId, &ParameterResult)) -> String {
+    let name = words::spaced(&words::without_unit(*id, parameter.unit));
     // An uncertainty that is no number determines nothing either.
     if parameter.u <= UNDETERMINED * parameter.value.abs() {
         let figure = joined(
             &with_u(parameter.value, parameter.u),
-            &words::unit_text(&parameter.unit),
+            &words::unit_text(parameter.unit),
         );
         format!("{name} {figure}")
     } else {
@@ -377,7 +377,7 @@ fn row(found: &Discrepancy) -> Vec<String> {
         words::sentence_case(&words::spaced(
             &found.what.name().replace("_vs_", " against "),
         )),
-        joined(&significant(found.size, 3), &words::unit_text(&found.unit)),
+        joined(&significant(found.size, 3), &words::unit_text(found.unit)),
         format!("{} σ", sigmas(found.sigma)),
         words::sentence_case(&found.message.english),
     ]

@@ -57,7 +57,7 @@ fn verdict_causes_and_next_swing_are_said() {
         "The drag grows with a power of the velocity: exponent 0.910 ± 0.080; yaw 4.40 ± 0.20 N m s",
         "The swing pitch-1 is shorter than the beat of its modes",
         "9.66 times smaller",
-        "0.0123 rad s⁻¹",
+        "0.0123 rad/s",
         "And 1 more, in the data of this file",
         "Decay against amplitude",
         "+0.00250 m",

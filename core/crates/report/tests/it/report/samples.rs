@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use gyradius_diagnosis::{Criticism, SwingTrace};
+use gyradius_diagnosis::{Criticism, SwingTrace, UnitName};
 use gyradius_identification::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
     Value, Verdict,
@@ -475,7 +475,7 @@ fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> S
     SwingTrace {
         swing: swing.into(),
         channel: "turn rate about the phone's z".into(),
-        unit: "rad/s".into(),
+        unit: UnitName::RadianPerSecond.into(),
         noise: noise_size,
         t_s,
         measured,
