@@ -211,18 +211,11 @@ fn text_from_outside_stays_text() {
     critique.verdict.message = ATTACK.into();
     critique.verdict.next_swing.as_mut().expect("one").message = ATTACK.into();
     critique.warnings.push(ATTACK.into());
-    critique.causes[0].id = ATTACK.into();
     critique.causes[0].message = ATTACK.into();
-    let parameter = critique.causes[0].parameters["yaw_torque_coefficient"].clone();
-    critique.causes[0]
-        .parameters
-        .insert(ATTACK.into(), parameter);
     critique.discrepancies[0].swing = ATTACK.into();
-    critique.discrepancies[0].unit = ATTACK.into();
     critique.learned = unexplained().critique.learned;
     critique.learned.as_mut().expect("one").equation = ATTACK.into();
     criticism.traces[0].swing = ATTACK.into();
-    criticism.traces[0].unit = ATTACK.into();
     let page = html(&criticised(criticism));
     assert_well_formed(&page);
     for tag in ["<img", "<!--", "onerror=alert(1)>", "<script>", "\u{0}"] {
