@@ -71,7 +71,7 @@ fn trace<'py>(py: Python<'py>, trace: &SwingTrace) -> Trace<'py> {
     (
         swing.clone(),
         channel.english.clone(),
-        unit.clone(),
+        unit.to_string(),
         *noise,
         arrays,
     )

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use gyradius_core::Result;
-use gyradius_core::diagnosis::{Progress, criticise};
+use gyradius_core::diagnosis::{CauseId, Progress, criticise};
 use gyradius_core::identification::{Analysis, MeasureOptions, analyse, measure_recording};
 use gyradius_core::import::{Loaded, load_any};
 use gyradius_core::planning::{Request, plan_on, plan_to_tell_apart};
@@ -79,8 +79,9 @@ impl Session {
             .with_dimensions()
             .map_err(|error| raise(py, &error))?;
         let request = Request::from_json(request).map_err(|error| raise(py, &error))?;
-        let work =
-            |progress: &Progress| plan_to_tell_apart(loaded, [one, other], &request, progress);
+        let cause = |id: &str| id.parse::<CauseId>().map_err(|error| raise(py, &error));
+        let causes = [cause(one)?, cause(other)?];
+        let work = |progress: &Progress| plan_to_tell_apart(loaded, causes, &request, progress);
         watched(py, progress, work).map(Plan::new)
     }
 }

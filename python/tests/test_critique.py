@@ -133,7 +133,7 @@ def test_tables_say_it_all() -> None:
         "surge force coefficient not determined",
         "yaw 4.40 ± 0.20 N m s",
         "the decrement grows by 31 %",
-        "0.0123 rad s⁻¹",
+        "0.0123 rad/s",
         "and 1 more, in the JSON",
         "decay against amplitude",
         "1.05660 ± 0.00093 m",

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use gyradius_core::diagnosis::{self, Critique, SwingTrace};
+use gyradius_core::diagnosis::{self, SwingTrace};
 use gyradius_core::procedure::{self, keep_criticism};
 use gyradius_core::report::{Curve, thinned};
 
 use crate::as_json;
+use crate::data::critique::Critique;
 use crate::data::sentence::Sentence;
 use crate::error::Result;
 
@@ -42,7 +43,7 @@ impl From<&SwingTrace> for ComparedSwing {
             extended,
         } = trace;
         let [measured, base, extended] = [measured, base, extended].map(|y| thinned(t_s, y));
-        let (swing, channel, unit) = (swing.clone(), channel.clone(), unit.clone());
+        let (swing, channel, unit) = (swing.clone(), channel.clone(), unit.to_string());
         Self {
             swing,
             channel,
@@ -92,7 +93,7 @@ impl Criticism {
 
     /// The result.
     pub fn result(&self) -> Critique {
-        self.inner.critique.clone()
+        self.inner.critique.clone().into()
     }
 
     /// The `gyradius-critique/1` text.

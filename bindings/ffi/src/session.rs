@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use gyradius_core::diagnosis::criticise;
+use gyradius_core::diagnosis::{CauseId, criticise};
 use gyradius_core::identification::{MeasureOptions, analyse_watched, measure_recording};
 use gyradius_core::import::{Loaded, load_any};
 use gyradius_core::planning::{Request, plan_on, plan_to_tell_apart};
@@ -102,8 +102,9 @@ impl Session {
         listener: Listener,
     ) -> Result<Arc<Plan>> {
         let loaded = self.loaded.with_dimensions()?;
+        let causes = [one.parse::<CauseId>()?, other.parse()?];
         watched(&listener, |progress| {
-            plan_to_tell_apart(loaded, [one, other], &request, progress)
+            plan_to_tell_apart(loaded, causes, &request, progress)
         })
         .map(Plan::new)
     }

@@ -127,11 +127,11 @@ fn quantities_routes_and_causes_have_names_and_units() {
     );
     assert_eq!(identification::route_in("a_new_one", german), "a new one");
     assert_eq!(
-        diagnosis::cause_name("quadratic_drag", german),
+        diagnosis::cause_name(diagnosis::CauseId::QuadraticDrag, german),
         "quadratischer Luftwiderstand"
     );
     assert_eq!(
-        diagnosis::cause_name("quadratic_drag", Language::English),
+        diagnosis::cause_name(diagnosis::CauseId::QuadraticDrag, Language::English),
         "quadratic drag"
     );
 }

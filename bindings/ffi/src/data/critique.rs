@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use gyradius_core::diagnosis::{
-    CauseResult, CauseVerdict, Critique, Discrepancy, DiscrepancyKind, Gain, LearnedForce,
-    ModelResult, NextSwing, ParameterResult, Status,
+    self, CauseId, DiscrepancyKind, Gain, ModelResult, NextSwing, ParameterId, Status,
 };
 use gyradius_core::recording::Excitation;
 
@@ -21,12 +20,19 @@ pub struct NamedParameter {
 }
 
 /// Parameters as the core holds them.
-pub type ParametersByName = BTreeMap<String, ParameterResult>;
+pub type ParametersByName = BTreeMap<ParameterId, diagnosis::ParameterResult>;
 uniffi::custom_type!(ParametersByName, Vec<NamedParameter>, {
     remote,
-    lower: |map| map.into_iter().map(|(name, parameter)| NamedParameter { name, parameter }).collect(),
-    try_lift: |list| Ok(list.into_iter().map(|one| (one.name, one.parameter)).collect()),
+    lower: |map| map.into_iter().map(NamedParameter::from).collect(),
+    try_lift: |list| list.into_iter().map(|one| Ok((one.name.parse()?, one.parameter.try_into()?))).collect(),
 });
+
+impl From<(ParameterId, diagnosis::ParameterResult)> for NamedParameter {
+    fn from((id, found): (ParameterId, diagnosis::ParameterResult)) -> Self {
+        let (name, parameter) = (id.to_string(), found.into());
+        Self { name, parameter }
+    }
+}
 
 /// The verdict in one word as the core holds it.
 pub type CauseStatus = Status;
@@ -68,7 +74,7 @@ uniffi::custom_type!(ForceRow, ForcePoint, {
 });
 
 /// The criticism of a session.
-#[uniffi::remote(Record)]
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
 pub struct Critique {
     /// `gyradius-critique/1`.
     pub format: String,
@@ -92,6 +98,35 @@ pub struct Critique {
     pub warnings: Vec<Sentence>,
 }
 
+impl From<diagnosis::Critique> for Critique {
+    fn from(inner: diagnosis::Critique) -> Self {
+        let diagnosis::Critique {
+            format,
+            title,
+            baseline,
+            discrepancies,
+            causes,
+            verdict,
+            extended,
+            gain,
+            learned,
+            warnings,
+        } = inner;
+        Self {
+            format,
+            title,
+            baseline,
+            discrepancies: discrepancies.into_iter().map(Discrepancy::from).collect(),
+            causes: causes.into_iter().map(CauseResult::from).collect(),
+            verdict: verdict.into(),
+            extended,
+            gain,
+            learned: learned.map(LearnedForce::from),
+            warnings,
+        }
+    }
+}
+
 /// A simulation fitted to the session.
 #[uniffi::remote(Record)]
 pub struct ModelResult {
@@ -104,7 +139,7 @@ pub struct ModelResult {
 }
 
 /// One thing that the base simulation gets wrong.
-#[uniffi::remote(Record)]
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
 pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
@@ -120,8 +155,29 @@ pub struct Discrepancy {
     pub message: Sentence,
 }
 
+impl From<diagnosis::Discrepancy> for Discrepancy {
+    fn from(inner: diagnosis::Discrepancy) -> Self {
+        let diagnosis::Discrepancy {
+            swing,
+            what,
+            size,
+            unit,
+            sigma,
+            message,
+        } = inner;
+        Self {
+            swing,
+            what,
+            size,
+            unit: unit.to_string(),
+            sigma,
+            message,
+        }
+    }
+}
+
 /// A cause that was tried.
-#[uniffi::remote(Record)]
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
 pub struct CauseResult {
     /// Its name: `quadratic_drag`, `line_stretch`, `stated_length` …
     pub id: String,
@@ -137,8 +193,29 @@ pub struct CauseResult {
     pub taken: bool,
 }
 
+impl From<diagnosis::CauseResult> for CauseResult {
+    fn from(inner: diagnosis::CauseResult) -> Self {
+        let diagnosis::CauseResult {
+            id,
+            probability,
+            log_evidence_gain,
+            parameters,
+            message,
+            taken,
+        } = inner;
+        Self {
+            id: id.to_string(),
+            probability,
+            log_evidence_gain,
+            parameters,
+            message,
+            taken,
+        }
+    }
+}
+
 /// A fitted parameter.
-#[uniffi::remote(Record)]
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
 pub struct ParameterResult {
     /// Value.
     pub value: f64,
@@ -148,8 +225,29 @@ pub struct ParameterResult {
     pub unit: String,
 }
 
+impl From<diagnosis::ParameterResult> for ParameterResult {
+    fn from(inner: diagnosis::ParameterResult) -> Self {
+        let diagnosis::ParameterResult { value, u, unit } = inner;
+        Self {
+            value,
+            u,
+            unit: unit.to_string(),
+        }
+    }
+}
+
+impl TryFrom<ParameterResult> for diagnosis::ParameterResult {
+    type Error = gyradius_core::Error;
+
+    fn try_from(found: ParameterResult) -> Result<Self, Self::Error> {
+        let ParameterResult { value, u, unit } = found;
+        let unit = unit.parse()?;
+        Ok(Self { value, u, unit })
+    }
+}
+
 /// What follows from it all.
-#[uniffi::remote(Record)]
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
 pub struct CauseVerdict {
     /// `adequate`, `explained`, `ambiguous` or `unexplained`.
     pub status: CauseStatus,
@@ -161,6 +259,29 @@ pub struct CauseVerdict {
     pub next_swing: Option<NextSwing>,
     /// In words.
     pub message: Sentence,
+}
+
+impl From<diagnosis::CauseVerdict> for CauseVerdict {
+    fn from(inner: diagnosis::CauseVerdict) -> Self {
+        let diagnosis::CauseVerdict {
+            status,
+            causes,
+            indistinguishable_from,
+            next_swing,
+            message,
+        } = inner;
+        Self {
+            status,
+            causes: names(&causes),
+            indistinguishable_from: names(&indistinguishable_from),
+            next_swing,
+            message,
+        }
+    }
+}
+
+fn names(causes: &[CauseId]) -> Vec<String> {
+    causes.iter().map(|id| id.to_string()).collect()
 }
 
 /// A swing worth making.
@@ -200,7 +321,7 @@ pub struct Gain {
 }
 
 /// A generalised force learned from the data inside the simulation.
-#[uniffi::remote(Record)]
+#[derive(Debug, Clone, PartialEq, uniffi::Record)]
 pub struct LearnedForce {
     /// `yaw`, `turn` (pitch or roll), `across` or `along`.
     pub coordinate: String,
@@ -216,4 +337,27 @@ pub struct LearnedForce {
     pub heldout_rms_over_noise: Option<f64>,
     /// The same with the closed form.
     pub closed_heldout_rms_over_noise: Option<f64>,
+}
+
+impl From<diagnosis::LearnedForce> for LearnedForce {
+    fn from(inner: diagnosis::LearnedForce) -> Self {
+        let diagnosis::LearnedForce {
+            coordinate,
+            unit,
+            points,
+            equation,
+            text,
+            heldout_rms_over_noise,
+            closed_heldout_rms_over_noise,
+        } = inner;
+        Self {
+            coordinate: coordinate.to_string(),
+            unit: unit.to_string(),
+            points,
+            equation,
+            text,
+            heldout_rms_over_noise,
+            closed_heldout_rms_over_noise,
+        }
+    }
 }

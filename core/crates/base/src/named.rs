@@ -49,22 +49,31 @@ macro_rules! named {
     };
 }
 
-/// Gives a type the form of its text in JSON, and its order; the type has `Display` and `FromStr`.
+/// Gives a type that is a text in files (`Display` and `FromStr`) the serialisation of that text;
+/// with a description, the schema of a text so described too.
 #[macro_export]
 macro_rules! written_as_text {
-    ($kind:ident, $about:literal) => {
+    ($kind:ident) => {
         impl serde::Serialize for $kind {
-            fn serialize<S: serde::Serializer>(&self, to: S) -> std::result::Result<S::Ok, S::Error> {
+            fn serialize<S: serde::Serializer>(
+                &self,
+                to: S,
+            ) -> std::result::Result<S::Ok, S::Error> {
                 to.collect_str(self)
             }
         }
 
         impl<'de> serde::Deserialize<'de> for $kind {
-            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
-                let text = <String as serde::Deserialize>::deserialize(from)?;
+            fn deserialize<D: serde::Deserializer<'de>>(
+                from: D,
+            ) -> std::result::Result<Self, D::Error> {
+                let text = <std::borrow::Cow<str> as serde::Deserialize>::deserialize(from)?;
                 text.parse().map_err(serde::de::Error::custom)
             }
         }
+    };
+    ($kind:ident, $about:literal) => {
+        $crate::written_as_text!($kind);
 
         impl schemars::JsonSchema for $kind {
             fn schema_name() -> std::borrow::Cow<'static, str> {
@@ -75,7 +84,13 @@ macro_rules! written_as_text {
                 schemars::json_schema!({ "type": "string", "description": $about })
             }
         }
+    };
+}
 
+/// Gives a type the order of its texts: files list it so.
+#[macro_export]
+macro_rules! ordered_as_text {
+    ($kind:ident) => {
         impl PartialOrd for $kind {
             fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
                 Some(self.cmp(other))

@@ -9,7 +9,7 @@ use gyradius_identification::measure::{Prepared, SwingWork, estimate};
 use gyradius_identification::parameters::Layout;
 use gyradius_identification::samples::{Own, Samples, Sensor, SwingSetup, place};
 use gyradius_identification::theory::swing_periods;
-use gyradius_recording::{Quantity, Repair, RepairKind, Session};
+use gyradius_recording::{Quantity, Session};
 
 use super::fitting::HORIZONS_S;
 use super::point::{BIAS, Model, Mount, OWN, Part, Point};
@@ -204,10 +204,7 @@ fn keep_off_limits(samples: &mut Samples, evidence: &Evidence) {
             Sensor::Gyroscope => gyradius_recording::Sensor::Gyroscope,
             Sensor::Accelerometer => gyradius_recording::Sensor::Accelerometer,
         };
-        let was_lost = |r: &Repair| {
-            r.kind == RepairKind::Saturation && (r.sensor == sensor || r.text.contains(" and "))
-        };
-        if evidence.repairs.iter().any(was_lost) {
+        if evidence.saturated.contains(&sensor) {
             stream.leave_out_beside_gaps(BESIDE_LIMIT_S);
         }
     }

@@ -8,6 +8,7 @@ use super::evidence::{LEAST_GAIN, gain};
 use super::fitting::Fitted;
 use super::point::{Model, Point};
 use super::search::Found;
+use super::term::Term;
 
 /// A force with all its terms, as it was fitted.
 pub struct Whole<'a> {
@@ -103,7 +104,7 @@ impl<'a> Whole<'a> {
     }
 
     fn reduced(&self, terms: Vec<usize>) -> Option<Closed<'a>> {
-        let names: Vec<&str> = terms.iter().map(|term| TERMS[*term]).collect();
+        let names: Vec<Term> = terms.iter().map(|term| TERMS[*term]).collect();
         let mut model = self.found.model.clone();
         model.causes.pop();
         let model = model.with(&learned_force(self.scales, self.coordinate, &names));

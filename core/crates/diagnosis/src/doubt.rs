@@ -15,6 +15,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use gyradius_identification::{COVERAGE_95, QuantityName, QuantityResult};
 use gyradius_recording::Quantity;
 
+use super::cause_id::CauseId;
 use super::fitting::{Fitted, Places};
 use super::look::{Beside, Glimpse, Look, Sums, laid_out, strengths};
 use super::point::{Model, Point};
@@ -113,7 +114,7 @@ impl Found<'_> {
         let in_full = tried
             .iter()
             .filter_map(|t| self.by(t, odds_before * t.gain.exp(), inclines));
-        let of_name = |id: &str| {
+        let of_name = |id: CauseId| {
             looked
                 .looks
                 .iter()
@@ -149,7 +150,7 @@ impl Found<'_> {
 /// Before the data a session is as likely as not to have something that the simulation lacks, and
 /// that may be any of the causes alike: odds of each against none of them.
 fn odds_before(looks: &[Look]) -> f64 {
-    let names: BTreeSet<&str> = looks.iter().map(|look| look.cause.id).collect();
+    let names: BTreeSet<CauseId> = looks.iter().map(|look| look.cause.id).collect();
     (names.len().max(1) as f64).recip()
 }
 

@@ -16,6 +16,7 @@ use super::point::{Model, Point};
 use super::result::{Discrepancy, DiscrepancyKind};
 use super::seen::Seen;
 use super::shape::{direction, energy, shape};
+use super::unit::UnitName;
 use super::white::{Band, Left};
 use super::words;
 use gyradius_base::message::{Argument, Message};
@@ -152,7 +153,7 @@ pub fn structure_of(
     let mut all = vec![Discrepancy::of(
         id,
         DiscrepancyKind::Structure,
-        (rms, "1"),
+        (rms, UnitName::One),
         excess.sqrt(),
         said,
     )];
@@ -183,7 +184,7 @@ fn line(id: &str, band: &Band, rows_of_channel: usize, channel: Message) -> Disc
     Discrepancy::of(
         id,
         DiscrepancyKind::LineInSpectrum,
-        (size, "1"),
+        (size, UnitName::One),
         band.sigma,
         said,
     )
@@ -222,7 +223,7 @@ fn against_time(record: &Record) -> Option<Discrepancy> {
         Discrepancy::of(
             id,
             DiscrepancyKind::ResidualVsTime,
-            (early.sqrt() - late.sqrt(), "1"),
+            (early.sqrt() - late.sqrt(), UnitName::One),
             sigma,
             said,
         )
@@ -259,7 +260,7 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
                         words::word(&format!("parameter.{}", parameter.name)),
                     ),
                     ("stated", words::number(stated, 5)),
-                    ("unit", Argument::Plain(unit.into())),
+                    ("unit", Argument::Plain(unit.to_string())),
                     ("change", words::written(format!("{change:+.5}"))),
                     times,
                 ],
@@ -276,11 +277,16 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
     all
 }
 
-fn unit_of(kind: InputKind) -> &'static str {
+fn unit_of(kind: InputKind) -> UnitName {
     match kind {
-        InputKind::PhoneClock => "1",
-        InputKind::Mass => "kg",
-        other => other.unit(),
+        InputKind::Gravity => UnitName::MetrePerSecondSquaredRaised,
+        InputKind::HullPitch => UnitName::Degree,
+        InputKind::PhoneClock => UnitName::One,
+        InputKind::LineLength
+        | InputKind::Spacing
+        | InputKind::TopSpacing
+        | InputKind::AxisHeight => UnitName::Metre,
+        _ => UnitName::Kilogram,
     }
 }
 
@@ -313,7 +319,7 @@ fn saturated(base: &Base) -> Vec<Discrepancy> {
             all.push(Discrepancy::of(
                 id,
                 DiscrepancyKind::Saturated,
-                (size, "1"),
+                (size, UnitName::One),
                 (repair.count as f64).sqrt(),
                 said,
             ));

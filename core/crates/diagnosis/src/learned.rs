@@ -3,17 +3,20 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::causes::{Scales, TERMS, UNKNOWN, reach};
+use super::cause_id::CauseId;
+use super::causes::{Scales, TERMS, reach};
 use super::closed_form::Whole;
+use super::coordinate::ForceCoordinate;
 use super::point::Form;
 use super::result::LearnedForce;
 use super::search::Found;
+use super::term::{Factor, Term};
+use super::unit::UnitName;
 use super::words;
 use gyradius_base::message::{Argument, Message};
 
 /// Positions and rates at which the force is told, shares of the scale.
 const GRID: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
-const COORDINATES: [&str; 4] = ["surge", "sway", "turn", "yaw"];
 
 /// The force that the last cause is, where it is one without a name.
 pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
@@ -21,7 +24,7 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
         .model
         .causes
         .last()
-        .filter(|cause| cause.id == UNKNOWN)?;
+        .filter(|cause| cause.id == CauseId::Unknown)?;
     match cause.form {
         Form::Force(coordinate) => force(found, coordinate, heldout_rms),
         Form::Knock(swing) => knock(found, swing, heldout_rms),
@@ -34,8 +37,8 @@ pub fn learned(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
 /// A shape that is its own closed form, and acts on more than one coordinate.
 fn of_all(equation: String, message: Message, heldout_rms: f64) -> LearnedForce {
     LearnedForce {
-        coordinate: "all".into(),
-        unit: "N".into(),
+        coordinate: ForceCoordinate::All,
+        unit: UnitName::Newton.into(),
         points: vec![],
         equation,
         message,
@@ -70,14 +73,7 @@ fn knock(found: &Found, swing: usize, heldout_rms: f64) -> Option<LearnedForce> 
     let parts: Vec<String> = cause.parameters[..4]
         .iter()
         .zip(values)
-        .map(|(p, v)| {
-            format!(
-                "{:.3} {} ({})",
-                p.told(*v),
-                p.unit,
-                p.name.trim_end_matches("_n_s").trim_end_matches("_n_m_s")
-            )
-        })
+        .map(|(p, v)| format!("{:.3} {} ({})", p.told(*v), p.unit, p.name.without(p.unit)))
         .collect();
     let at_s = cause.parameters[4].told(values[4]);
     let equation = format!("F(t) = J δ(t − {at_s:.2} s), J = {}", parts.join(", "));
@@ -138,14 +134,16 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
             format!("{:+.4e} {powers}", -q * factor / scale)
         })
         .collect();
-    let name = if coordinate == 2 {
-        if scales.pitches { "pitch" } else { "roll" }
-    } else {
-        COORDINATES[coordinate]
+    let name = match coordinate {
+        0 => ForceCoordinate::Surge,
+        1 => ForceCoordinate::Sway,
+        2 if scales.pitches => ForceCoordinate::Pitch,
+        2 => ForceCoordinate::Roll,
+        _ => ForceCoordinate::Yaw,
     };
     let letter = if coordinate < 2 { "F" } else { "M" };
     Some(LearnedForce {
-        coordinate: name.into(),
+        coordinate: name,
         unit: unit.into(),
         points: points(found, position, rate)?,
         equation: format!("{letter}_{name} = {} {unit}", sum.join(" ")),
@@ -161,14 +159,14 @@ fn force(found: &Found, coordinate: usize, heldout_rms: f64) -> Option<LearnedFo
     })
 }
 
-/// A term's letters and what they are over.
-pub fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (String, f64) {
+/// A term's factors and what they are over.
+pub fn written(term: Term, (x, v): (&str, &str), position: f64, rate: f64) -> (String, f64) {
     let (mut text, mut scale) = (String::new(), 1.0);
-    for letter in term.chars() {
-        let (symbol, by) = match letter {
-            'x' => (x, position),
-            'v' => (v, rate),
-            _ => ("t", 100.0),
+    for factor in term.factors() {
+        let (symbol, by) = match factor {
+            Factor::Position => (x, position),
+            Factor::Rate => (v, rate),
+            Factor::Time => ("t", 100.0),
         };
         text.push_str(symbol);
         scale *= by;
@@ -176,22 +174,22 @@ pub fn written(term: &str, (x, v): (&str, &str), position: f64, rate: f64) -> (S
     (text, scale)
 }
 
-fn in_words(term: &str) -> Argument {
+fn in_words(term: Term) -> Argument {
     words::word(match term {
-        "xx" => "shape.spring_on_one_side",
-        "xv" => "shape.drag_on_one_side",
-        "vv" => "shape.push_one_way",
-        "xxx" => "shape.spring_at_wide_angles",
-        "xxv" => "shape.drag_away_from_middle",
-        "xvv" => "shape.spring_at_speed",
-        "vvv" => "shape.drag_of_third_power",
-        "xt" => "shape.spring_with_time",
-        _ => "shape.drag_with_time",
+        Term::Xx => "shape.spring_on_one_side",
+        Term::Xv => "shape.drag_on_one_side",
+        Term::Vv => "shape.push_one_way",
+        Term::Xxx => "shape.spring_at_wide_angles",
+        Term::Xxv => "shape.drag_away_from_middle",
+        Term::Xvv => "shape.spring_at_speed",
+        Term::Vvv => "shape.drag_of_third_power",
+        Term::Xt => "shape.spring_with_time",
+        Term::Vt => "shape.drag_with_time",
     })
 }
 
 /// What terms look like, in a row.
-pub fn shapes<'a>(terms: impl Iterator<Item = &'a str>) -> Argument {
+pub fn shapes(terms: impl Iterator<Item = Term>) -> Argument {
     words::row(terms.map(in_words).collect(), "and", "and")
 }
 
@@ -202,7 +200,8 @@ fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
     let values = found.fitted.point.causes.last()?;
     let covariance = found.fitted.covariance()?;
     let (first, size) = (found.fitted.place_of_last(values.len()), values.len());
-    let terms: Vec<&str> = cause.parameters.iter().map(|p| p.name).collect();
+    let terms = cause.parameters.iter().map(|p| Term::of(p.name));
+    let terms = terms.collect::<Option<Vec<Term>>>()?;
     let factor = cause.parameters.first()?.factor;
     let own = covariance.view((first, first), (size, size)).into_owned();
     Some(grid(&terms, (values, &own), factor, (position, rate)))
@@ -211,7 +210,7 @@ fn points(found: &Found, position: f64, rate: f64) -> Option<Vec<[f64; 5]>> {
 /// A force by terms with coefficients and their covariance, times a factor: rows of position, rate,
 /// time, force, its standard uncertainty.
 pub fn grid(
-    terms: &[&str],
+    terms: &[Term],
     (values, covariance): (&[f64], &DMatrix<f64>),
     factor: f64,
     (position, rate): (f64, f64),
@@ -220,16 +219,7 @@ pub fn grid(
     for t_s in [0.0, 100.0] {
         for x in GRID {
             for v in GRID {
-                let of = |term: &&str| {
-                    term.chars().fold(-factor, |product, letter| {
-                        product
-                            * match letter {
-                                'x' => x,
-                                'v' => v,
-                                _ => t_s / 100.0,
-                            }
-                    })
-                };
+                let of = |term: &Term| term.times(-factor, x, v, t_s / 100.0);
                 let row = DVector::from_iterator(terms.len(), terms.iter().map(of));
                 let force = row.iter().zip(values).map(|(r, q)| r * q).sum();
                 let variance = row.dot(&(covariance * &row));

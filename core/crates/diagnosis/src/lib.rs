@@ -4,8 +4,10 @@
 
 mod base;
 mod by_periods;
+mod cause_id;
 mod causes;
 mod closed_form;
+mod coordinate;
 mod doubt;
 mod evidence;
 mod findings;
@@ -14,9 +16,10 @@ mod learned;
 mod linear;
 mod look;
 mod moments;
-mod named;
+
 mod next_swing;
 mod one_motion;
+mod parameter_id;
 mod point;
 mod quantities;
 mod result;
@@ -24,18 +27,24 @@ mod search;
 mod seen;
 mod shape;
 mod tell_apart;
+mod term;
 mod traces;
 mod trial;
+mod unit;
 mod verdict;
 mod white;
 mod words;
 
 pub use by_periods::criticise_periods;
+pub use cause_id::CauseId;
+pub use coordinate::ForceCoordinate;
+pub use parameter_id::{ParameterId, ParameterName};
 pub use result::{
     CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, DiscrepancyKind, Gain,
     LearnedForce, ModelResult, NextSwing, ParameterResult, Progress, Status, SwingTrace,
 };
 pub use tell_apart::tell_apart;
+pub use unit::{Unit, UnitName};
 pub use words::cause_name;
 
 use std::collections::BTreeMap;

@@ -10,6 +10,7 @@ use gyradius_base::parallel::in_parallel;
 
 use super::causes::{GIVES_S, SLIP_S, Scales, knock_at, line_slip_at, slip_at};
 use super::look::{Equations, Look, Part, Solved, Standing, columns, laid_out};
+use super::parameter_id::ParameterName;
 use super::point::{Cause, OWN};
 
 /// Moments tried in each swing, first coarse, then about the best.
@@ -268,7 +269,7 @@ impl Scan<'_> {
         cause
             .parameters
             .iter_mut()
-            .filter(|p| p.name == "at_s")
+            .filter(|p| p.name == ParameterName::AtS)
             .for_each(|p| p.zero = start_s);
         cause
     }

@@ -9,6 +9,7 @@ use gyradius_base::error::Result;
 use gyradius_base::parallel::in_parallel;
 use gyradius_recording::{Excitation, Orientation, Swing};
 
+use super::cause_id::CauseId;
 use super::fitting::Places;
 use super::linear::Reader;
 use super::point::{Model, Point};
@@ -58,7 +59,7 @@ pub struct Explained<'a> {
     pub model: &'a Model<'a>,
     pub point: &'a Point,
     /// The cause's name.
-    pub id: &'static str,
+    pub id: CauseId,
 }
 
 /// The best of the swings thought of, for two ways to explain a session that differ in their last
@@ -147,7 +148,7 @@ pub fn longer(mut swing: NextSwing) -> NextSwing {
     swing
 }
 
-fn in_words(swing: NextSwing, one: &str, other: &str) -> NextSwing {
+fn in_words(swing: NextSwing, one: CauseId, other: CauseId) -> NextSwing {
     let hull = match swing.hull_pitch_deg {
         pitch if pitch.abs() < 1.0 => None,
         pitch => {

@@ -12,7 +12,10 @@ use gyradius_mechanics::sensors;
 use gyradius_mechanics::{Experiment, Fineness, Phone};
 
 use super::base::{Base, Swung};
+use super::cause_id::CauseId;
+use super::parameter_id::ParameterName;
 use super::result::ParameterResult;
+use super::unit::UnitName;
 
 /// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and
 /// accelerometer (6).
@@ -58,10 +61,10 @@ pub struct Point {
 /// One parameter of a cause, in a unit in which everyday strengths are alike.
 #[derive(Debug, Clone)]
 pub struct CauseParameter {
-    pub name: &'static str,
+    pub name: ParameterName,
     /// Unit of the rig, and how much of it is one of the parameter; logarithms are reported as what
     /// they are of.
-    pub unit: &'static str,
+    pub unit: UnitName,
     pub factor: f64,
     /// Where its zero is, in that unit: a time in the samples begins when they do.
     pub zero: f64,
@@ -112,7 +115,7 @@ pub type Put = Arc<dyn Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send +
 #[derive(Clone)]
 pub struct Cause {
     /// Name in the contract.
-    pub id: &'static str,
+    pub id: CauseId,
     pub parameters: Vec<CauseParameter>,
     pub put: Put,
     /// Whether only the phone's readings change, not the motion.

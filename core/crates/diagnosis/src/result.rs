@@ -14,7 +14,11 @@ use gyradius_base::message::warnings_and_said;
 use gyradius_identification::{QuantityName, QuantityResult};
 use gyradius_recording::Excitation;
 
-use super::named::named;
+use super::cause_id::CauseId;
+use super::coordinate::ForceCoordinate;
+use super::parameter_id::ParameterId;
+use super::unit::{Unit, UnitName};
+use gyradius_base::named;
 
 /// The criticism of a session.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -120,7 +124,7 @@ pub struct Discrepancy {
     /// How large it is.
     pub size: f64,
     /// Unit of the size.
-    pub unit: String,
+    pub unit: Unit,
     /// Its significance in standard deviations.
     pub sigma: f64,
     /// In words.
@@ -134,7 +138,7 @@ impl Discrepancy {
     pub(super) fn of(
         swing: &str,
         what: DiscrepancyKind,
-        (size, unit): (f64, &str),
+        (size, unit): (f64, UnitName),
         sigma: f64,
         message: Message,
     ) -> Self {
@@ -160,13 +164,13 @@ impl NextSwing {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CauseResult {
     /// Its name in the contract.
-    pub id: String,
+    pub id: CauseId,
     /// Of the causes tried in its place, that it is this one.
     pub probability: f64,
     /// Logarithm (natural) of the evidence with it over that without.
     pub log_evidence_gain: f64,
     /// Its parameters, in units of the rig.
-    pub parameters: BTreeMap<String, ParameterResult>,
+    pub parameters: BTreeMap<ParameterId, ParameterResult>,
     /// What it is and how strong, in words.
     #[serde(flatten, with = "text_and_said")]
     #[schemars(with = "text_and_said::TextAndSaid")]
@@ -184,7 +188,7 @@ pub struct ParameterResult {
     /// Its standard uncertainty.
     pub u: f64,
     /// Unit.
-    pub unit: String,
+    pub unit: Unit,
 }
 
 /// What follows from it all.
@@ -193,9 +197,9 @@ pub struct CauseVerdict {
     /// Which of the four verdicts.
     pub status: Status,
     /// Causes named.
-    pub causes: Vec<String>,
+    pub causes: Vec<CauseId>,
     /// Causes that these data cannot tell from those.
-    pub indistinguishable_from: Vec<String>,
+    pub indistinguishable_from: Vec<CauseId>,
     /// The swing that would tell them apart.
     pub next_swing: Option<NextSwing>,
     /// In words.
@@ -247,10 +251,10 @@ pub struct Gain {
 /// A generalised force learned from the data inside the simulation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct LearnedForce {
-    /// `yaw`, `turn` (pitch or roll), `across` or `along`.
-    pub coordinate: String,
+    /// What it acts on.
+    pub coordinate: ForceCoordinate,
     /// Unit of the force.
-    pub unit: String,
+    pub unit: Unit,
     /// The force at places, rates and times: rows of position, rate, time, force, its standard
     /// uncertainty.
     pub points: Vec<[f64; 5]>,
@@ -285,7 +289,7 @@ pub struct SwingTrace {
     #[schemars(with = "channel_and_said::ChannelAndSaid")]
     pub channel: Message,
     /// Unit of the readings.
-    pub unit: String,
+    pub unit: Unit,
     /// Standard deviation of the noise.
     pub noise: f64,
     /// Times from the start of the analysed part, s.

@@ -7,14 +7,15 @@ use gyradius_base::error::{Error, Result};
 use gyradius_base::parallel::in_parallel;
 use gyradius_base::progress::{Progress, tell};
 
+use super::cause_id::CauseId;
 use super::causes::{
-    GUSTS, INTERNAL_MOTION, Scales, TERMS, UNKNOWN, WIND, catalogue, gust, learned_force, mounts,
-    ringing, seconds,
+    GUSTS, Scales, TERMS, catalogue, gust, learned_force, mounts, ringing, seconds,
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
 use super::look::{Look, Standing};
 use super::moments::moments;
+use super::parameter_id::ParameterName;
 use super::point::{Cause, Form, Model, Part, Point};
 use super::trial::{Tried, least_cost};
 use super::verdict::{parameters, simplest_first};
@@ -68,7 +69,13 @@ const SURE: f64 = 1e3;
 /// Names of the parameters that say when something happened and what shows only while it does: how
 /// fast it went, and how far a phone was pushed along, which its place shows a hundred times less
 /// than the push.
-const OF_MOMENT: [&str; 5] = ["at_s", "over_s", "shift_x_m", "shift_y_m", "shift_z_m"];
+const OF_MOMENT: [ParameterName; 5] = [
+    ParameterName::AtS,
+    ParameterName::OverS,
+    ParameterName::ShiftXM,
+    ParameterName::ShiftYM,
+    ParameterName::ShiftZM,
+];
 /// … and how far they may move, shares of a derivative's step, while what they are judged by is
 /// held out.
 const PINNED: f64 = 1e-3;
@@ -89,7 +96,7 @@ impl Round {
     /// Nothing begins any more at what was tried, but where it has no name it may yet be taken up:
     /// of the others derivatives, most of what a fit holds, are let go.
     fn of(mut tried: Vec<Tried>, taken: bool, looked: Option<Looked>) -> Self {
-        let named = tried.iter_mut().filter(|t| t.cause.id != UNKNOWN);
+        let named = tried.iter_mut().filter(|t| t.cause.id != CauseId::Unknown);
         named.for_each(|t| t.fitted.jacobians = vec![]);
         Self {
             tried,
@@ -190,15 +197,15 @@ impl<'a> Found<'a> {
 impl Found<'_> {
     /// A cause by its name beside what was taken: that of its forms that promises most, fitted in
     /// full.
-    pub fn by_name(&self, id: &str) -> Result<Tried> {
+    pub fn by_name(&self, id: CauseId) -> Result<Tried> {
         let scales = Scales::of(self.model.base, &self.fitted.point)?;
         let all: Vec<Cause> = catalogue(&scales).into_iter().chain(mounts()).collect();
         let forms: Vec<Cause> = all.iter().filter(|cause| cause.id == id).cloned().collect();
         if forms.is_empty() {
             let mut names: Vec<&str> = all
                 .iter()
-                .map(|cause| cause.id)
-                .filter(|id| *id != UNKNOWN)
+                .filter(|cause| cause.id != CauseId::Unknown)
+                .map(|cause| cause.id.name())
                 .collect();
             names.dedup();
             return Err(Error::argument(
@@ -209,7 +216,7 @@ impl Found<'_> {
         }
         let looks = looks_at(&Standing::of(&self.model, &self.fitted.point)?, &forms);
         let best = looks.into_iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
-        let reason = || Error::no_result(id, "it cannot be fitted to this session");
+        let reason = || Error::no_result(id.name(), "it cannot be fitted to this session");
         self.fit(&best.ok_or_else(reason)?, f64::INFINITY, false)
             .ok_or_else(reason)
     }
@@ -224,12 +231,16 @@ impl Found<'_> {
     /// inside as slowly as gusts come, a wind that hardly blows but in gusts.
     fn may_blow(&self, tried: &[Tried], looks: &[Look]) -> Option<Tried> {
         let best = tried.first();
-        let steady = tried.iter().find(|t| t.cause.id == WIND);
-        let is_taken = self.model.causes.iter().any(|cause| cause.id == WIND);
+        let steady = tried.iter().find(|t| t.cause.id == CauseId::Wind);
+        let is_taken = self
+            .model
+            .causes
+            .iter()
+            .any(|cause| cause.id == CauseId::Wind);
         let is_new = !is_taken && !self.left.is_white();
         if is_new && !best.is_some_and(|best| takes_much(&best.left, &self.left)) {
             let of_looks = || {
-                let winds = looks.iter().filter(|look| look.cause.id == WIND);
+                let winds = looks.iter().filter(|look| look.cause.id == CauseId::Wind);
                 self.fit(
                     winds.max_by(|a, b| a.gain.total_cmp(&b.gain))?,
                     f64::INFINITY,
@@ -244,7 +255,7 @@ impl Found<'_> {
         }
         let best = best.filter(|best| best.gain > LEAST_GAIN)?;
         let has_its_law = has_its_law(&best.left, &self.left);
-        let leaves_some = best.cause.id == WIND
+        let leaves_some = best.cause.id == CauseId::Wind
             || !(has_its_law || best.left.is_next_to_nothing(&self.base_left));
         let steady = steady
             .filter(|wind| leaves_some && wind.gain > GUSTY * best.gain)
@@ -271,7 +282,7 @@ impl Found<'_> {
         );
         let winds = catalogue(&scales)
             .into_iter()
-            .filter(|cause| cause.id == WIND);
+            .filter(|cause| cause.id == CauseId::Wind);
         let each = winds.filter_map(|wind| {
             let model = self.model.with(&wind);
             let mut point = self.fitted.point.clone();
@@ -296,7 +307,7 @@ impl Found<'_> {
         let blows = wind.gain > GUSTY * best_gain;
         let pays = tried
             .first()
-            .is_some_and(|best| best.cause.id == WIND && self.pays(best));
+            .is_some_and(|best| best.cause.id == CauseId::Wind && self.pays(best));
         let takes_enough =
             |best: &Tried| self.left.is_white() || takes_much(&best.left, &self.left);
         let is_instead = tried
@@ -320,7 +331,7 @@ impl Found<'_> {
         let takes = self.left.is_white() || takes_much(&self.left, before);
         let accounts = blows || takes;
         if pays || (accounts && with_gusts > best_gain.max(LEAST_GAIN)) {
-            tried.retain(|t| t.cause.id != WIND);
+            tried.retain(|t| t.cause.id != CauseId::Wind);
             tried.insert(
                 0,
                 Tried {
@@ -342,7 +353,11 @@ impl Found<'_> {
     fn blow(&mut self, lacking: f64, is_instead: bool) -> f64 {
         let wanted = if is_instead { lacking } else { 0.0 };
         let (mut gained, mut most): (f64, f64) = (0.0, f64::INFINITY);
-        let has_unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
+        let has_unnamed = self
+            .model
+            .causes
+            .iter()
+            .any(|cause| cause.id == CauseId::Unknown);
         for (n, tone) in GUSTS.into_iter().enumerate() {
             let is_enough = self.left.is_white() && gained >= wanted && !has_unnamed;
             let is_hopeless = gained + most * (GUSTS.len() - n) as f64 <= lacking;
@@ -529,7 +544,7 @@ impl Found<'_> {
     /// Where structure remains, the model is extended even without a name for it: by what leaves
     /// least of all that was tried without one, beside the causes that had been taken before.
     fn learn(&mut self) {
-        if !self.is_unexplained() || self.model.causes.iter().any(|c| c.id == UNKNOWN) {
+        if !self.is_unexplained() || self.model.causes.iter().any(|c| c.id == CauseId::Unknown) {
             return;
         }
         let tried = self
@@ -537,7 +552,7 @@ impl Found<'_> {
             .iter()
             .enumerate()
             .flat_map(|(n, round)| round.tried.iter().map(move |t| (n, t)));
-        let unnamed = tried.filter(|(_, t)| t.cause.id == UNKNOWN);
+        let unnamed = tried.filter(|(_, t)| t.cause.id == CauseId::Unknown);
         let Some((n, best)) = unnamed.min_by(|a, b| a.1.fitted.cost.total_cmp(&b.1.fitted.cost))
         else {
             return;
@@ -548,7 +563,7 @@ impl Found<'_> {
         let best = best.clone();
         self.rounds.truncate(n + 1);
         let round = &mut self.rounds[n];
-        round.tried.retain(|t| t.cause.id != UNKNOWN);
+        round.tried.retain(|t| t.cause.id != CauseId::Unknown);
         round.tried.insert(0, best.clone());
         round.taken = true;
         self.take(best);
@@ -593,7 +608,7 @@ impl Found<'_> {
             .model
             .causes
             .iter()
-            .any(|cause| cause.id == INTERNAL_MOTION)
+            .any(|cause| cause.id == CauseId::InternalMotion)
         {
             causes.extend(seconds(&scales, &peaks_hz));
         }
@@ -610,8 +625,9 @@ impl Found<'_> {
     /// Fits the leading causes in full, the best first. Where they leave something, shapes without
     /// a name are tried as well.
     fn tried(&self, looks: Vec<Look>, half_way: &dyn Fn() -> Result<()>) -> Result<Vec<Tried>> {
-        let (unnamed, named): (Vec<Look>, Vec<Look>) =
-            looks.into_iter().partition(|l| l.cause.id == UNKNOWN);
+        let (unnamed, named): (Vec<Look>, Vec<Look>) = looks
+            .into_iter()
+            .partition(|l| l.cause.id == CauseId::Unknown);
         // What promises more than all names may keep it, even where one of them leaves nothing: a
         // line that slips turns a phone with the hull.
         let promised = named.iter().map(|look| look.gain).fold(0.0, f64::max);
@@ -802,11 +818,11 @@ impl Found<'_> {
             .filter(|round| round.taken)
             .filter_map(|round| round.tried.first());
         let wind = taken
-            .filter(|t| t.cause.id == WIND)
+            .filter(|t| t.cause.id == CauseId::Wind)
             .map(|t| t.gain)
             .max_by(f64::total_cmp);
         if let Some(wind) = wind.filter(|_| self.left.is_white()) {
-            let is_clean = best.cause.id != UNKNOWN && best.left.is_white();
+            let is_clean = best.cause.id != CauseId::Unknown && best.left.is_white();
             return is_clean && best.gain > FURTHER_GAIN.max(GUSTY * wind);
         }
         pays(self.first_gain(), best.gain, &best.left, &self.left)
@@ -826,8 +842,10 @@ fn has_its_law(left: &Left, before: &Left) -> bool {
 /// Frequency of what was tried, where that is something inside that moves as slowly as gusts come,
 /// Hz.
 fn slow_hz(tried: &Tried) -> Option<f64> {
-    let of_inside = Some(tried).filter(|tried| tried.cause.id == INTERNAL_MOTION);
-    let frequency_hz = parameters(of_inside?).remove("frequency_hz")?.value;
+    let of_inside = Some(tried).filter(|tried| tried.cause.id == CauseId::InternalMotion);
+    let frequency_hz = parameters(of_inside?)
+        .remove(&ParameterName::FrequencyHz.into())?
+        .value;
     Some(frequency_hz).filter(|hz| *hz < FASTEST_GUST_HZ)
 }
 
@@ -837,7 +855,8 @@ fn foremost(looks: &[Look]) -> Vec<Look> {
     let mut leading: Vec<Look> = Vec::new();
     for look in looks {
         let is_form_of = |known: &Cause| {
-            let has_law = known.id != UNKNOWN || [known.form, look.cause.form] == [Form::Second; 2];
+            let has_law =
+                known.id != CauseId::Unknown || [known.form, look.cause.form] == [Form::Second; 2];
             known.id == look.cause.id && has_law
         };
         match leading.iter_mut().find(|known| is_form_of(&known.cause)) {
@@ -892,7 +911,7 @@ impl<'a> Found<'a> {
             let at = cause
                 .parameters
                 .iter()
-                .position(|parameter| parameter.name == "at_s");
+                .position(|parameter| parameter.name == ParameterName::AtS);
             if let (Some(swing), Some(at)) = (cause.form.swing(), at) {
                 values[at] *=
                     model.clock(&fitted.point, swing)? / model.clock(&fitting.point, swing)?;

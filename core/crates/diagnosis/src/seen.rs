@@ -7,6 +7,7 @@
 use num_complex::Complex64;
 
 use super::result::{Discrepancy, DiscrepancyKind};
+use super::unit::UnitName;
 use super::words;
 use gyradius_base::message::Argument;
 use gyradius_recording::ModeName;
@@ -114,7 +115,7 @@ impl Seen<'_> {
         Some(Discrepancy::of(
             self.swing,
             DiscrepancyKind::PeriodVsAmplitude,
-            (measured - simulated, "%"),
+            (measured - simulated, UnitName::Percent),
             sigma,
             said,
         ))
@@ -148,7 +149,7 @@ impl Seen<'_> {
         Some(Discrepancy::of(
             self.swing,
             DiscrepancyKind::DecayVsAmplitude,
-            (size, "%"),
+            (size, UnitName::Percent),
             sigma,
             said,
         ))
@@ -199,7 +200,7 @@ impl Seen<'_> {
             Discrepancy::of(
                 self.swing,
                 DiscrepancyKind::ResidualVsPhase,
-                (ends.sqrt() - middle.sqrt(), "1"),
+                (ends.sqrt() - middle.sqrt(), UnitName::One),
                 sigma,
                 said,
             )

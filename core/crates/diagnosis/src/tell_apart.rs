@@ -9,6 +9,7 @@ use gyradius_recording::{LoadedData, LoadedSession};
 
 use super::base::{Base, by_periods};
 use super::by_periods::tell_apart_by_periods;
+use super::cause_id::CauseId;
 use super::next_swing::{Explained, next_swing};
 use super::point::Model;
 use super::result::{NextSwing, Progress};
@@ -19,11 +20,11 @@ use super::trial::Tried;
 /// nothing else, differ most: that of the criticism's verdict, for causes of one's own choice.
 ///
 /// # Errors
-/// [`Error::Argument`] for a name that is no cause of this kind of session; [`Error::NoResult`]
+/// [`Error::Argument`] for a cause that this kind of session does not show; [`Error::NoResult`]
 /// where the session cannot be simulated, or no swing tells the two.
 pub fn tell_apart(
     loaded: &LoadedSession,
-    causes: [&str; 2],
+    causes: [CauseId; 2],
     progress: &Progress,
 ) -> Result<NextSwing> {
     if causes[0] == causes[1] {
@@ -82,7 +83,7 @@ pub fn tell_apart(
     next.ok_or_else(|| not_told(causes))
 }
 
-fn not_told([one, other]: [&str; 2]) -> Error {
+fn not_told([one, other]: [CauseId; 2]) -> Error {
     Error::no_result(
         "telling causes apart",
         format!("no swing thought of tells {one} from {other}"),

@@ -7,6 +7,7 @@ use gyradius_identification::samples::Sensor;
 use super::point::{Model, first_settled};
 use super::result::SwingTrace;
 use super::search::Found;
+use super::unit::UnitName;
 use super::words;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -23,8 +24,8 @@ pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
         let first = first_settled(&samples.t_s);
         let part = |readings: &[Vec3]| readings[first..].iter().map(|r| r[axis]).collect();
         let (key, unit) = match samples.sensor {
-            Sensor::Gyroscope => ("channel_turn", "rad/s"),
-            Sensor::Accelerometer => ("channel_force", "m/s²"),
+            Sensor::Gyroscope => ("channel_turn", UnitName::RadianPerSecond),
+            Sensor::Accelerometer => ("channel_force", UnitName::MetrePerSecondSquaredRaised),
         };
         let channel = words::message(key, [("axis", words::written(AXES[axis]))]);
         Ok(SwingTrace {

@@ -5,12 +5,14 @@ use std::collections::BTreeMap;
 use gyradius_recording::{RepairKind, Sensor};
 
 use super::base::Base;
-use super::causes::UNKNOWN;
+use super::cause_id::CauseId;
 use super::fitting::Fitted;
+use super::parameter_id::{ParameterId, ParameterName};
 use super::point::{Cause, Form};
 use super::result::{CauseResult, CauseVerdict, ParameterResult, Status};
 use super::search::{Found, Round};
 use super::trial::Tried;
+use super::unit::UnitName;
 use super::words;
 use gyradius_base::message::{Argument, Message};
 
@@ -36,7 +38,11 @@ impl Found<'_> {
     /// Whether structure remains that nothing accounts for, or nothing but many causes together.
     pub fn is_unexplained(&self) -> bool {
         let many = self.model.named().count() > MOST_NAMED;
-        let unnamed = self.model.causes.iter().any(|cause| cause.id == UNKNOWN);
+        let unnamed = self
+            .model
+            .causes
+            .iter()
+            .any(|cause| cause.id == CauseId::Unknown);
         let gusts = self
             .model
             .causes
@@ -66,7 +72,7 @@ impl Found<'_> {
         };
         // Where structure remains, evidence counts for less: in proportion to what is left.
         let allowed = NOT_TOLD.max(0.02 * best.left.excess());
-        let near = |t: &&Tried| best.gain - t.gain < allowed && t.cause.id != UNKNOWN;
+        let near = |t: &&Tried| best.gain - t.gain < allowed && t.cause.id != CauseId::Unknown;
         let special =
             |t: &&Tried| are_one_drag([best.cause.id, t.cause.id], |k| parameters([best, t][k]));
         round.tried[1..]
@@ -77,9 +83,9 @@ impl Found<'_> {
     }
 
     pub fn verdict(&self) -> CauseVerdict {
-        let mut named: Vec<String> = self.model.named().map(|cause| cause.id.into()).collect();
+        let mut named: Vec<CauseId> = self.model.named().map(|cause| cause.id).collect();
         named.extend(saturation(self.model.base).map(|cause| cause.id));
-        let rivals: Vec<String> = self.rivals().iter().map(|t| t.cause.id.into()).collect();
+        let rivals: Vec<CauseId> = self.rivals().iter().map(|t| t.cause.id).collect();
         judged(named, rivals, self.is_unexplained())
     }
 
@@ -117,15 +123,15 @@ impl Found<'_> {
 
 /// The verdict from the names of the causes taken, of those that do as well as the last of them,
 /// and whether structure remains.
-pub fn judged(mut causes: Vec<String>, rivals: Vec<String>, unexplained: bool) -> CauseVerdict {
+pub fn judged(mut causes: Vec<CauseId>, rivals: Vec<CauseId>, unexplained: bool) -> CauseVerdict {
     let status = match (unexplained, causes.is_empty(), rivals.is_empty()) {
         (true, ..) => Status::Unexplained,
         (false, true, _) => Status::Adequate,
         (false, false, true) => Status::Explained,
         (false, false, false) => Status::Ambiguous,
     };
-    if unexplained && !causes.iter().any(|id| id == UNKNOWN) {
-        causes.push(UNKNOWN.into());
+    if unexplained && !causes.contains(&CauseId::Unknown) {
+        causes.push(CauseId::Unknown);
     }
     let indistinguishable_from = if status == Status::Ambiguous {
         rivals
@@ -143,9 +149,13 @@ pub fn judged(mut causes: Vec<String>, rivals: Vec<String>, unexplained: bool) -
 }
 
 /// A cause that was tried, not ranked yet.
-pub fn result(id: &str, gain: f64, parameters: BTreeMap<String, ParameterResult>) -> CauseResult {
+pub fn result(
+    id: CauseId,
+    gain: f64,
+    parameters: BTreeMap<ParameterId, ParameterResult>,
+) -> CauseResult {
     CauseResult {
-        id: id.into(),
+        id,
         probability: 1.0,
         log_evidence_gain: gain,
         parameters,
@@ -168,11 +178,10 @@ pub fn ranked(
         // probability with it.
         if let Some(drag) = tried
             .first()
-            .filter(|first| first.id == "quadratic_drag")
+            .filter(|first| first.id == CauseId::QuadraticDrag)
             .cloned()
         {
-            tried
-                .retain(|t| !are_one_drag([&drag.id, &t.id], |k| [&drag, t][k].parameters.clone()));
+            tried.retain(|t| !are_one_drag([drag.id, t.id], |k| [&drag, t][k].parameters.clone()));
         }
         // The first need not be the one that gains most: where much is left, what was learned
         // without a name comes first.
@@ -195,8 +204,8 @@ pub fn ranked(
             }
         }
     }
-    if let Some(excess) = unexplained.filter(|_| list.iter().all(|c| c.id != UNKNOWN)) {
-        list.push(result(UNKNOWN, 0.5 * excess, BTreeMap::new()));
+    if let Some(excess) = unexplained.filter(|_| list.iter().all(|c| c.id != CauseId::Unknown)) {
+        list.push(result(CauseId::Unknown, 0.5 * excess, BTreeMap::new()));
     }
     list.extend(by_itself);
     list.sort_by(|a, b| {
@@ -209,17 +218,18 @@ pub fn ranked(
 
 /// A verdict as a sentence.
 fn in_words(verdict: &CauseVerdict) -> Message {
-    let all = |ids: &[&String], join: &str| {
-        words::row(ids.iter().map(|id| named(id)).collect(), join, join)
+    let all = |ids: &[CauseId], join: &str| {
+        words::row(ids.iter().map(|id| named(*id)).collect(), join, join)
     };
-    let known: Vec<&String> = verdict.causes.iter().filter(|id| *id != UNKNOWN).collect();
+    let causes = verdict.causes.iter().copied();
+    let known: Vec<CauseId> = causes.filter(|id| *id != CauseId::Unknown).collect();
     let causes = || ("causes", all(&known, "and_also"));
     match verdict.status {
         Status::Adequate => words::message("adequate", []),
         Status::Explained => words::message("explained", [causes()]),
         Status::Ambiguous => {
-            let others: Vec<&String> = verdict.indistinguishable_from.iter().collect();
-            words::message("ambiguous", [causes(), ("others", all(&others, "or_also"))])
+            let others = all(&verdict.indistinguishable_from, "or_also");
+            words::message("ambiguous", [causes(), ("others", others)])
         }
         Status::Unexplained if known.is_empty() => words::message("unexplained", []),
         Status::Unexplained if known.len() > MOST_NAMED => words::message(
@@ -231,7 +241,7 @@ fn in_words(verdict: &CauseVerdict) -> Message {
 }
 
 /// What a cause is, as a part of a sentence.
-fn named(id: &str) -> Argument {
+fn named(id: CauseId) -> Argument {
     words::word(&format!("cause.{id}"))
 }
 
@@ -252,8 +262,8 @@ pub fn saturation(base: &Base) -> Option<CauseResult> {
         {
             count += repair.count;
             let (name, unit, k) = match repair.sensor {
-                Sensor::Gyroscope => ("gyro_rad_s", "rad/s", 0),
-                _ => ("acc_m_s2", "m/s^2", 1),
+                Sensor::Gyroscope => (ParameterName::GyroRadS, UnitName::RadianPerSecond, 0),
+                _ => (ParameterName::AccMS2, UnitName::MetrePerSecondSquared, 1),
             };
             let largest = swung.samples.streams[k]
                 .values
@@ -262,7 +272,7 @@ pub fn saturation(base: &Base) -> Option<CauseResult> {
                 .fold(0.0, f64::max);
             let noise = swung.samples.streams[k].noise.max();
             let known: &mut ParameterResult =
-                limits.entry(name.to_string()).or_insert(ParameterResult {
+                limits.entry(name.into()).or_insert(ParameterResult {
                     value: largest,
                     u: noise,
                     unit: unit.into(),
@@ -272,20 +282,20 @@ pub fn saturation(base: &Base) -> Option<CauseResult> {
     }
     (count >= LEAST_SATURATED).then(|| CauseResult {
         taken: true,
-        ..result("saturation", count as f64, limits)
+        ..result(CauseId::Saturation, count as f64, limits)
     })
 }
 
 /// A power law whose exponent comes out as 1 is the quadratic drag itself, not another cause.
 /// `parameters` are those of the first or the second of the two.
 pub fn are_one_drag(
-    ids: [&str; 2],
-    parameters: impl Fn(usize) -> BTreeMap<String, ParameterResult>,
+    ids: [CauseId; 2],
+    parameters: impl Fn(usize) -> BTreeMap<ParameterId, ParameterResult>,
 ) -> bool {
-    let Some(power) = ids.iter().position(|id| *id == "power_law_damping") else {
+    let Some(power) = ids.iter().position(|id| *id == CauseId::PowerLawDamping) else {
         return false;
     };
-    if !ids.contains(&"quadratic_drag") {
+    if !ids.contains(&CauseId::QuadraticDrag) {
         return false;
     }
     let is_one =
@@ -293,18 +303,18 @@ pub fn are_one_drag(
     let found = parameters(power);
     found
         .iter()
-        .filter(|(name, _)| name.starts_with("exponent"))
+        .filter(|(id, _)| id.name == ParameterName::Exponent)
         .all(|(_, e)| is_one(e))
 }
 
 /// What a cause that was tried is called, and what it gained: the logarithm of the evidence.
 pub trait Ranked {
-    fn id(&self) -> &'static str;
+    fn id(&self) -> CauseId;
     fn gain(&self) -> f64;
 }
 
 impl Ranked for Tried {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> CauseId {
         self.cause.id
     }
 
@@ -317,11 +327,11 @@ impl Ranked for Tried {
 /// of two names for one thing the simpler stands. `tried` comes and goes with the best first.
 pub fn simplest_first<T: Ranked>(
     tried: &mut [T],
-    parameters: impl Fn(&T) -> BTreeMap<String, ParameterResult>,
+    parameters: impl Fn(&T) -> BTreeMap<ParameterId, ParameterResult>,
 ) {
     let Some(best) = tried.first() else { return };
     let is_simpler = |t: &T| {
-        t.id() == "quadratic_drag"
+        t.id() == CauseId::QuadraticDrag
             && best.gain() - t.gain() < NOT_TOLD
             && are_one_drag([best.id(), t.id()], |k| parameters([best, t][k]))
     };
@@ -331,7 +341,7 @@ pub fn simplest_first<T: Ranked>(
 }
 
 /// Parameters of the cause that was tried.
-pub fn parameters(tried: &Tried) -> BTreeMap<String, ParameterResult> {
+pub fn parameters(tried: &Tried) -> BTreeMap<ParameterId, ParameterResult> {
     parameters_of(
         &tried.causes,
         &tried.fitted,
@@ -344,7 +354,7 @@ fn parameters_of(
     causes: &[Cause],
     fitted: &Fitted,
     number: usize,
-) -> BTreeMap<String, ParameterResult> {
+) -> BTreeMap<ParameterId, ParameterResult> {
     let Some((cause, values)) = causes.get(number).zip(fitted.point.causes.get(number)) else {
         return BTreeMap::new();
     };
@@ -360,9 +370,7 @@ fn parameters_of(
         let u = covariance
             .as_ref()
             .map_or(f64::INFINITY, |c| c[(first + k, first + k)].max(0.0).sqrt());
-        let name = own.map_or(parameter.name.into(), |s| {
-            format!("{}_{}", parameter.name, s + 1)
-        });
+        let name = ParameterId::of(parameter.name, own);
         found.insert(name, parameter.result(values[k], u));
     }
     found
@@ -372,10 +380,10 @@ fn parameters_of(
 mod tests {
     use super::*;
 
-    struct Drag(&'static str, f64);
+    struct Drag(CauseId, f64);
 
     impl Ranked for Drag {
-        fn id(&self) -> &'static str {
+        fn id(&self) -> CauseId {
             self.0
         }
 
@@ -386,32 +394,32 @@ mod tests {
 
     /// Which of a power law of an exponent, with its uncertainty and its gain, and a quadratic drag
     /// that gained 100 stands first.
-    fn first(exponent: f64, u: f64, gain: f64) -> &'static str {
+    fn first(exponent: f64, u: f64, gain: f64) -> CauseId {
         let mut tried = vec![
-            Drag("power_law_damping", gain),
-            Drag("wind", 99.9),
-            Drag("quadratic_drag", 100.0),
+            Drag(CauseId::PowerLawDamping, gain),
+            Drag(CauseId::Wind, 99.9),
+            Drag(CauseId::QuadraticDrag, 100.0),
         ];
         tried.sort_by(|a, b| b.1.total_cmp(&a.1));
         let found = ParameterResult {
             value: exponent,
             u,
-            unit: "1".into(),
+            unit: UnitName::One.into(),
         };
         simplest_first(&mut tried, |_| {
-            BTreeMap::from([("exponent".to_owned(), found.clone())])
+            BTreeMap::from([(ParameterName::Exponent.into(), found.clone())])
         });
         tried[0].0
     }
 
     #[test]
     fn a_power_law_that_is_the_quadratic_drag_is_called_so() {
-        assert_eq!(first(1.1, 0.1, 100.5), "quadratic_drag");
-        assert_eq!(first(1.1, 0.1, 99.0), "quadratic_drag");
+        assert_eq!(first(1.1, 0.1, 100.5), CauseId::QuadraticDrag);
+        assert_eq!(first(1.1, 0.1, 99.0), CauseId::QuadraticDrag);
         // Another exponent, one that is hardly known, and far more evidence.
-        assert_eq!(first(0.5, 0.1, 100.5), "power_law_damping");
-        assert_eq!(first(1.1, 0.5, 100.5), "power_law_damping");
-        assert_eq!(first(1.1, 0.1, 110.0), "power_law_damping");
+        assert_eq!(first(0.5, 0.1, 100.5), CauseId::PowerLawDamping);
+        assert_eq!(first(1.1, 0.5, 100.5), CauseId::PowerLawDamping);
+        assert_eq!(first(1.1, 0.1, 110.0), CauseId::PowerLawDamping);
     }
 
     #[test]
@@ -420,24 +428,29 @@ mod tests {
             let found = ParameterResult {
                 value: exponent,
                 u: 0.1,
-                unit: "1".into(),
+                unit: UnitName::One.into(),
             };
-            let of_power = BTreeMap::from([("exponent".to_owned(), found)]);
+            let of_power = BTreeMap::from([(ParameterName::Exponent.into(), found)]);
             let tried = vec![
-                result("quadratic_drag", 100.0, BTreeMap::new()),
-                result("power_law_damping", 100.0, of_power),
-                result("wind", 60.0, BTreeMap::new()),
+                result(CauseId::QuadraticDrag, 100.0, BTreeMap::new()),
+                result(CauseId::PowerLawDamping, 100.0, of_power),
+                result(CauseId::Wind, 60.0, BTreeMap::new()),
             ];
             let ranked = ranked([(true, tried)].into_iter(), None, None);
-            let ids: Vec<String> = ranked.iter().map(|cause| cause.id.clone()).collect();
+            let ids: Vec<CauseId> = ranked.iter().map(|cause| cause.id).collect();
             (ids, ranked[0].probability)
         };
         let (ids, probability) = ranking(1.1);
-        assert_eq!(ids, ["quadratic_drag", "wind"]);
+        assert_eq!(ids, [CauseId::QuadraticDrag, CauseId::Wind]);
         assert!(probability > 0.999);
         // Another law that does as well halves it.
         let (ids, probability) = ranking(0.5);
-        assert_eq!(ids, ["quadratic_drag", "power_law_damping", "wind"]);
+        let three = [
+            CauseId::QuadraticDrag,
+            CauseId::PowerLawDamping,
+            CauseId::Wind,
+        ];
+        assert_eq!(ids, three);
         assert!((probability - 0.5).abs() < 1e-3);
     }
 }

@@ -8,6 +8,8 @@ use gyradius_base::message::{Argument, Message, name, spaced};
 use gyradius_identification::words::mode_text;
 use gyradius_recording::ModeName;
 
+use super::cause_id::CauseId;
+
 /// What all keys of the criticism begin with.
 const OF_CRITIQUE: &str = "critique.";
 
@@ -65,7 +67,7 @@ pub fn row(mut all: Vec<Argument>, between: &str, last: &str) -> Argument {
 }
 
 /// Short names of causes, in a row.
-pub fn names<'a>(ids: impl IntoIterator<Item = &'a str>, last: &str) -> Argument {
+pub fn names(ids: impl IntoIterator<Item = CauseId>, last: &str) -> Argument {
     row(
         ids.into_iter()
             .map(|id| word(&format!("name.{id}")))
@@ -76,6 +78,6 @@ pub fn names<'a>(ids: impl IntoIterator<Item = &'a str>, last: &str) -> Argument
 }
 
 /// The short name of a cause.
-pub fn cause_name(id: &str, language: Language) -> String {
-    name(&format!("{OF_CRITIQUE}name.{id}"), language).unwrap_or_else(|| spaced(id))
+pub fn cause_name(id: CauseId, language: Language) -> String {
+    name(&format!("{OF_CRITIQUE}name.{id}"), language).unwrap_or_else(|| spaced(id.name()))
 }

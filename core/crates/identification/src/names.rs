@@ -6,7 +6,7 @@ use std::fmt::{Display, Formatter};
 use std::str::FromStr;
 
 use gyradius_base::error::{Error, Result};
-use gyradius_base::{named, written_as_text};
+use gyradius_base::{named, ordered_as_text, written_as_text};
 use gyradius_recording::{End, ModeName};
 
 /// A quantity of a result.
@@ -127,6 +127,7 @@ impl std::hash::Hash for QuantityName {
     }
 }
 
+ordered_as_text!(QuantityName);
 written_as_text!(
     QuantityName,
     "A quantity with its unit: k_yaw_m, k_pitch_m, k_roll_m, cm_depth_m, psi_deg, principal_gyradii_m, inertia_kg_m2 or small_period_<swing>_s"
@@ -361,6 +362,7 @@ impl FromStr for Input {
     }
 }
 
+ordered_as_text!(Input);
 written_as_text!(
     Input,
     "An input, of one swing or mass where there are several: spacing, yaw period of yaw-1, mass of crew"

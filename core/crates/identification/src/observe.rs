@@ -40,6 +40,9 @@ pub struct Evidence {
     pub amplitude_unit: AmplitudeUnit,
     /// Repairs, those of the reader and what was trimmed.
     pub repairs: Vec<Repair>,
+    /// Sensors whose readings came to the end of their range: `repairs` names one sensor of several
+    /// that share a fault.
+    pub saturated: Vec<Sensor>,
     /// What a reader must know of it.
     pub warnings: Vec<Message>,
 }
@@ -100,6 +103,7 @@ fn found_in(
     let groups = clipped(all, &span);
     let found = decompose(&groups, &DecomposeOptions::default())?;
     let mut warnings = found.warnings.clone();
+    let saturated = saturated(repairs);
     let mut repairs = merged(repairs);
     repairs.extend(trimmed(&span, &mut warnings));
     let (id, named, up) = (id.into(), vec![], None);
@@ -113,8 +117,14 @@ fn found_in(
         up,
         amplitude_unit,
         repairs,
+        saturated,
         warnings,
     })
+}
+
+fn saturated(repairs: &[Repair]) -> Vec<Sensor> {
+    let at_limit = repairs.iter().filter(|r| r.kind == RepairKind::Saturation);
+    at_limit.map(|repair| repair.sensor).collect()
 }
 
 /// Analyses a phone's recording.
@@ -342,4 +352,32 @@ pub fn names_by_period(periods_s: &[f64], hanging: &Hanging, swing: &Swing) -> V
         names[i] = ModeName::Yaw;
     }
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The same readings of both sensors at their limits are told as one, and known as two.
+    #[test]
+    fn a_fault_of_both_sensors_is_one_line_and_both_are_known() {
+        let repairs = [Sensor::Gyroscope, Sensor::Accelerometer].map(|sensor| Repair {
+            kind: RepairKind::Saturation,
+            sensor,
+            count: 12,
+            first_s: 3.0,
+            last_s: 4.0,
+            text: format!(
+                "{}: 12 samples are at the sensor's limit; left out",
+                sensor.name()
+            ),
+        });
+        let told = merged(&repairs);
+        assert_eq!(told.len(), 1);
+        assert!(told[0].text.contains(" and "), "{}", told[0].text);
+        assert_eq!(
+            saturated(&repairs),
+            [Sensor::Gyroscope, Sensor::Accelerometer]
+        );
+    }
 }

@@ -11,19 +11,20 @@ use super::step::Step;
 use super::suggested::suggested;
 use super::warnings::of_swings;
 use gyradius_base::error::{Error, Result};
-use gyradius_diagnosis::{Progress, tell_apart};
+use gyradius_diagnosis::{CauseId, Progress, tell_apart};
 use gyradius_identification::{MeasureOptions, measure};
 use gyradius_recording::LoadedSession;
 
-/// The plan of the one swing that would tell two causes (names of the criticism) apart, for a
+/// The plan of the one swing that would tell two causes apart, for a
 /// session that could not.
 ///
 /// # Errors
-/// [`gyradius_base::Error::Argument`] for a name that is no cause, [`gyradius_base::Error::NoResult`] where no
+/// [`gyradius_base::Error::Argument`] for a cause that
+/// this kind of session does not show, [`gyradius_base::Error::NoResult`] where no
 /// swing tells them, and those of the measurement.
 pub fn plan_to_tell_apart(
     loaded: &LoadedSession,
-    causes: [&str; 2],
+    causes: [CauseId; 2],
     request: &Request,
     progress: &Progress,
 ) -> Result<Plan> {

@@ -3,16 +3,14 @@
 use gyradius_base::language::Language;
 use gyradius_base::message::{Argument, Message, name};
 pub(super) use gyradius_base::message::{id_in, spaced};
-use gyradius_diagnosis::DiscrepancyKind;
+use gyradius_diagnosis::{DiscrepancyKind, ForceCoordinate, ParameterId, Unit, UnitName};
 use gyradius_identification::{
     Claim, QuantityName, Route, RouteMethod, Subject, quantity_in, route_in, words,
 };
 use gyradius_recording::{ModeName, Repair, RepairKind};
 
 pub(super) use gyradius_diagnosis::cause_name as cause;
-pub(super) use gyradius_identification::words::{
-    mode_text as mode_id, rank, symbol,
-};
+pub(super) use gyradius_identification::words::{mode_text as mode_id, rank, symbol};
 
 /// A text of the report in a language, with what it names.
 pub(super) fn say<'a>(
@@ -160,28 +158,39 @@ pub(super) fn discrepancy(kind: DiscrepancyKind, language: Language) -> String {
 }
 
 /// A parameter of a cause in words, without its unit.
-pub(super) fn parameter(key: &str, unit: &str, language: Language) -> String {
-    let bare = without_unit(key, unit);
-    name(&format!("critique.number.{bare}"), language).unwrap_or_else(|| spaced(bare))
+pub(super) fn parameter(id: ParameterId, unit: Unit, language: Language) -> String {
+    let bare = without_unit(id, unit);
+    name(&format!("critique.number.{bare}"), language).unwrap_or_else(|| spaced(&bare))
 }
 
 /// A generalised force along a coordinate, in words.
-pub(super) fn force(coordinate: &str, language: Language) -> String {
+pub(super) fn force(coordinate: ForceCoordinate, language: Language) -> String {
     let key = match coordinate {
-        "yaw" => "torque_about_vertical",
-        "turn" => "torque_of_turn",
-        "across" => "force_across",
-        "along" => "force_along",
-        _ => "some_force",
+        ForceCoordinate::Yaw => "torque_about_vertical",
+        ForceCoordinate::Pitch
+        | ForceCoordinate::PitchInPhase
+        | ForceCoordinate::PitchOutOfPhase
+        | ForceCoordinate::Roll
+        | ForceCoordinate::RollInPhase
+        | ForceCoordinate::RollOutOfPhase => "torque_of_turn",
+        ForceCoordinate::All
+        | ForceCoordinate::Compound
+        | ForceCoordinate::Other
+        | ForceCoordinate::Surge
+        | ForceCoordinate::Sway => "some_force",
     };
     say(language, key, [])
 }
 
 /// `N m s^2` as it is printed: `N m s²`; the unit of a bare number is not.
-pub(super) fn unit_text(unit: &str) -> String {
-    if unit == "1" {
-        return String::new();
+pub(super) fn unit_text(unit: Unit) -> String {
+    match unit {
+        Unit::Of(UnitName::One) => String::new(),
+        unit => with_powers(&unit.to_string()),
     }
+}
+
+fn with_powers(unit: &str) -> String {
     let mut parts = unit.split('^');
     let first = parts.next().unwrap_or_default().to_string();
     parts.fold(first, |text, part| {
@@ -193,12 +202,11 @@ pub(super) fn unit_text(unit: &str) -> String {
 }
 
 /// A name less the unit that it ends in: `yaw_n_m_s` in `N m s` is `yaw`.
-pub(super) fn without_unit<'a>(name: &'a str, unit: &str) -> &'a str {
-    let ending = unit
-        .to_lowercase()
-        .replace('^', "")
-        .replace([' ', '/'], "_");
-    name.strip_suffix(&format!("_{ending}")).unwrap_or(name)
+pub(super) fn without_unit(id: ParameterId, unit: Unit) -> String {
+    match (id.swing, unit) {
+        (None, Unit::Of(unit)) => id.name.without(unit).into(),
+        _ => id.to_string(),
+    }
 }
 
 /// A digit or a minus set high.
@@ -245,7 +253,7 @@ mod tests {
             "1",
             "",
         ]
-        .map(unit_text);
+        .map(with_powers);
         assert_eq!(
             written,
             [
@@ -254,7 +262,7 @@ mod tests {
                 "rad s⁻¹",
                 "kg m²/rad",
                 "N² m⁻¹⁰ s",
-                "",
+                "1",
                 ""
             ]
         );
@@ -262,13 +270,16 @@ mod tests {
 
     #[test]
     fn a_unit_is_not_said_twice() {
-        assert_eq!(without_unit("yaw_n_m_s", "N m s"), "yaw");
-        assert_eq!(without_unit("yaw_kg_m2_rad", "kg m^2/rad"), "yaw");
-        assert_eq!(without_unit("steady_x_m_s", "m/s"), "steady_x");
+        let told = |id: &str, unit: &str| without_unit(id.parse().unwrap(), unit.parse().unwrap());
+        assert_eq!(told("yaw_n_m_s", "N m s"), "yaw");
+        assert_eq!(told("yaw_kg_m2_rad", "kg m^2/rad"), "yaw");
+        assert_eq!(told("speed_m_s", "m/s"), "speed");
         assert_eq!(
-            without_unit("yaw_torque_coefficient", "N m s^2"),
+            told("yaw_torque_coefficient", "N m s^2"),
             "yaw_torque_coefficient"
         );
-        assert_eq!(without_unit("exponent", "1"), "exponent");
+        assert_eq!(told("exponent", "1"), "exponent");
+        assert_eq!(told("start_kg_m_2", "kg m"), "start_kg_m_2");
+        assert_eq!(unit_text("1".parse().unwrap()), "");
     }
 }

@@ -4,6 +4,10 @@
 use gyradius_base::frames::Vec3;
 use gyradius_mechanics::{Rig, RigidBody, SmallEffects};
 
+use crate::cause_id::CauseId;
+use crate::parameter_id::ParameterName;
+use crate::unit::UnitName;
+
 /// Sizes of a session that causes are measured by.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
@@ -65,9 +69,9 @@ pub struct Hung<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct CauseNumber {
     /// Name, as the effect of that name in rig files has it.
-    pub name: &'static str,
+    pub name: ParameterName,
     /// Its unit.
-    pub unit: &'static str,
+    pub unit: UnitName,
     /// Whether it is in proportion to the mass.
     pub by_mass: bool,
     /// Standard deviation of what is believed of it beforehand, about zero: wide, but no wider than
@@ -94,7 +98,7 @@ pub enum Shown {
 #[derive(Debug, Clone, Copy)]
 pub struct Cause {
     /// Its name in the contract.
-    pub id: &'static str,
+    pub id: CauseId,
     /// Its numbers.
     pub numbers: &'static [CauseNumber],
     /// Puts it on a swing.
@@ -122,8 +126,8 @@ fn share(_: &Scales) -> f64 {
 }
 
 const METRES: CauseNumber = CauseNumber {
-    name: "excess_m",
-    unit: "m",
+    name: ParameterName::ExcessM,
+    unit: UnitName::Metre,
     by_mass: false,
     width: of_length,
     positive: false,
@@ -138,7 +142,7 @@ const SHARE: CauseNumber = CauseNumber {
 
 /// Compliances are counted as the share by which sway seems to hang on longer lines: M g/(k l).
 const COMPLIANCE: CauseNumber = CauseNumber {
-    unit: "N/m",
+    unit: UnitName::NewtonPerMetre,
     by_mass: true,
     shown: Shown::Over(Scales::sway_stiffness_n_m),
     ..SHARE
@@ -157,7 +161,7 @@ fn side(i: usize) -> f64 {
 /// Every cause that periods can show.
 pub const CAUSES: [Cause; 12] = [
     Cause {
-        id: "stated_length",
+        id: CauseId::StatedLength,
         numbers: &[METRES],
         put: |p, hung| {
             hung.rig
@@ -167,10 +171,10 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "line_stretch",
+        id: CauseId::LineStretch,
         numbers: &[CauseNumber {
-            name: "force_per_strain_n",
-            unit: "N",
+            name: ParameterName::ForcePerStrainN,
+            unit: UnitName::Newton,
             by_mass: true,
             // Each of the two lines bears half of the weight.
             shown: Shown::Over(|s| 0.5 * s.mass_kg * s.gravity_m_s2),
@@ -185,7 +189,7 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "stated_spacing",
+        id: CauseId::StatedSpacing,
         numbers: &[CauseNumber {
             width: of_spacing,
             ..METRES
@@ -198,7 +202,7 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "nonparallel_lines",
+        id: CauseId::NonparallelLines,
         numbers: &[CauseNumber {
             width: of_spacing,
             ..METRES
@@ -210,10 +214,10 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "line_torsion",
+        id: CauseId::LineTorsion,
         numbers: &[CauseNumber {
-            name: "stiffness_n_m_rad",
-            unit: "N m/rad",
+            name: ParameterName::StiffnessNMRad,
+            unit: UnitName::NewtonMetrePerRadian,
             by_mass: true,
             shown: Shown::Times(Scales::yaw_stiffness_n_m),
             ..SHARE
@@ -227,14 +231,14 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "support_compliance",
+        id: CauseId::SupportCompliance,
         numbers: &[
             CauseNumber {
-                name: "stiffness_along_n_m",
+                name: ParameterName::StiffnessAlongNM,
                 ..COMPLIANCE
             },
             CauseNumber {
-                name: "stiffness_across_n_m",
+                name: ParameterName::StiffnessAcrossNM,
                 ..COMPLIANCE
             },
         ],
@@ -245,10 +249,10 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "added_mass",
+        id: CauseId::AddedMass,
         numbers: &[CauseNumber {
-            name: "sway_kg",
-            unit: "kg",
+            name: ParameterName::SwayKg,
+            unit: UnitName::Kilogram,
             by_mass: true,
             shown: Shown::Times(|s| s.mass_kg),
             ..SHARE
@@ -256,19 +260,19 @@ pub const CAUSES: [Cause; 12] = [
         put: |p, hung| hung.effects.mass[(1, 1)] += p[0] * hung.scales.mass_kg,
     },
     Cause {
-        id: "amplitude_added_mass",
+        id: CauseId::AmplitudeAddedMass,
         numbers: &[
             CauseNumber {
-                name: "yaw_kg_m2_rad",
-                unit: "kg m^2/rad",
+                name: ParameterName::YawKgM2Rad,
+                unit: UnitName::KilogramMetreSquaredPerRadian,
                 by_mass: true,
                 width: share_by_radian,
                 shown: Shown::Times(|s| s.mass_kg * s.k_yaw_m.powi(2)),
                 ..SHARE
             },
             CauseNumber {
-                name: "sway_kg_m",
-                unit: "kg/m",
+                name: ParameterName::SwayKgM,
+                unit: UnitName::KilogramPerMetre,
                 by_mass: true,
                 width: share_by_radian,
                 shown: Shown::Times(|s| s.mass_kg / s.length_m),
@@ -285,10 +289,10 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "off_centre_cm",
+        id: CauseId::OffCentreCm,
         // Its effect on periods is of the second order.
         numbers: &[CauseNumber {
-            name: "along_m",
+            name: ParameterName::AlongM,
             width: |s| 0.05 * s.spacing_m,
             shown: Shown::Size,
             ..METRES
@@ -296,9 +300,9 @@ pub const CAUSES: [Cause; 12] = [
         put: |p, hung| hung.body.cm_m += hung.axis * p[0],
     },
     Cause {
-        id: "unequal_lines",
+        id: CauseId::UnequalLines,
         numbers: &[CauseNumber {
-            name: "difference_m",
+            name: ParameterName::DifferenceM,
             shown: Shown::Size,
             ..METRES
         }],
@@ -309,23 +313,23 @@ pub const CAUSES: [Cause; 12] = [
         },
     },
     Cause {
-        id: "clock_scale",
+        id: CauseId::ClockScale,
         // A watch or a logger is off by some ten parts in a million; one that counts by the mains,
         // by more.
         numbers: &[CauseNumber {
-            name: "error",
-            unit: "1",
+            name: ParameterName::Error,
+            unit: UnitName::One,
             width: |_| 2e-4,
             ..METRES
         }],
         put: |p, hung| hung.clock_error += p[0],
     },
     Cause {
-        id: "stated_gravity",
+        id: CauseId::StatedGravity,
         // Over the Earth: 9.780 to 9.832 m/s², rectangular.
         numbers: &[CauseNumber {
-            name: "excess_m_s2",
-            unit: "m/s^2",
+            name: ParameterName::ExcessMS2,
+            unit: UnitName::MetrePerSecondSquared,
             width: |_| 0.015,
             ..METRES
         }],

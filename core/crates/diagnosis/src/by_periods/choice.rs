@@ -3,6 +3,7 @@
 use super::causes::{CAUSES, Cause};
 use super::model::{Fitted, Setting};
 use super::words;
+use crate::cause_id::CauseId;
 use crate::result::{CauseResult, Status};
 use gyradius_base::error::{Error, Result};
 use gyradius_identification::estimate::Observed;
@@ -115,12 +116,12 @@ impl<'a> Choice<'a> {
     }
 
     /// Causes of the rivals that the best model does not have.
-    pub fn rival_names(&self) -> Vec<String> {
-        let mut names: Vec<String> = Vec::new();
+    pub fn rival_names(&self) -> Vec<CauseId> {
+        let mut names: Vec<CauseId> = Vec::new();
         for cause in self.rivals.iter().flat_map(|r| &r.causes) {
             let is_taken = self.extended().causes.iter().any(|t| t.id == cause.id);
-            if !is_taken && names.iter().all(|n| n != cause.id) {
-                names.push(cause.id.into());
+            if !is_taken && !names.contains(&cause.id) {
+                names.push(cause.id);
             }
         }
         names
@@ -190,7 +191,7 @@ impl<'a> Round<'a> {
             let gain = self.gain(fitted);
             let said = words::cause(setting, fitted);
             Some(CauseResult {
-                id: cause.id.into(),
+                id: cause.id,
                 probability: (gain - most).exp() / all,
                 log_evidence_gain: gain,
                 parameters: words::parameters(setting, fitted),

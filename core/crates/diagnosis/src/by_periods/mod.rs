@@ -21,6 +21,7 @@ use gyradius_identification::{
 use gyradius_identification::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE};
 use gyradius_recording::LoadedSession;
 
+use super::cause_id::CauseId;
 use super::result::{
     CauseResult, CauseVerdict, Criticism, Critique, Gain, ModelResult, NextSwing, Status,
 };
@@ -56,28 +57,28 @@ pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<
     })
 }
 
-/// The swing that would tell two causes (by name) apart, each fitted to the periods beside nothing
+/// The swing that would tell two causes apart, each fitted to the periods beside nothing
 /// else; `None` where none thought of does.
 ///
 /// # Errors
-/// [`Error::Argument`] for a name that is no cause that periods show; [`Error::NoResult`] where one
+/// [`Error::Argument`] for a cause that periods do not show; [`Error::NoResult`] where one
 /// cannot be fitted.
 pub fn tell_apart_by_periods(
     loaded: &LoadedSession,
     analysis: &Analysis,
-    names: [&str; 2],
+    names: [CauseId; 2],
 ) -> Result<Option<NextSwing>> {
     let setting = Setting::new(solved_periods(loaded)?, analysis)?;
     let [one, other] = [fitted(&setting, names[0])?, fitted(&setting, names[1])?];
     Ok(next_swing::next_swing(&setting, &one, &[other]))
 }
 
-fn fitted<'a>(setting: &Setting<'a>, name: &str) -> Result<Fitted<'a>> {
+fn fitted<'a>(setting: &Setting<'a>, name: CauseId) -> Result<Fitted<'a>> {
     let cause = CAUSES
         .iter()
         .find(|cause| cause.id == name)
         .ok_or_else(|| {
-            let names: Vec<&str> = CAUSES.iter().map(|cause| cause.id).collect();
+            let names: Vec<&str> = CAUSES.iter().map(|cause| cause.id.name()).collect();
             Error::argument(
                 "cause",
                 format!("one of {} (what periods show)", names.join(", ")),
@@ -86,7 +87,7 @@ fn fitted<'a>(setting: &Setting<'a>, name: &str) -> Result<Fitted<'a>> {
         })?;
     setting
         .fit(&[cause])
-        .ok_or_else(|| Error::no_result(name, "it cannot be fitted to this session"))
+        .ok_or_else(|| Error::no_result(name.name(), "it cannot be fitted to this session"))
 }
 
 fn warnings(analysis: &Analysis) -> Vec<Message> {
@@ -172,14 +173,9 @@ fn cause_results(setting: &Setting, choice: &Choice) -> Vec<CauseResult> {
 
 fn verdict(setting: &Setting, choice: &Choice) -> CauseVerdict {
     let standing = choice.standing();
-    let mut causes: Vec<String> = choice
-        .extended()
-        .causes
-        .iter()
-        .map(|c| c.id.into())
-        .collect();
+    let mut causes: Vec<CauseId> = choice.extended().causes.iter().map(|c| c.id).collect();
     if standing == Status::Unexplained {
-        causes.push("unknown".into());
+        causes.push(CauseId::Unknown);
     }
     let next_swing = next_swing::next_swing(setting, choice.extended(), &choice.rivals);
     let said = words::verdict(choice);

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::causes::Amplitudes;
 use super::model::{Fitted, Setting};
+use crate::cause_id::CauseId;
 use crate::result::NextSwing;
 use crate::words;
 use gyradius_base::message::Argument;
@@ -58,7 +59,7 @@ const BETTER: f64 = 1.1;
 /// The swing that tells the model from its rivals best; `None` without rivals, and where no swing
 /// tells any of them.
 pub fn next_swing(setting: &Setting, best: &Fitted, rivals: &[Fitted]) -> Option<NextSwing> {
-    let amplitude_deg = if in_doubt(best, rivals, "amplitude_added_mass") {
+    let amplitude_deg = if in_doubt(best, rivals, CauseId::AmplitudeAddedMass) {
         WIDE_DEG
     } else {
         AMPLITUDE_DEG
@@ -83,7 +84,7 @@ pub fn next_swing(setting: &Setting, best: &Fitted, rivals: &[Fitted]) -> Option
     ))
 }
 
-fn in_doubt(best: &Fitted, rivals: &[Fitted], id: &str) -> bool {
+fn in_doubt(best: &Fitted, rivals: &[Fitted], id: CauseId) -> bool {
     std::iter::once(best)
         .chain(rivals)
         .any(|f| f.causes.iter().any(|c| c.id == id))
@@ -312,7 +313,7 @@ impl Plan {
             }
         }
         let own = |fitted: &Fitted| {
-            let is_new = |id: &&str| best.causes.iter().all(|c| c.id != *id);
+            let is_new = |id: &CauseId| best.causes.iter().all(|c| c.id != *id);
             words::names(fitted.causes.iter().map(|c| c.id).filter(is_new), "and")
         };
         let split = |is_told: bool| -> Vec<Argument> {

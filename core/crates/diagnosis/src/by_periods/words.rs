@@ -5,7 +5,10 @@ use std::collections::BTreeMap;
 use super::causes::{CauseNumber, Shown};
 use super::choice::Choice;
 use super::model::{Fitted, HeldOut, Setting};
+use crate::cause_id::CauseId;
+use crate::parameter_id::ParameterId;
 use crate::result::{CauseResult, Discrepancy, DiscrepancyKind, ParameterResult, Status};
+use crate::unit::{Unit, UnitName};
 use crate::words;
 use gyradius_base::message::{Argument, Message};
 use gyradius_identification::estimate::{Observation, Observed};
@@ -23,7 +26,7 @@ const EARTH_M_S2: std::ops::Range<f64> = 9.75..9.85;
 const MOST_LEFT: f64 = 0.2;
 
 /// A figure with two digits of its uncertainty; a pure number has no unit.
-pub fn figure(q: Quantity, unit: &str) -> String {
+pub fn figure(q: Quantity, unit: Unit) -> String {
     let digit = if q.u > 0.0 {
         q.u.log10().floor() as i32 - 1
     } else {
@@ -37,11 +40,11 @@ pub fn figure(q: Quantity, unit: &str) -> String {
             x
         }
     };
-    let (value, u, unit) = (
-        round(q.value),
-        round(q.u),
-        if unit == "1" { "" } else { unit },
-    );
+    let unit = match unit {
+        Unit::Of(UnitName::One) => String::new(),
+        unit => unit.to_string(),
+    };
+    let (value, u) = (round(q.value), round(q.u));
     format!("{value:.decimals$} ± {u:.decimals$} {unit}")
         .trim_end()
         .into()
@@ -102,7 +105,7 @@ fn between_swings(base: &Fitted, observation: &Observation, held: HeldOut) -> Di
     Discrepancy::of(
         &swing,
         DiscrepancyKind::BetweenSwings,
-        (relative, "1"),
+        (relative, UnitName::One),
         held.z.abs(),
         said,
     )
@@ -140,7 +143,7 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
     if name.kind == InputKind::Gravity && !EARTH_M_S2.contains(&held.predicted) {
         return None;
     }
-    let unit = name.kind.unit();
+    let unit = unit_of(name.kind);
     let implied_u = (held.u * held.u - prior.u * prior.u).max(0.0).sqrt();
     (*role == Role::Stated).then(|| {
         let said = words::message(
@@ -148,10 +151,13 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
             [
                 ("name", words::word(&format!("parameter.{name}"))),
                 ("swings", words::part(of_swings(base, place))),
-                ("stated", words::written(figure(*prior, unit))),
+                ("stated", words::written(figure(*prior, unit.into()))),
                 (
                     "implied",
-                    words::written(figure(Quantity::new(held.predicted, implied_u), unit)),
+                    words::written(figure(
+                        Quantity::new(held.predicted, implied_u),
+                        unit.into(),
+                    )),
                 ),
                 ("sigma", words::number(held.z.abs(), 1)),
             ],
@@ -164,6 +170,18 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
             said,
         )
     })
+}
+
+fn unit_of(kind: InputKind) -> UnitName {
+    match kind {
+        InputKind::LineLength
+        | InputKind::Spacing
+        | InputKind::TopSpacing
+        | InputKind::AxisHeight => UnitName::Metre,
+        InputKind::Gravity => UnitName::MetrePerSecondSquaredRaised,
+        InputKind::HullPitch => UnitName::Degree,
+        _ => UnitName::Untold,
+    }
 }
 
 /// Which swings share a stated figure; nothing where all do.
@@ -189,7 +207,7 @@ fn of_swings(base: &Fitted, place: usize) -> Option<Message> {
 }
 
 /// The numbers of the model's last cause, in units of the rig.
-pub fn parameters(setting: &Setting, fitted: &Fitted) -> BTreeMap<String, ParameterResult> {
+pub fn parameters(setting: &Setting, fitted: &Fitted) -> BTreeMap<ParameterId, ParameterResult> {
     shown_numbers(setting, fitted)
         .into_iter()
         .map(|(number, shown)| (number.name.into(), shown))
@@ -229,16 +247,12 @@ fn shown(setting: &Setting, number: &CauseNumber, q: Quantity) -> ParameterResul
         }
         Shown::Size => (q.value.abs() * width, q.u * width),
     };
-    let each = if number.by_mass && !scales.mass_is_known {
-        " for each kg"
+    let unit = if number.by_mass && !scales.mass_is_known {
+        Unit::ForEachKilogram(number.unit)
     } else {
-        ""
+        number.unit.into()
     };
-    ParameterResult {
-        value,
-        u,
-        unit: format!("{}{each}", number.unit),
-    }
+    ParameterResult { value, u, unit }
 }
 
 /// The model's last cause with its figures.
@@ -265,10 +279,8 @@ fn described(setting: &Setting, fitted: &Fitted, inside: &str) -> Message {
 
 fn figures(setting: &Setting, fitted: &Fitted) -> Argument {
     let one = |(number, p): &(&CauseNumber, ParameterResult)| {
-        let name = number
-            .name
-            .trim_end_matches(&format!("_{}", suffix(number)));
-        let figure = words::written(figure(Quantity::new(p.value, p.u), &p.unit));
+        let name = number.name.without(number.unit);
+        let figure = words::written(figure(Quantity::new(p.value, p.u), p.unit));
         let name = words::word(&format!("number.{name}"));
         words::part(Some(words::message(
             "figure",
@@ -280,12 +292,6 @@ fn figures(setting: &Setting, fitted: &Fitted) -> Argument {
         "row",
         "and",
     )
-}
-
-/// The unit as names end in it: `N/m` is `n_m`.
-fn suffix(number: &CauseNumber) -> String {
-    let plain = number.unit.to_lowercase().replace('^', "");
-    plain.replace(['/', ' '], "_")
 }
 
 /// What remains when all causes have been tried: the evidence of one more factor on all
@@ -304,7 +310,7 @@ pub fn unknown(setting: &Setting, choice: &Choice) -> CauseResult {
         ],
     );
     CauseResult {
-        id: "unknown".into(),
+        id: CauseId::Unknown,
         probability: 1.0,
         // ln of the likelihood with every variance larger by χ²/dof over that with none.
         log_evidence_gain: 0.5 * (chi2 - dof - dof * (chi2 / dof).ln()),
@@ -361,12 +367,7 @@ pub fn verdict(choice: &Choice) -> Message {
             words::names(named.iter().map(|cause| cause.id), "and"),
         )
     };
-    let others = || {
-        (
-            "others",
-            words::names(rivals.iter().map(String::as_str), "or"),
-        )
-    };
+    let others = || ("others", words::names(rivals.iter().copied(), "or"));
     let hangs = || ("hangs", words::part(consequences(choice)));
     match choice.standing() {
         Status::Adequate => words::message("periods_adequate", []),
@@ -406,7 +407,7 @@ fn consequences(choice: &Choice) -> Option<Message> {
     if most.value - least.value < most.u.max(least.u) {
         return None;
     }
-    let written = |k: Quantity| words::written(figure(k, "m"));
+    let written = |k: Quantity| words::written(figure(k, UnitName::Metre.into()));
     Some(words::message(
         "periods_hang",
         [("least", written(least)), ("most", written(most))],

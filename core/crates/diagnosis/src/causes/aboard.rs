@@ -8,11 +8,12 @@ use nalgebra::DVector;
 use gyradius_base::error::Result;
 use gyradius_mechanics::Experiment;
 
+use super::super::cause_id::CauseId;
+use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen};
-use super::{Scales, UNKNOWN, add, cause, logarithm, number, put, strength, within};
+use super::super::unit::UnitName;
+use super::{Scales, add, cause, logarithm, number, put, strength, within};
 
-/// Name in the contract.
-pub const INTERNAL_MOTION: &str = "internal_motion";
 /// Frequencies tried, as shares of the way (by logarithm) from the slowest motion of the hull to
 /// four times the fastest.
 const TRIED: [f64; 7] = [0.02, 0.16, 0.32, 0.48, 0.64, 0.8, 0.95];
@@ -46,7 +47,7 @@ pub fn seconds(scales: &Scales, frequencies_hz: &[f64]) -> Vec<Cause> {
     moving(scales, frequencies_hz)
         .into_iter()
         .map(|cause| Cause {
-            id: UNKNOWN,
+            id: CauseId::Unknown,
             form: Form::Second,
             ..cause
         })
@@ -99,17 +100,32 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
         factor: scales.mass_kg,
         ..number(name, unit, 0.0, START_M)
     };
-    let aboard = |name, mean: f64, u: f64| within(ABOARD, number(name, "m", mean, u));
+    let aboard = |name, mean: f64, u: f64| within(ABOARD, number(name, UnitName::Metre, mean, u));
     let parameters = vec![
-        strength("mass_kg", "kg", scales.mass_kg, 0.01),
-        logarithm("frequency_hz", "Hz", frequency_hz, 0.4),
-        logarithm("damping_ratio", "1", damping_ratio, 1.0),
-        number("direction_rad", "rad", 0.0, 1.6),
-        aboard("place_x_m", 0.0, 0.5 * half_m),
-        aboard("place_y_m", 0.0, 0.2 * half_m),
-        aboard("place_z_m", -depth_m, depth_m.max(0.3 * half_m)),
-        of_start("start_kg_m", "kg m"),
-        of_start("start_kg_m_s", "kg m/s"),
+        strength(
+            ParameterName::MassKg,
+            UnitName::Kilogram,
+            scales.mass_kg,
+            0.01,
+        ),
+        logarithm(
+            ParameterName::FrequencyHz,
+            UnitName::Hertz,
+            frequency_hz,
+            0.4,
+        ),
+        logarithm(
+            ParameterName::DampingRatio,
+            UnitName::One,
+            damping_ratio,
+            1.0,
+        ),
+        number(ParameterName::DirectionRad, UnitName::Radian, 0.0, 1.6),
+        aboard(ParameterName::PlaceXM, 0.0, 0.5 * half_m),
+        aboard(ParameterName::PlaceYM, 0.0, 0.2 * half_m),
+        aboard(ParameterName::PlaceZM, -depth_m, depth_m.max(0.3 * half_m)),
+        of_start(ParameterName::StartKgM, UnitName::KilogramMetre),
+        of_start(ParameterName::StartKgMS, UnitName::KilogramMetrePerSecond),
     ];
     let law = put(move |q, _, e| {
         let omega_rad_s = TAU * q[1].clamp(-4.0, 3.0).exp();
@@ -127,7 +143,7 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
     Cause {
         one_sided: true,
         look: Some(Arc::new(look)),
-        ..cause(INTERNAL_MOTION, parameters, law)
+        ..cause(CauseId::InternalMotion, parameters, law)
     }
 }
 
@@ -181,7 +197,14 @@ impl Slide {
 fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
     let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
     let parameters = (0..6)
-        .map(|_| strength("mass_kg", "kg", scales.mass_kg, 0.01))
+        .map(|_| {
+            strength(
+                ParameterName::MassKg,
+                UnitName::Kilogram,
+                scales.mass_kg,
+                0.01,
+            )
+        })
         .collect();
     let law = put(move |q, _, e| {
         for (k, share) in q.iter().enumerate().filter(|(_, share)| **share > 0.0) {
@@ -201,7 +224,7 @@ fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
     // There is no mass below none.
     Cause {
         stiff: true,
-        ..cause(INTERNAL_MOTION, parameters, law)
+        ..cause(CauseId::InternalMotion, parameters, law)
     }
 }
 
@@ -209,10 +232,15 @@ fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
 /// and from a speed.
 fn rings(scales: &Scales, frequency_hz: f64) -> Cause {
     let depth_m = scales.depth_m;
-    let starts = ["along_m", "along_m_s", "across_m", "across_m_s"];
+    let starts = [
+        ParameterName::AlongM,
+        ParameterName::AlongMS,
+        ParameterName::AcrossM,
+        ParameterName::AcrossMS,
+    ];
     let parameters = starts.map(|name| CauseParameter {
         of_swing: true,
-        ..strength(name, "m", 1.0, START_M)
+        ..strength(name, UnitName::Metre, 1.0, START_M)
     });
     let law = put(move |q, _, e| {
         for (start, direction_rad) in q.chunks(2).zip([0.0, FRAC_PI_2]) {
@@ -228,7 +256,7 @@ fn rings(scales: &Scales, frequency_hz: f64) -> Cause {
         }
         Ok(())
     });
-    cause(INTERNAL_MOTION, parameters.to_vec(), law)
+    cause(CauseId::InternalMotion, parameters.to_vec(), law)
 }
 
 /// The one slide nearest to what rings in all swings: the way along which most of it goes.
@@ -398,7 +426,7 @@ mod tests {
     fn what_moves_inside_weighs_something_and_is_aboard() {
         for cause in moving(&HULL, &[0.5]) {
             let limits = cause.limits(2);
-            let of = |name: &str| {
+            let of = |name: ParameterName| {
                 let k = cause
                     .expanded(2)
                     .iter()
@@ -406,17 +434,23 @@ mod tests {
                     .unwrap();
                 limits[k]
             };
-            assert_eq!(of("mass_kg"), (0.0, f64::INFINITY));
-            assert_eq!(of("start_kg_m"), (f64::NEG_INFINITY, f64::INFINITY));
+            assert_eq!(of(ParameterName::MassKg), (0.0, f64::INFINITY));
+            assert_eq!(
+                of(ParameterName::StartKgM),
+                (f64::NEG_INFINITY, f64::INFINITY)
+            );
             // Three widths, of half of half the length, a fifth of it, and of the depth or 0.3 of
             // it.
             let near =
                 |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).abs() < 1e-9 && (a.1 - b.1).abs() < 1e-9;
-            assert!(near(of("place_x_m"), (-2.1, 2.1)) && near(of("place_y_m"), (-0.84, 0.84)));
             assert!(
-                near(of("place_z_m"), (-0.3 - 1.26, -0.3 + 1.26)),
+                near(of(ParameterName::PlaceXM), (-2.1, 2.1))
+                    && near(of(ParameterName::PlaceYM), (-0.84, 0.84))
+            );
+            assert!(
+                near(of(ParameterName::PlaceZM), (-0.3 - 1.26, -0.3 + 1.26)),
                 "{:?}",
-                of("place_z_m")
+                of(ParameterName::PlaceZM)
             );
         }
     }

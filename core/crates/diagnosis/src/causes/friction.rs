@@ -2,8 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
+use super::super::cause_id::CauseId;
+use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form};
-use super::{Scales, add, cause, logarithm, number, put, strength, within};
+use super::super::unit::UnitName;
+use super::{Scales, add, by_name, cause, logarithm, number, put, strength, within};
 
 /// Speed and rate at which the strengths of drags are given, m/s and rad/s.
 const REFERENCE: f64 = 0.1;
@@ -29,8 +32,8 @@ fn inertias(scales: &Scales) -> [f64; 4] {
 /// Strengths along x, along y, about the suspension and about the vertical: rates at which the
 /// motion dies away.
 fn four(
-    names: [&'static str; 4],
-    units: [&'static str; 4],
+    names: [ParameterName; 4],
+    units: [UnitName; 4],
     per: [f64; 4],
     u: f64,
 ) -> Vec<CauseParameter> {
@@ -40,58 +43,66 @@ fn four(
 }
 
 fn quadratic_drag(scales: &Scales) -> Cause {
-    let (i, mass, turn) = (inertias(scales), scales.mass_kg, scales.turn());
+    let (i, mass) = (inertias(scales), scales.mass_kg);
     let names = [
-        "surge_force_coefficient",
-        "sway_force_coefficient",
-        if turn == "pitch" {
-            "pitch_torque_coefficient"
+        ParameterName::SurgeForceCoefficient,
+        ParameterName::SwayForceCoefficient,
+        if scales.pitches {
+            ParameterName::PitchTorqueCoefficient
         } else {
-            "roll_torque_coefficient"
+            ParameterName::RollTorqueCoefficient
         },
-        "yaw_torque_coefficient",
+        ParameterName::YawTorqueCoefficient,
     ];
-    let units = ["N s^2/m^2", "N s^2/m^2", "N m s^2", "N m s^2"];
+    let units = [
+        UnitName::NewtonSecondSquaredPerMetreSquared,
+        UnitName::NewtonSecondSquaredPerMetreSquared,
+        UnitName::NewtonMetreSecondSquared,
+        UnitName::NewtonMetreSecondSquared,
+    ];
     let parameters = four(names, units, i.map(|i| i * mass / REFERENCE), 0.01);
     let law = put(move |q, _, e| {
-        let numbers: Vec<(&str, f64)> = (0..4)
-            .map(|k| (names[k], q[k] * i[k] / REFERENCE))
-            .collect();
+        let numbers = by_name(&names, |k| q[k] * i[k] / REFERENCE);
         add(e, "quadratic_drag", &numbers)
     });
     Cause {
         one_sided: true,
-        ..cause("quadratic_drag", parameters, law)
+        ..cause(CauseId::QuadraticDrag, parameters, law)
     }
 }
 
 fn power_law_damping(scales: &Scales) -> Cause {
     let (i, mass) = (inertias(scales), scales.mass_kg);
     let names = [
-        "surge_n_s_m",
-        "sway_n_s_m",
+        ParameterName::SurgeNSM,
+        ParameterName::SwayNSM,
         if scales.pitches {
-            "pitch_n_m_s"
+            ParameterName::PitchNMS
         } else {
-            "roll_n_m_s"
+            ParameterName::RollNMS
         },
-        "yaw_n_m_s",
+        ParameterName::YawNMS,
     ];
     let mut parameters = four(
         names,
-        ["N s/m", "N s/m", "N m s", "N m s"],
+        [
+            UnitName::NewtonSecondPerMetre,
+            UnitName::NewtonSecondPerMetre,
+            UnitName::NewtonMetreSecond,
+            UnitName::NewtonMetreSecond,
+        ],
         i.map(|i| i * mass),
         0.01,
     );
-    parameters.push(number("exponent", "1", 0.5, 0.2));
+    parameters.push(number(ParameterName::Exponent, UnitName::One, 0.5, 0.2));
     let law = put(move |q, _, e| {
-        let mut numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k])).collect();
+        let mut numbers = by_name(&names, |k| q[k] * i[k]);
         numbers.push(("exponent", q[4].clamp(-0.5, 1.5)));
         add(e, "power_law_damping", &numbers)
     });
     Cause {
         one_sided: true,
-        ..cause("power_law_damping", parameters, law)
+        ..cause(CauseId::PowerLawDamping, parameters, law)
     }
 }
 
@@ -101,18 +112,28 @@ const TRANSITION: f64 = 7e-4;
 fn bearing_friction(scales: &Scales) -> Cause {
     let (i, mass) = (inertias(scales), scales.mass_kg);
     let names = [
-        "surge_n",
-        "sway_n",
+        ParameterName::SurgeN,
+        ParameterName::SwayN,
         if scales.pitches {
-            "pitch_n_m"
+            ParameterName::PitchNM
         } else {
-            "roll_n_m"
+            ParameterName::RollNM
         },
-        "yaw_n_m",
+        ParameterName::YawNM,
     ];
-    let parameters = four(names, ["N", "N", "N m", "N m"], i.map(|i| i * mass), 5e-4);
+    let parameters = four(
+        names,
+        [
+            UnitName::Newton,
+            UnitName::Newton,
+            UnitName::NewtonMetre,
+            UnitName::NewtonMetre,
+        ],
+        i.map(|i| i * mass),
+        5e-4,
+    );
     let law = put(move |q, _, e| {
-        let mut numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k])).collect();
+        let mut numbers = by_name(&names, |k| q[k] * i[k]);
         numbers.push(("transition_rad_s", TRANSITION));
         add(e, "bearing_friction", &numbers)
     });
@@ -121,34 +142,49 @@ fn bearing_friction(scales: &Scales) -> Cause {
         stiff: true,
         apart: true,
         one_sided: true,
-        ..cause("bearing_friction", parameters, law)
+        ..cause(CauseId::BearingFriction, parameters, law)
     }
 }
 
 fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
     let (i, mass, line_m) = (inertias(scales), scales.mass_kg, scales.line_m);
     let names = [
-        "surge_n",
-        "sway_n",
+        ParameterName::SurgeN,
+        ParameterName::SwayN,
         if scales.pitches {
-            "pitch_n_m"
+            ParameterName::PitchNM
         } else {
-            "roll_n_m"
+            ParameterName::RollNM
         },
-        "yaw_n_m",
+        ParameterName::YawNM,
     ];
-    let mut parameters = four(names, ["N", "N", "N m", "N m"], i.map(|i| i * mass), 5e-4);
-    parameters.push(logarithm("give_rad", "rad", give_rad, 0.7));
+    let mut parameters = four(
+        names,
+        [
+            UnitName::Newton,
+            UnitName::Newton,
+            UnitName::NewtonMetre,
+            UnitName::NewtonMetre,
+        ],
+        i.map(|i| i * mass),
+        5e-4,
+    );
+    parameters.push(logarithm(
+        ParameterName::GiveRad,
+        UnitName::Radian,
+        give_rad,
+        0.7,
+    ));
     let law = put(move |q, _, e| {
         let give_rad = q[4].exp();
-        let mut numbers: Vec<(&str, f64)> = (0..4).map(|k| (names[k], q[k] * i[k])).collect();
+        let mut numbers = by_name(&names, |k| q[k] * i[k]);
         numbers.extend([("give_rad", give_rad), ("give_m", give_rad * line_m)]);
         add(e, "presliding_bearing", &numbers)
     });
     Cause {
         kinked: true,
         one_sided: true,
-        ..cause("presliding_bearing", parameters, law)
+        ..cause(CauseId::PreslidingBearing, parameters, law)
     }
 }
 
@@ -156,13 +192,21 @@ fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
 fn amplitude_added_mass(scales: &Scales) -> Cause {
     let (mass, line_m, i) = (scales.mass_kg, scales.line_m, inertias(scales));
     let reach = [0.1 * line_m, 0.1 * line_m, 0.1, 0.1];
-    let mut names = vec!["surge_kg_m", "sway_kg_m", "yaw_kg_m2_rad"];
+    let mut names = vec![
+        ParameterName::SurgeKgM,
+        ParameterName::SwayKgM,
+        ParameterName::YawKgM2Rad,
+    ];
     let mut which = vec![0, 1, 3];
-    let mut units = vec!["kg/m", "kg/m", "kg m^2/rad"];
+    let mut units = vec![
+        UnitName::KilogramPerMetre,
+        UnitName::KilogramPerMetre,
+        UnitName::KilogramMetreSquaredPerRadian,
+    ];
     if scales.pitches {
-        names.push("pitch_kg_m2_rad");
+        names.push(ParameterName::PitchKgM2Rad);
         which.push(2);
-        units.push("kg m^2/rad");
+        units.push(UnitName::KilogramMetreSquaredPerRadian);
     }
     let parameters = (0..names.len()).map(|k| {
         strength(
@@ -175,12 +219,12 @@ fn amplitude_added_mass(scales: &Scales) -> Cause {
     let parameters = parameters.collect();
     let law = put(move |q, _, e| {
         let value = |k: usize| q[k] * i[which[k]] / reach[which[k]];
-        let numbers: Vec<(&str, f64)> = (0..names.len()).map(|k| (names[k], value(k))).collect();
+        let numbers = by_name(&names, value);
         add(e, "amplitude_added_mass", &numbers)
     });
     Cause {
         one_sided: true,
-        ..cause("amplitude_added_mass", parameters, law)
+        ..cause(CauseId::AmplitudeAddedMass, parameters, law)
     }
 }
 
@@ -208,14 +252,42 @@ const LIKELY: f64 = 3.0;
 fn wind(scales: &Scales, direction_rad: f64, centre: f64) -> Cause {
     let (mass, half_m, depth_m) = (scales.mass_kg, scales.half_length_m, scales.depth_m);
     let parameters = vec![
-        strength("drag_n_s_m", "N s/m", mass, 0.01),
-        within(LIKELY, logarithm("speed_m_s", "m/s", 1.0, 1.0)),
-        number("direction_rad", "rad", direction_rad, 1.6),
-        number("centre_x_m", "m", centre * half_m, 0.3 * half_m),
-        number("centre_z_m", "m", 0.0, 0.3 * depth_m.max(0.3 * half_m)),
+        strength(
+            ParameterName::DragNSM,
+            UnitName::NewtonSecondPerMetre,
+            mass,
+            0.01,
+        ),
         within(
             LIKELY,
-            logarithm("along_over_across", "1", ALONG, ALONG_LOG_U),
+            logarithm(ParameterName::SpeedMS, UnitName::MetrePerSecond, 1.0, 1.0),
+        ),
+        number(
+            ParameterName::DirectionRad,
+            UnitName::Radian,
+            direction_rad,
+            1.6,
+        ),
+        number(
+            ParameterName::CentreXM,
+            UnitName::Metre,
+            centre * half_m,
+            0.3 * half_m,
+        ),
+        number(
+            ParameterName::CentreZM,
+            UnitName::Metre,
+            0.0,
+            0.3 * depth_m.max(0.3 * half_m),
+        ),
+        within(
+            LIKELY,
+            logarithm(
+                ParameterName::AlongOverAcross,
+                UnitName::One,
+                ALONG,
+                ALONG_LOG_U,
+            ),
         ),
     ];
     let law = put(|q, _, e| {
@@ -233,12 +305,9 @@ fn wind(scales: &Scales, direction_rad: f64, centre: f64) -> Cause {
     });
     Cause {
         one_sided: true,
-        ..cause(WIND, parameters, law)
+        ..cause(CauseId::Wind, parameters, law)
     }
 }
-
-/// Name of the cause whose gusts are found after it.
-pub const WIND: &str = "wind";
 
 /// Names of the numbers of each tone that a wind may have.
 pub const GUSTS: [[&str; 3]; 4] = [
@@ -253,22 +322,27 @@ pub const GUSTS: [[&str; 3]; 4] = [
 pub fn gust(tone: [&'static str; 3], frequency_hz: f64, duration_s: f64) -> Cause {
     let share = |name| CauseParameter {
         of_swing: true,
-        ..strength(name, "1", 1.0, 0.2)
+        ..strength(name, UnitName::One, 1.0, 0.2)
     };
     let parameters = vec![
         CauseParameter {
             step: 0.01 / duration_s,
-            ..number("gust_hz", "Hz", frequency_hz, 1.0 / duration_s)
+            ..number(
+                ParameterName::GustHz,
+                UnitName::Hertz,
+                frequency_hz,
+                1.0 / duration_s,
+            )
         },
-        share("gust_cos"),
-        share("gust_sin"),
+        share(ParameterName::GustCos),
+        share(ParameterName::GustSin),
     ];
     let law = put(move |q, _, e| {
         if let Some(wind) = e
             .scene
             .effects
             .iter_mut()
-            .find(|effect| effect.kind.id == WIND)
+            .find(|effect| effect.kind.id == CauseId::Wind.name())
         {
             tone.iter()
                 .zip(q)
@@ -278,6 +352,6 @@ pub fn gust(tone: [&'static str; 3], frequency_hz: f64, duration_s: f64) -> Caus
     });
     Cause {
         form: Form::Gust,
-        ..cause(WIND, parameters, law)
+        ..cause(CauseId::Wind, parameters, law)
     }
 }

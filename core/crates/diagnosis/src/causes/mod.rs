@@ -19,11 +19,14 @@ use gyradius_mechanics::effects::EffectValues;
 use gyradius_recording::{ModeName, Orientation};
 
 use super::base::Base;
+use super::cause_id::CauseId;
+use super::parameter_id::ParameterName;
 use super::point::{Cause, CauseParameter, Form, NO_LIMITS, Point, Put};
+use super::unit::UnitName;
 
-pub use aboard::{INTERNAL_MOTION, ringing, seconds};
-pub use friction::{GUSTS, WIND, gust};
-pub use outside::{GIVES_S, TERMS, UNKNOWN, knock_at, learned_force, line_slip_at, reach};
+pub use aboard::{ringing, seconds};
+pub use friction::{GUSTS, gust};
+pub use outside::{GIVES_S, TERMS, knock_at, learned_force, line_slip_at, reach};
 pub use phone::{SLIP_S, mounts, slip_at};
 
 /// What scales everyday strengths, from the fitted base.
@@ -85,11 +88,6 @@ impl Scales {
             self.gyradii2_m2[0]
         }
     }
-
-    /// `pitch` or `roll`.
-    fn turn(&self) -> &'static str {
-        if self.pitches { "pitch" } else { "roll" }
-    }
 }
 
 /// Every variant of every cause that a simulation shows.
@@ -104,7 +102,7 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
 }
 
 /// A strength in proportion to which the effect grows.
-fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> CauseParameter {
+fn strength(name: ParameterName, unit: UnitName, factor: f64, u: f64) -> CauseParameter {
     CauseParameter {
         factor,
         step: 0.01 * u,
@@ -114,7 +112,7 @@ fn strength(name: &'static str, unit: &'static str, factor: f64, u: f64) -> Caus
 }
 
 /// A number that the effect depends on in other ways.
-fn number(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CauseParameter {
+fn number(name: ParameterName, unit: UnitName, mean: f64, u: f64) -> CauseParameter {
     let (prior, step) = ((mean, u), 0.02 * u);
     CauseParameter {
         name,
@@ -131,7 +129,7 @@ fn number(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CausePar
 }
 
 /// The same by its logarithm.
-fn logarithm(name: &'static str, unit: &'static str, mean: f64, u: f64) -> CauseParameter {
+fn logarithm(name: ParameterName, unit: UnitName, mean: f64, u: f64) -> CauseParameter {
     CauseParameter {
         is_log: true,
         ..number(name, unit, mean.ln(), u)
@@ -147,7 +145,7 @@ fn within(count: f64, parameter: CauseParameter) -> CauseParameter {
     }
 }
 
-fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
+fn cause(id: CauseId, parameters: Vec<CauseParameter>, put: Put) -> Cause {
     Cause {
         id,
         parameters,
@@ -165,6 +163,12 @@ fn cause(id: &'static str, parameters: Vec<CauseParameter>, put: Put) -> Cause {
 /// A [`Put`] from a function of the values.
 fn put(f: impl Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync + 'static) -> Put {
     Arc::new(f)
+}
+
+/// Values by the names that an effect has for its numbers, those of the parameters.
+fn by_name(names: &[ParameterName], value: impl Fn(usize) -> f64) -> Vec<(&'static str, f64)> {
+    let named = |(k, name): (usize, &ParameterName)| (name.name(), value(k));
+    names.iter().enumerate().map(named).collect()
 }
 
 /// Adds an effect of the hull.

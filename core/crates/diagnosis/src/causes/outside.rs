@@ -1,11 +1,12 @@
 //! Shapes of what no cause of the catalogue accounts for: they find no name, but show what is
 //! missing.
 
+use super::super::cause_id::CauseId;
+use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form};
+use super::super::term::Term;
+use super::super::unit::UnitName;
 use super::{Scales, add, cause, logarithm, number, put, strength};
-
-/// Name of everything that no known cause accounts for.
-pub const UNKNOWN: &str = "unknown";
 
 /// Length of a knock, s, and standard deviation of its logarithm.
 const KNOCK_S: f64 = 0.1;
@@ -15,22 +16,37 @@ const KNOCK_LOG_U: f64 = 0.7;
 pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     let (i, mass, pitches) = (scales.gyradii2_m2, scales.mass_kg, scales.pitches);
     let (turn, about) = if pitches {
-        ("turn_y_n_m_s", i[1])
+        (ParameterName::TurnYNMS, i[1])
     } else {
-        ("turn_x_n_m_s", i[0])
+        (ParameterName::TurnXNMS, i[0])
     };
     let parameters = vec![
-        strength("impulse_x_n_s", "N s", mass, 0.02),
-        strength("impulse_y_n_s", "N s", mass, 0.02),
-        strength(turn, "N m s", about * mass, 0.02),
-        strength("turn_z_n_m_s", "N m s", i[2] * mass, 0.02),
+        strength(
+            ParameterName::ImpulseXNS,
+            UnitName::NewtonSecond,
+            mass,
+            0.02,
+        ),
+        strength(
+            ParameterName::ImpulseYNS,
+            UnitName::NewtonSecond,
+            mass,
+            0.02,
+        ),
+        strength(turn, UnitName::NewtonMetreSecond, about * mass, 0.02),
+        strength(
+            ParameterName::TurnZNMS,
+            UnitName::NewtonMetreSecond,
+            i[2] * mass,
+            0.02,
+        ),
         CauseParameter {
             step: 0.02,
-            ..number("at_s", "s", at_s, 2.0)
+            ..number(ParameterName::AtS, UnitName::Second, at_s, 2.0)
         },
         CauseParameter {
             step: 0.05,
-            ..logarithm("over_s", "s", KNOCK_S, KNOCK_LOG_U)
+            ..logarithm(ParameterName::OverS, UnitName::Second, KNOCK_S, KNOCK_LOG_U)
         },
     ];
     let law = put(move |q, s, e| {
@@ -43,7 +59,7 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
             ("over_s", over_s),
             ("impulse_x_n_s", q[0]),
             ("impulse_y_n_s", q[1]),
-            (turn, q[2] * about),
+            (turn.name(), q[2] * about),
             ("turn_z_n_m_s", q[3] * i[2]),
         ];
         add(e, "knock", &numbers)
@@ -52,7 +68,7 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         stiff: true,
         apart: true,
         form: Form::Knock(swing),
-        ..cause(UNKNOWN, parameters, law)
+        ..cause(CauseId::Unknown, parameters, law)
     }
 }
 
@@ -67,15 +83,15 @@ const GIVES_WITHIN_S: [f64; 2] = [0.05, 3.0];
 pub fn line_slip_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     let line_m = scales.line_m;
     let parameters = vec![
-        strength("positive_m", "m", line_m, 2e-3),
-        strength("negative_m", "m", line_m, 2e-3),
+        strength(ParameterName::PositiveM, UnitName::Metre, line_m, 2e-3),
+        strength(ParameterName::NegativeM, UnitName::Metre, line_m, 2e-3),
         CauseParameter {
             step: 0.02,
-            ..number("at_s", "s", at_s, 2.0)
+            ..number(ParameterName::AtS, UnitName::Second, at_s, 2.0)
         },
         CauseParameter {
             step: 0.05,
-            ..logarithm("over_s", "s", GIVES_S, GIVES_LOG_U)
+            ..logarithm(ParameterName::OverS, UnitName::Second, GIVES_S, GIVES_LOG_U)
         },
     ];
     let law = put(move |q, s, e| {
@@ -99,12 +115,22 @@ pub fn line_slip_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     Cause {
         apart: true,
         form: Form::LineSlip(swing),
-        ..cause(UNKNOWN, parameters, law)
+        ..cause(CauseId::Unknown, parameters, law)
     }
 }
 
-/// Terms of a learned force, as the effect names them.
-pub const TERMS: [&str; 9] = ["xx", "xv", "vv", "xxx", "xxv", "xvv", "vvv", "xt", "vt"];
+/// Terms of a learned force, in the order in which they are tried.
+pub const TERMS: [Term; 9] = [
+    Term::Xx,
+    Term::Xv,
+    Term::Vv,
+    Term::Xxx,
+    Term::Xxv,
+    Term::Xvv,
+    Term::Vvv,
+    Term::Xt,
+    Term::Vt,
+];
 
 /// Scales of position and rate of a learned force over a coordinate.
 pub fn reach(scales: &Scales, coordinate: usize) -> (f64, f64) {
@@ -123,15 +149,19 @@ pub fn reach(scales: &Scales, coordinate: usize) -> (f64, f64) {
 
 /// A smooth force over one coordinate (0: along x, 1: along y, 2: about the suspension, 3: about
 /// the vertical), by the terms asked for.
-pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[&'static str]) -> Cause {
+pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[Term]) -> Cause {
     let inertia = [1.0, 1.0, scales.turn2_m2(), scales.gyradii2_m2[2]][coordinate];
     let (position, rate) = reach(scales, coordinate);
     // The force that the rest of the motion has at the scale.
     let force = inertia * rate * rate / position;
-    let unit = if coordinate < 2 { "N" } else { "N m" };
+    let unit = if coordinate < 2 {
+        UnitName::Newton
+    } else {
+        UnitName::NewtonMetre
+    };
     let parameters = terms
         .iter()
-        .map(|term| strength(term, unit, force * scales.mass_kg, 0.01))
+        .map(|term| strength(term.parameter(), unit, force * scales.mass_kg, 0.01))
         .collect();
     let terms = terms.to_vec();
     let law = put(move |q, _, e| {
@@ -140,11 +170,16 @@ pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[&'static str])
             ("scale_of_position", position),
             ("scale_of_rate", rate),
         ];
-        numbers.extend(terms.iter().zip(q).map(|(term, q)| (*term, q * force)));
+        numbers.extend(
+            terms
+                .iter()
+                .zip(q)
+                .map(|(term, q)| (term.name(), q * force)),
+        );
         add(e, "learned_force", &numbers)
     });
     Cause {
         form: Form::Force(coordinate),
-        ..cause(UNKNOWN, parameters, law)
+        ..cause(CauseId::Unknown, parameters, law)
     }
 }

@@ -6,8 +6,11 @@ use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
 use gyradius_mechanics::Experiment;
 
+use super::super::cause_id::CauseId;
+use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen, sensor};
-use super::{cause, logarithm, number, put, strength};
+use super::super::unit::UnitName;
+use super::{by_name, cause, logarithm, number, put, strength};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -24,46 +27,66 @@ pub fn causes() -> Vec<Cause> {
 fn bias_drift(warm_up_s: f64) -> Cause {
     let names = [
         [
-            "gyro_warm_x_rad_s",
-            "gyro_warm_y_rad_s",
-            "gyro_warm_z_rad_s",
+            ParameterName::GyroWarmXRadS,
+            ParameterName::GyroWarmYRadS,
+            ParameterName::GyroWarmZRadS,
         ],
-        ["acc_warm_x_m_s2", "acc_warm_y_m_s2", "acc_warm_z_m_s2"],
+        [
+            ParameterName::AccWarmXMS2,
+            ParameterName::AccWarmYMS2,
+            ParameterName::AccWarmZMS2,
+        ],
     ]
     .concat();
-    let unit = |k: usize| if k < 3 { "rad/s" } else { "m/s^2" };
+    let unit = |k: usize| {
+        if k < 3 {
+            UnitName::RadianPerSecond
+        } else {
+            UnitName::MetrePerSecondSquared
+        }
+    };
     let u = |k: usize| if k < 3 { 3e-3 } else { 3e-2 };
     let mut parameters: Vec<CauseParameter> = (0..6)
         .map(|k| strength(names[k], unit(k), 1.0, u(k)))
         .collect();
-    parameters.push(logarithm("warm_up_s", "s", warm_up_s, 0.8));
+    parameters.push(logarithm(
+        ParameterName::WarmUpS,
+        UnitName::Second,
+        warm_up_s,
+        0.8,
+    ));
     let law = put(move |q, _, e| {
-        let mut numbers: Vec<(&str, f64)> = (0..6).map(|k| (names[k], q[k])).collect();
+        let mut numbers = by_name(&names, |k| q[k]);
         numbers.push(("warm_up_s", q[6].clamp(0.0, 10.0).exp()));
         e.sensors.push(sensor("bias_drift", &numbers)?);
         Ok(())
     });
     Cause {
         on_phone: true,
-        ..cause("bias_drift", parameters, law)
+        ..cause(CauseId::BiasDrift, parameters, law)
     }
 }
 
 /// Beyond what is known of phones' clocks.
 fn clock_scale() -> Cause {
-    let parameters = vec![strength("error", "1", 1.0, 5e-3)];
+    let parameters = vec![strength(ParameterName::Error, UnitName::One, 1.0, 5e-3)];
     let law = put(|q, _, e| {
         e.sensors[0].values[0] += q[0];
         Ok(())
     });
     Cause {
         on_phone: true,
-        ..cause("clock_scale", parameters, law)
+        ..cause(CauseId::ClockScale, parameters, law)
     }
 }
 
 fn gyro_scale() -> Cause {
-    let parameters = vec![strength("scale_error", "1", 1.0, 0.01)];
+    let parameters = vec![strength(
+        ParameterName::ScaleError,
+        UnitName::One,
+        1.0,
+        0.01,
+    )];
     let law = put(|q, _, e| {
         e.sensors
             .push(sensor("gyro_scale", &AXES.map(|axis| (axis, q[0])))?);
@@ -71,7 +94,7 @@ fn gyro_scale() -> Cause {
     });
     Cause {
         on_phone: true,
-        ..cause("gyro_scale", parameters, law)
+        ..cause(CauseId::GyroScale, parameters, law)
     }
 }
 
@@ -85,21 +108,29 @@ const SLIPS_S: [f64; 2] = [0.02, 3.0];
 /// middle of the slip.
 pub fn slip_at(swing: usize, at_s: f64) -> Cause {
     let mut parameters: Vec<CauseParameter> = Vec::new();
-    for name in ["turn_x_rad", "turn_y_rad", "turn_z_rad"] {
-        parameters.push(strength(name, "rad", 1.0, 0.02));
+    for name in [
+        ParameterName::TurnXRad,
+        ParameterName::TurnYRad,
+        ParameterName::TurnZRad,
+    ] {
+        parameters.push(strength(name, UnitName::Radian, 1.0, 0.02));
     }
-    for name in ["shift_x_m", "shift_y_m", "shift_z_m"] {
-        parameters.push(strength(name, "m", 1.0, 0.01));
+    for name in [
+        ParameterName::ShiftXM,
+        ParameterName::ShiftYM,
+        ParameterName::ShiftZM,
+    ] {
+        parameters.push(strength(name, UnitName::Metre, 1.0, 0.01));
     }
     parameters.push(CauseParameter {
         step: 0.02,
-        ..number("at_s", "s", at_s, 2.0)
+        ..number(ParameterName::AtS, UnitName::Second, at_s, 2.0)
     });
     parameters.push(CauseParameter {
         step: 0.05,
-        ..logarithm("over_s", "s", SLIP_S, SLIP_LOG_U)
+        ..logarithm(ParameterName::OverS, UnitName::Second, SLIP_S, SLIP_LOG_U)
     });
-    let names: Vec<&'static str> = parameters[..6].iter().map(|p| p.name).collect();
+    let names: Vec<ParameterName> = parameters[..6].iter().map(|p| p.name).collect();
     let law = put(move |q, s, e| {
         if s < swing {
             return Ok(());
@@ -110,7 +141,7 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
         } else {
             -10.0
         };
-        let mut numbers: Vec<(&str, f64)> = names.iter().copied().zip(q.iter().copied()).collect();
+        let mut numbers = by_name(&names, |k| q[k]);
         numbers.extend([("at_s", at_s), ("over_s", over_s)]);
         e.sensors.push(sensor("phone_slip", &numbers)?);
         Ok(())
@@ -118,7 +149,7 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
     Cause {
         on_phone: true,
         form: Form::PhoneSlip(swing),
-        ..cause("phone_slip", parameters, law)
+        ..cause(CauseId::PhoneSlip, parameters, law)
     }
 }
 
@@ -186,12 +217,17 @@ impl Hinge {
 fn mount(axis: [f64; 3]) -> Cause {
     let hinge = Hinge::along(axis);
     let parameters = vec![
-        logarithm("frequency_hz", "Hz", MOUNT_HZ, 0.7),
-        logarithm("damping_ratio", "1", MOUNT_DAMPING, 1.0),
-        number("axis_turn_1_rad", "rad", 0.0, 1.0),
-        number("axis_turn_2_rad", "rad", 0.0, 1.0),
-        number("lever_1_per_m", "1/m", 0.0, 3.0),
-        number("lever_2_per_m", "1/m", 0.0, 3.0),
+        logarithm(ParameterName::FrequencyHz, UnitName::Hertz, MOUNT_HZ, 0.7),
+        logarithm(
+            ParameterName::DampingRatio,
+            UnitName::One,
+            MOUNT_DAMPING,
+            1.0,
+        ),
+        number(ParameterName::AxisTurn1Rad, UnitName::Radian, 0.0, 1.0),
+        number(ParameterName::AxisTurn2Rad, UnitName::Radian, 0.0, 1.0),
+        number(ParameterName::Lever1PerM, UnitName::PerMetre, 0.0, 3.0),
+        number(ParameterName::Lever2PerM, UnitName::PerMetre, 0.0, 3.0),
     ];
     let law = put(move |q, _, e| {
         let [one, other] = hinge.across;
@@ -200,9 +236,9 @@ fn mount(axis: [f64; 3]) -> Cause {
         Hinge::put(&axis, &(one * q[4] + other * q[5]), hz_and_zeta, 1.0, e)
     });
     let seen = vec![
-        strength("turning", "1", 1.0, 2.0),
-        strength("lever_1", "1/m", 1.0, 4.0),
-        strength("lever_2", "1/m", 1.0, 4.0),
+        strength(ParameterName::Turning, UnitName::One, 1.0, 2.0),
+        strength(ParameterName::Lever1, UnitName::PerMetre, 1.0, 4.0),
+        strength(ParameterName::Lever2, UnitName::PerMetre, 1.0, 4.0),
     ];
     let parts = put(move |q, _, e| {
         let lever = hinge.across[0] * q[1] + hinge.across[1] * q[2];
@@ -213,7 +249,7 @@ fn mount(axis: [f64; 3]) -> Cause {
     });
     let cause_of_parts = Cause {
         on_phone: true,
-        ..cause("phone_mount_resonance", seen, parts)
+        ..cause(CauseId::PhoneMountResonance, seen, parts)
     };
     // A mount of another frequency gives by its square.
     let nearest = |seen: &Seen| {
@@ -234,7 +270,7 @@ fn mount(axis: [f64; 3]) -> Cause {
         on_phone: true,
         apart: true,
         look: Some(Arc::new(look)),
-        ..cause("phone_mount_resonance", parameters, law)
+        ..cause(CauseId::PhoneMountResonance, parameters, law)
     }
 }
 

@@ -1,6 +1,9 @@
 //! Lines, what they hang from, and what the tape said of them.
 
+use super::super::cause_id::CauseId;
+use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter};
+use super::super::unit::UnitName;
 use super::{Scales, add, cause, logarithm, put, strength};
 
 /// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes
@@ -37,8 +40,18 @@ fn coarse(parameter: CauseParameter, step: f64) -> CauseParameter {
 
 fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
     let parameters = vec![
-        strength("creep_m_per_decade", "m", scales.line_m, 1e-3),
-        logarithm("loaded_before_s", "s", loaded_before_s, 0.8),
+        strength(
+            ParameterName::CreepMPerDecade,
+            UnitName::Metre,
+            scales.line_m,
+            1e-3,
+        ),
+        logarithm(
+            ParameterName::LoadedBeforeS,
+            UnitName::Second,
+            loaded_before_s,
+            0.8,
+        ),
     ];
     let law = put(|q, _, e| {
         add(
@@ -52,7 +65,7 @@ fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
     });
     Cause {
         one_sided: true,
-        ..cause("line_creep", parameters, law)
+        ..cause(CauseId::LineCreep, parameters, law)
     }
 }
 
@@ -60,10 +73,20 @@ fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
 fn line_stretch(scales: &Scales) -> Cause {
     let parameters = vec![
         coarse(
-            strength("stretch_under_load_m", "m", scales.line_m, 5e-3),
+            strength(
+                ParameterName::StretchUnderLoadM,
+                UnitName::Metre,
+                scales.line_m,
+                5e-3,
+            ),
             2e-3,
         ),
-        logarithm("damping_ratio", "1", DAMPING, DAMPING_U_LN),
+        logarithm(
+            ParameterName::DampingRatio,
+            UnitName::One,
+            DAMPING,
+            DAMPING_U_LN,
+        ),
     ];
     let law = put(|q, _, e| {
         if q[0] == 0.0 {
@@ -84,7 +107,7 @@ fn line_stretch(scales: &Scales) -> Cause {
         stiff: true,
         apart: true,
         one_sided: true,
-        ..cause("line_stretch", parameters, law)
+        ..cause(CauseId::LineStretch, parameters, law)
     }
 }
 
@@ -92,8 +115,8 @@ fn line_stretch(scales: &Scales) -> Cause {
 fn line_torsion(scales: &Scales) -> Cause {
     let rigidity = scales.gravity_m_s2 * (0.5 * scales.spacing_m).powi(2);
     let parameters = vec![strength(
-        "rigidity_n_m2",
-        "N m^2",
+        ParameterName::RigidityNM2,
+        UnitName::NewtonMetreSquared,
         rigidity * scales.mass_kg,
         0.01,
     )];
@@ -103,14 +126,19 @@ fn line_torsion(scales: &Scales) -> Cause {
     });
     Cause {
         one_sided: true,
-        ..cause("line_torsion", parameters, law)
+        ..cause(CauseId::LineTorsion, parameters, law)
     }
 }
 
 /// By a share of the spacing, or by one length for all swings.
 fn nonparallel_lines(scales: &Scales, by_share: bool) -> Cause {
     let spacing_m = scales.spacing_m;
-    let parameters = vec![strength("excess_m", "m", spacing_m, 0.02)];
+    let parameters = vec![strength(
+        ParameterName::ExcessM,
+        UnitName::Metre,
+        spacing_m,
+        0.02,
+    )];
     let law = put(move |q, _, e| {
         let spacing_m = if by_share {
             e.scene.dimensions.top_spacing_m
@@ -119,12 +147,17 @@ fn nonparallel_lines(scales: &Scales, by_share: bool) -> Cause {
         };
         add(e, "nonparallel_lines", &[("excess_m", q[0] * spacing_m)])
     });
-    cause("nonparallel_lines", parameters, law)
+    cause(CauseId::NonparallelLines, parameters, law)
 }
 
 fn unequal_lines(scales: &Scales, by_share: bool) -> Cause {
     let line_m = scales.line_m;
-    let parameters = vec![strength("difference_m", "m", line_m, 5e-3)];
+    let parameters = vec![strength(
+        ParameterName::DifferenceM,
+        UnitName::Metre,
+        line_m,
+        5e-3,
+    )];
     let law = put(move |q, _, e| {
         let line_m = if by_share {
             e.scene.dimensions.line_length_m
@@ -133,16 +166,20 @@ fn unequal_lines(scales: &Scales, by_share: bool) -> Cause {
         };
         add(e, "unequal_lines", &[("difference_m", q[0] * line_m)])
     });
-    cause("unequal_lines", parameters, law)
+    cause(CauseId::UnequalLines, parameters, law)
 }
 
 /// Along the suspension; across it a free hull just hangs aslant.
 fn off_centre_cm(scales: &Scales) -> Cause {
     let (spacing_m, pitches) = (scales.spacing_m, scales.pitches);
-    let name = if pitches { "to_port_m" } else { "forward_m" };
-    let parameters = vec![strength(name, "m", spacing_m, 0.02)];
-    let law = put(move |q, _, e| add(e, "off_centre_cm", &[(name, q[0] * spacing_m)]));
-    cause("off_centre_cm", parameters, law)
+    let name = if pitches {
+        ParameterName::ToPortM
+    } else {
+        ParameterName::ForwardM
+    };
+    let parameters = vec![strength(name, UnitName::Metre, spacing_m, 0.02)];
+    let law = put(move |q, _, e| add(e, "off_centre_cm", &[(name.name(), q[0] * spacing_m)]));
+    cause(CauseId::OffCentreCm, parameters, law)
 }
 
 /// Give under the hull's weight pulled sideways, as a share of the lines' length.
@@ -150,8 +187,8 @@ fn support_compliance(scales: &Scales) -> Cause {
     let (line_m, gravity) = (scales.line_m, scales.gravity_m_s2);
     let parameters = vec![coarse(
         strength(
-            "give_m_per_n",
-            "m/N",
+            ParameterName::GiveMPerN,
+            UnitName::MetrePerNewton,
             line_m / (gravity * scales.mass_kg),
             3e-3,
         ),
@@ -177,15 +214,20 @@ fn support_compliance(scales: &Scales) -> Cause {
         stiff: true,
         apart: true,
         one_sided: true,
-        ..cause("support_compliance", parameters, law)
+        ..cause(CauseId::SupportCompliance, parameters, law)
     }
 }
 
 fn stated_length(scales: &Scales) -> Cause {
     let line_m = scales.line_m;
-    let parameters = vec![strength("excess_m", "m", line_m, 0.01)];
+    let parameters = vec![strength(
+        ParameterName::ExcessM,
+        UnitName::Metre,
+        line_m,
+        0.01,
+    )];
     cause(
-        "stated_length",
+        CauseId::StatedLength,
         parameters,
         put(move |q, _, e| add(e, "stated_length", &[("excess_m", q[0] * line_m)])),
     )
@@ -193,7 +235,12 @@ fn stated_length(scales: &Scales) -> Cause {
 
 fn stated_spacing(scales: &Scales) -> Cause {
     let spacing_m = scales.spacing_m;
-    let parameters = vec![strength("excess_m", "m", spacing_m, 0.01)];
+    let parameters = vec![strength(
+        ParameterName::ExcessM,
+        UnitName::Metre,
+        spacing_m,
+        0.01,
+    )];
     let law = put(move |q, _, e| add(e, "stated_spacing", &[("excess_m", q[0] * spacing_m)]));
-    cause("stated_spacing", parameters, law)
+    cause(CauseId::StatedSpacing, parameters, law)
 }

@@ -4,8 +4,12 @@
 //! fitted as the share of critical damping (or of stiffness, or of inertia) that it has at the
 //! widest angle or the fastest rate of the swing.
 
-use super::super::causes::{TERMS, UNKNOWN};
+use super::super::cause_id::CauseId;
+use super::super::causes::TERMS;
+use super::super::parameter_id::ParameterName;
 use super::super::point::{CauseParameter, NO_LIMITS};
+use super::super::term::Term;
+use super::super::unit::UnitName;
 
 /// Share of critical damping, of stiffness or of inertia that causes ordinarily have: a hundredth.
 const ORDINARY: f64 = 0.01;
@@ -57,14 +61,14 @@ pub enum Kind {
     GyroScale,
     BiasDrift,
     /// A polynomial of angle, rate and time, by its terms.
-    Learned(Vec<&'static str>),
+    Learned(Vec<Term>),
 }
 
 /// A cause in a swing.
 #[derive(Debug, Clone)]
 pub struct Cause {
     /// Name in the contract.
-    pub id: &'static str,
+    pub id: CauseId,
     pub kind: Kind,
     pub parameters: Vec<CauseParameter>,
     /// Strengths below zero have no physical meaning.
@@ -101,8 +105,8 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
 }
 
 fn parameter(
-    name: &'static str,
-    unit: &'static str,
+    name: ParameterName,
+    unit: UnitName,
     factor: f64,
     prior: (f64, f64),
 ) -> CauseParameter {
@@ -120,11 +124,11 @@ fn parameter(
     }
 }
 
-fn strength(name: &'static str, unit: &'static str, factor: f64) -> CauseParameter {
+fn strength(name: ParameterName, unit: UnitName, factor: f64) -> CauseParameter {
     parameter(name, unit, factor, (0.0, ORDINARY))
 }
 
-fn brake(id: &'static str, kind: Kind, parameters: Vec<CauseParameter>) -> Cause {
+fn brake(id: CauseId, kind: Kind, parameters: Vec<CauseParameter>) -> Cause {
     Cause {
         id,
         kind,
@@ -136,19 +140,27 @@ fn brake(id: &'static str, kind: Kind, parameters: Vec<CauseParameter>) -> Cause
 /// θ'' = … − c |θ'| θ'.
 fn quadratic_drag(scales: &Scales) -> Cause {
     let factor = scales.critical_rad_s2() / scales.rate_rad_s().powi(2);
-    let parameters = vec![strength("torque_coefficient_per_inertia", "1", factor)];
-    brake("quadratic_drag", Kind::QuadraticDrag, parameters)
+    let parameters = vec![strength(
+        ParameterName::TorqueCoefficientPerInertia,
+        UnitName::One,
+        factor,
+    )];
+    brake(CauseId::QuadraticDrag, Kind::QuadraticDrag, parameters)
 }
 
 /// θ'' = … − c |θ'/θ'₁|^β θ', θ'₁ the fastest rate.
 fn power_law_damping(scales: &Scales) -> Cause {
     let exponent = CauseParameter {
         is_strength: false,
-        ..parameter("exponent", "1", 1.0, EXPONENT)
+        ..parameter(ParameterName::Exponent, UnitName::One, 1.0, EXPONENT)
     };
-    let rate = strength("rate_at_fastest_per_s", "1/s", 2.0 * scales.omega_rad_s);
+    let rate = strength(
+        ParameterName::RateAtFastestPerS,
+        UnitName::PerSecond,
+        2.0 * scales.omega_rad_s,
+    );
     brake(
-        "power_law_damping",
+        CauseId::PowerLawDamping,
         Kind::PowerLawDamping,
         vec![rate, exponent],
     )
@@ -157,11 +169,11 @@ fn power_law_damping(scales: &Scales) -> Cause {
 /// θ'' = … − m sgn θ'.
 fn bearing_friction(scales: &Scales) -> Cause {
     let parameters = vec![strength(
-        "torque_per_inertia",
-        "rad/s^2",
+        ParameterName::TorquePerInertia,
+        UnitName::RadianPerSecondSquared,
         scales.critical_rad_s2(),
     )];
-    brake("bearing_friction", Kind::BearingFriction, parameters)
+    brake(CauseId::BearingFriction, Kind::BearingFriction, parameters)
 }
 
 /// θ'' = … − m z, z' = (θ' − |θ'| z)/θ_s (Dahl, see the effect `presliding_bearing`).
@@ -169,11 +181,20 @@ fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
     let give = CauseParameter {
         is_log: true,
         is_strength: false,
-        ..parameter("give_rad", "rad", 1.0, (give_rad.ln(), GIVE_U))
+        ..parameter(
+            ParameterName::GiveRad,
+            UnitName::Radian,
+            1.0,
+            (give_rad.ln(), GIVE_U),
+        )
     };
-    let torque = strength("torque_per_inertia", "rad/s^2", scales.critical_rad_s2());
+    let torque = strength(
+        ParameterName::TorquePerInertia,
+        UnitName::RadianPerSecondSquared,
+        scales.critical_rad_s2(),
+    );
     brake(
-        "presliding_bearing",
+        CauseId::PreslidingBearing,
         Kind::PreslidingBearing,
         vec![torque, give],
     )
@@ -182,17 +203,26 @@ fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
 /// (1 + a A) θ'' = …, A² = θ² + (θ'/ω)².
 fn amplitude_added_mass(scales: &Scales) -> Cause {
     let parameters = vec![strength(
-        "inertia_share_per_rad",
-        "1/rad",
+        ParameterName::InertiaSharePerRad,
+        UnitName::PerRadian,
         1.0 / scales.reach_rad,
     )];
-    brake("amplitude_added_mass", Kind::AmplitudeAddedMass, parameters)
+    brake(
+        CauseId::AmplitudeAddedMass,
+        Kind::AmplitudeAddedMass,
+        parameters,
+    )
 }
 
 fn gyro_scale() -> Cause {
-    let parameters = vec![parameter("about_the_axis", "1", 1.0, (0.0, SCALE_U))];
+    let parameters = vec![parameter(
+        ParameterName::AboutTheAxis,
+        UnitName::One,
+        1.0,
+        (0.0, SCALE_U),
+    )];
     Cause {
-        id: "gyro_scale",
+        id: CauseId::GyroScale,
         kind: Kind::GyroScale,
         parameters,
         one_sided: false,
@@ -202,13 +232,13 @@ fn gyro_scale() -> Cause {
 /// A bias that grows evenly; the change over the recording.
 fn bias_drift() -> Cause {
     let parameters = vec![parameter(
-        "about_the_axis",
-        "rad/s",
+        ParameterName::AboutTheAxis,
+        UnitName::RadianPerSecond,
         1.0,
         (0.0, DRIFT_U_RAD_S),
     )];
     Cause {
-        id: "bias_drift",
+        id: CauseId::BiasDrift,
         kind: Kind::BiasDrift,
         parameters,
         one_sided: false,
@@ -216,14 +246,14 @@ fn bias_drift() -> Cause {
 }
 
 /// θ'' = … − Σ c (θ/A)^i (θ'/ωA)^j t^k, by the terms asked for.
-pub fn learned(scales: &Scales, terms: &[&'static str]) -> Cause {
+pub fn learned(scales: &Scales, terms: &[Term]) -> Cause {
     let factor = scales.omega_rad_s * scales.rate_rad_s();
     let parameters = terms
         .iter()
-        .map(|term| strength(term, "rad/s^2", factor))
+        .map(|term| strength(term.parameter(), UnitName::RadianPerSecondSquared, factor))
         .collect();
     Cause {
-        id: UNKNOWN,
+        id: CauseId::Unknown,
         kind: Kind::Learned(terms.to_vec()),
         parameters,
         one_sided: false,
@@ -258,7 +288,7 @@ impl Cause {
                 let force: f64 = terms
                     .iter()
                     .zip(q)
-                    .map(|(term, q)| q * product(term, x, v, t))
+                    .map(|(term, q)| q * term.times(1.0, x, v, t))
                     .sum();
                 -force * scales.omega_rad_s * scales.rate_rad_s()
             }
@@ -300,16 +330,4 @@ impl Cause {
     pub fn give_rad(&self, q: &[f64]) -> Option<f64> {
         (self.kind == Kind::PreslidingBearing).then(|| q[1].exp())
     }
-}
-
-/// A term such as `xxv` of angle, rate and time.
-fn product(term: &str, x: f64, v: f64, t: f64) -> f64 {
-    term.chars().fold(1.0, |product, letter| {
-        product
-            * match letter {
-                'x' => x,
-                'v' => v,
-                _ => t,
-            }
-    })
 }

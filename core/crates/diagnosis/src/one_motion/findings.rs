@@ -4,6 +4,7 @@ use super::super::findings::{Record, structure_of};
 use super::super::point::Part;
 use super::super::result::{Discrepancy, DiscrepancyKind};
 use super::super::seen::Seen;
+use super::super::unit::UnitName;
 use super::super::white::spectrum;
 use super::super::words;
 use super::search::Found;
@@ -105,7 +106,7 @@ fn across(swing: &Swing) -> Option<Discrepancy> {
         Discrepancy::of(
             swing.id,
             DiscrepancyKind::AcrossTheAxis,
-            (share, "1"),
+            (share, UnitName::One),
             sigma,
             said,
         )

@@ -1,20 +1,22 @@
 //! The missing torque where no known cause accounts for it, and the simplest closed form that does
 //! as well.
 
-use super::super::causes::{TERMS, UNKNOWN};
+use super::super::cause_id::CauseId;
+use super::super::causes::TERMS;
 use super::super::evidence::LEAST_GAIN;
 use super::super::learned::{grid, shapes, written};
 use super::super::point::Part;
 use super::super::result::LearnedForce;
+use super::super::term::Term;
+use super::super::unit::UnitName;
 use super::super::words::message;
 use super::causes::{Cause, Kind, learned};
 use super::fitting::{Fitted, fit};
 use super::search::Found;
-use gyradius_identification::words::mode_text;
 
 /// Terms that do as well as all of them, and the fit with them.
 struct Closed {
-    terms: Vec<&'static str>,
+    terms: Vec<Term>,
     fitted: Fitted,
 }
 
@@ -25,7 +27,7 @@ pub fn force(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
         .best
         .causes
         .last()
-        .filter(|place| found.id(**place) == UNKNOWN)?;
+        .filter(|place| found.id(**place) == CauseId::Unknown)?;
     let (swing, fitted) = (&found.swings[0], &found.best.fits[0]);
     let cause = &swing.catalogue[place];
     let Kind::Learned(terms) = &cause.kind else {
@@ -46,14 +48,14 @@ pub fn force(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
         .iter()
         .zip(values)
         .map(|(term, q)| {
-            let (powers, scale) = written(term, ("θ", "ω"), reach.0, reach.1);
+            let (powers, scale) = written(*term, ("θ", "ω"), reach.0, reach.1);
             format!("{:+.4e} {powers}", -q * factor / scale)
         })
         .collect();
     let looks = shapes(closed.terms.iter().copied());
     Some(LearnedForce {
-        coordinate: mode_text(swing.mode).into(),
-        unit: "rad/s^2".into(),
+        coordinate: swing.mode.into(),
+        unit: UnitName::RadianPerSecondSquared.into(),
         points: grid(terms, (&fitted.point[first..], &covariance), factor, reach),
         equation: format!("M/I = {} rad/s^2", sum.join(" ")),
         message: message("learned_looks", [("shapes", looks)]),

@@ -23,6 +23,7 @@ use super::FORMAT;
 use super::gain;
 use super::point::first_settled;
 use super::result::{CauseVerdict, Criticism, Critique, ModelResult, SwingTrace};
+use super::unit::UnitName;
 use super::words;
 use findings::findings;
 use gyradius_base::error::Result;
@@ -165,7 +166,7 @@ fn traces(found: &Found) -> Option<Vec<SwingTrace>> {
         Some(SwingTrace {
             swing: swing.id.into(),
             channel,
-            unit: "rad/s".into(),
+            unit: UnitName::RadianPerSecond.into(),
             noise: swing.noise_rad_s,
             t_s: swing.stream.t_s[first..].to_vec(),
             measured: swing.rates_rad_s[first..].to_vec(),

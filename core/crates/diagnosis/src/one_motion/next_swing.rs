@@ -1,5 +1,6 @@
 //! The swing that would tell causes apart: the same hanging, released wider or narrower.
 
+use super::super::cause_id::CauseId;
 use super::super::next_swing::longer;
 use super::super::point::Part;
 use super::super::result::NextSwing;
@@ -41,7 +42,7 @@ pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
     Some(in_words(longer(best), found.id(last), rival.id))
 }
 
-fn in_words(swing: NextSwing, one: &str, other: &str) -> NextSwing {
+fn in_words(swing: NextSwing, one: CauseId, other: CauseId) -> NextSwing {
     let said = words::message(
         "next_same",
         [

@@ -1,7 +1,7 @@
 //! The search for causes: every one fitted in full, the best taken, and again while it pays. A
 //! cause acts in all swings, its strength is each swing's own.
 
-use super::super::causes::UNKNOWN;
+use super::super::cause_id::CauseId;
 use super::super::evidence::{LEAST_GAIN, is_missed, pays};
 use super::super::point::{Part, SETTLING_S};
 use super::super::search::{MOST_CAUSES, UNNAMED_LEAVES};
@@ -26,7 +26,7 @@ pub struct Extended {
 /// A further cause fitted.
 #[derive(Clone)]
 pub struct Tried {
-    pub id: &'static str,
+    pub id: CauseId,
     pub with: Extended,
     /// Of the logarithm of the evidence, over the model without it.
     pub gain: f64,
@@ -121,7 +121,7 @@ pub fn search<'a>(swings: &'a [Swing<'a>], progress: &Progress) -> Result<Option
             taken: taken.is_some(),
         });
         let Some(best) = taken else { break };
-        let has_a_name = best.id != UNKNOWN;
+        let has_a_name = best.id != CauseId::Unknown;
         found.take(best);
         // A polynomial bends to whatever there is: names found beside it would mean little.
         if !has_a_name {
@@ -139,7 +139,7 @@ impl Found<'_> {
     }
 
     /// Name of a cause by its place in the catalogue.
-    pub fn id(&self, place: usize) -> &'static str {
+    pub fn id(&self, place: usize) -> CauseId {
         self.swings[0].catalogue[place].id
     }
 
@@ -173,7 +173,7 @@ impl Found<'_> {
         }
         let unknown = best
             .iter()
-            .position(|t| t.id == UNKNOWN)
+            .position(|t| t.id == CauseId::Unknown)
             .map(|k| best.remove(k));
         simplest_first(&mut best, |t| self.parameters(t));
         let Some(unknown) = unknown else { return best };
@@ -285,7 +285,7 @@ impl Found<'_> {
                 .best
                 .causes
                 .iter()
-                .any(|place| self.id(*place) == UNKNOWN)
+                .any(|place| self.id(*place) == CauseId::Unknown)
         {
             return;
         }
@@ -295,7 +295,7 @@ impl Found<'_> {
         if let Some(k) = last
             .tried
             .iter()
-            .position(|t| t.id == UNKNOWN && t.gain > LEAST_GAIN)
+            .position(|t| t.id == CauseId::Unknown && t.gain > LEAST_GAIN)
         {
             let best = last.tried.remove(k);
             last.tried.insert(0, best.clone());

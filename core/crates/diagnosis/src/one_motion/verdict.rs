@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::super::causes::UNKNOWN;
+use super::super::cause_id::CauseId;
+use super::super::parameter_id::ParameterId;
 use super::super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::super::verdict::{MOST_NAMED, NOT_TOLD, Ranked, are_one_drag, judged, ranked, result};
 use super::search::{Found, Round, Tried};
 
 impl Ranked for Tried {
-    fn id(&self) -> &'static str {
+    fn id(&self) -> CauseId {
         self.id
     }
 
@@ -18,18 +19,18 @@ impl Ranked for Tried {
 }
 
 impl Found<'_> {
-    fn names(&self) -> Vec<String> {
+    fn names(&self) -> Vec<CauseId> {
         self.best
             .causes
             .iter()
-            .map(|place| self.id(*place).into())
+            .map(|place| self.id(*place))
             .collect()
     }
 
     /// Whether structure remains that nothing accounts for, or nothing but many causes together.
     pub fn is_unexplained(&self) -> bool {
         let (names, left) = (self.names(), &self.best.left);
-        let beyond = names.len() > MOST_NAMED || names.iter().any(|id| id == UNKNOWN);
+        let beyond = names.len() > MOST_NAMED || names.contains(&CauseId::Unknown);
         beyond || !left.is_next_to_nothing(&self.base.left)
     }
 
@@ -44,13 +45,13 @@ impl Found<'_> {
         };
         // Where structure remains, evidence counts for less: in proportion to what is left.
         let allowed = NOT_TOLD.max(0.02 * best.with.left.excess());
-        let near = |t: &&Tried| best.gain - t.gain < allowed && t.id != UNKNOWN;
+        let near = |t: &&Tried| best.gain - t.gain < allowed && t.id != CauseId::Unknown;
         let special = |t: &&Tried| are_one_drag([best.id, t.id], |k| self.parameters([best, t][k]));
         others.iter().filter(near).filter(|t| !special(t)).collect()
     }
 
     pub fn verdict(&self) -> CauseVerdict {
-        let rivals = self.rivals().iter().map(|t| t.id.into()).collect();
+        let rivals = self.rivals().iter().map(|t| t.id).collect();
         judged(self.names(), rivals, self.is_unexplained())
     }
 
@@ -69,7 +70,7 @@ impl Found<'_> {
     }
 
     /// Parameters of the last cause of those tried, swing by swing.
-    pub fn parameters(&self, tried: &Tried) -> BTreeMap<String, ParameterResult> {
+    pub fn parameters(&self, tried: &Tried) -> BTreeMap<ParameterId, ParameterResult> {
         let mut all = BTreeMap::new();
         let Some(place) = tried.with.causes.last() else {
             return all;
@@ -83,10 +84,8 @@ impl Found<'_> {
                 let u = covariance
                     .as_ref()
                     .map_or(f64::INFINITY, |c| c[(at, at)].max(0.0).sqrt());
-                let name = match self.swings.len() {
-                    1 => parameter.name.into(),
-                    _ => format!("{}_{}", parameter.name, s + 1),
-                };
+                let own = (self.swings.len() > 1).then_some(s);
+                let name = ParameterId::of(parameter.name, own);
                 all.insert(name, parameter.result(fitted.point[at], u));
             }
         }

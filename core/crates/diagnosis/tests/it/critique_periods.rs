@@ -8,7 +8,9 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::told::told_in_every_language;
-use gyradius_diagnosis::{Critique, DiscrepancyKind, Status, criticise_periods};
+use gyradius_diagnosis::{
+    CauseId, Critique, DiscrepancyKind, ParameterName, Status, criticise_periods,
+};
 use gyradius_identification::{MeasureOptions, analyse};
 use gyradius_recording::import::{ImportOptions, ImportedData, import_files};
 use gyradius_recording::{
@@ -245,19 +247,15 @@ const ALL: &[ModeName] = &[
 /// one of the two.
 fn named(
     count: usize,
-    truth: &str,
+    truth: CauseId,
     draw: impl Fn(&mut ChaCha8Rng) -> LoadedSession,
 ) -> (usize, Vec<Critique>) {
     let mut rng = rng();
     let all: Vec<Critique> = (0..count).map(|_| criticised(&draw(&mut rng))).collect();
     let mut hits = 0;
     for critique in &all {
-        let is_named = critique.verdict.causes.iter().any(|c| c == truth);
-        let is_open = critique
-            .verdict
-            .indistinguishable_from
-            .iter()
-            .any(|c| c == truth);
+        let is_named = critique.verdict.causes.contains(&truth);
+        let is_open = critique.verdict.indistinguishable_from.contains(&truth);
         if !is_named {
             show(critique);
         }
@@ -273,13 +271,13 @@ fn named(
     (hits, all)
 }
 
-fn parameter(critique: &Critique, cause: &str, name: &str) -> Option<(f64, f64)> {
+fn parameter(critique: &Critique, cause: CauseId, name: ParameterName) -> Option<(f64, f64)> {
     let found = critique
         .causes
         .iter()
         .find(|c| c.id == cause)?
         .parameters
-        .get(name)?;
+        .get(&name.into())?;
     Some((found.value, found.u))
 }
 
@@ -308,7 +306,7 @@ fn complete_sessions_are_adequate() {
 
 #[test]
 fn a_wrong_tape_on_the_lines_is_named() {
-    let (hits, all) = named(15, "stated_length", |rng| {
+    let (hits, all) = named(15, CauseId::StatedLength, |rng| {
         let hull = hull(rng);
         let size = between(rng, 0.02, 0.04) * hull.k_yaw_m;
         let excess_m = if rng.random::<bool>() { size } else { -size };
@@ -330,7 +328,7 @@ fn a_wrong_tape_on_the_lines_is_named() {
 
 #[test]
 fn at_one_length_a_wrong_tape_is_ambiguous_and_a_swing_is_proposed() {
-    let (_, all) = named(8, "stated_length", |rng| {
+    let (_, all) = named(8, CauseId::StatedLength, |rng| {
         let hull = hull(rng);
         let excess_m = 0.04 * hull.k_yaw_m;
         let hidden = Hidden {
@@ -353,7 +351,7 @@ fn at_one_length_a_wrong_tape_is_ambiguous_and_a_swing_is_proposed() {
 
 #[test]
 fn a_gantry_that_gives_is_told_from_long_lines_by_the_yaw() {
-    let (hits, all) = named(10, "support_compliance", |rng| {
+    let (hits, all) = named(10, CauseId::SupportCompliance, |rng| {
         let hull = hull(rng);
         let gives_m_n =
             between(rng, 0.02, 0.04) * hull.k_yaw_m / (hull.mass_kg * hull.gravity_m_s2);
@@ -367,14 +365,18 @@ fn a_gantry_that_gives_is_told_from_long_lines_by_the_yaw() {
     for critique in &all {
         println!(
             "{:?}",
-            parameter(critique, "support_compliance", "stiffness_along_n_m")
+            parameter(
+                critique,
+                CauseId::SupportCompliance,
+                ParameterName::StiffnessAlongNM
+            )
         );
     }
 }
 
 #[test]
 fn air_that_moves_along_is_told_from_a_gantry_by_the_length() {
-    let (hits, _) = named(10, "added_mass", |rng| {
+    let (hits, _) = named(10, CauseId::AddedMass, |rng| {
         let hull = hull(rng);
         let hidden = Hidden {
             sway_kg: between(rng, 0.02, 0.04) * hull.mass_kg,
@@ -399,14 +401,14 @@ fn torsion_shows_at_two_spacings_and_is_named_at_three() {
             drawn(rng, &hull, &hidden, (&[1.2, 3.0], spacings), YAW_AND_SWAY)
         }
     };
-    named(8, "line_torsion", draw(&[1.0, 2.0]));
-    let (hits, _) = named(8, "line_torsion", draw(&[0.8, 1.3, 2.4]));
+    named(8, CauseId::LineTorsion, draw(&[1.0, 2.0]));
+    let (hits, _) = named(8, CauseId::LineTorsion, draw(&[0.8, 1.3, 2.4]));
     assert!(hits >= 6, "{hits}");
 }
 
 #[test]
 fn air_that_grows_with_the_amplitude_shows_in_swings_of_several_amplitudes() {
-    let (hits, all) = named(6, "amplitude_added_mass", |rng| {
+    let (hits, all) = named(6, CauseId::AmplitudeAddedMass, |rng| {
         let hull = hull(rng);
         let share_by_radian = between(rng, 0.2, 0.4);
         let (length, l) = taped(rng, 2.0 * hull.k_yaw_m, 5e-4 * hull.k_yaw_m);
@@ -436,7 +438,7 @@ fn air_that_grows_with_the_amplitude_shows_in_swings_of_several_amplitudes() {
     assert_eq!(hits, 6);
     let sizes: Vec<_> = all
         .iter()
-        .filter_map(|c| parameter(c, "amplitude_added_mass", "sway_kg_m"))
+        .filter_map(|c| parameter(c, CauseId::AmplitudeAddedMass, ParameterName::SwayKgM))
         .collect();
     println!("{sizes:?}");
     assert!(
@@ -470,28 +472,28 @@ fn the_papers_keelboat_is_flagged_with_a_ranking() {
     );
     // Long lines, a gantry that gives and air that moves along lengthen the sway alike; nothing
     // else does.
-    let open: Vec<&String> = critique
+    let open: Vec<&CauseId> = critique
         .verdict
         .causes
         .iter()
         .chain(&critique.verdict.indistinguishable_from)
         .collect();
     for cause in [
-        "stated_length",
-        "line_stretch",
-        "support_compliance",
-        "added_mass",
+        CauseId::StatedLength,
+        CauseId::LineStretch,
+        CauseId::SupportCompliance,
+        CauseId::AddedMass,
     ] {
-        assert!(open.iter().any(|c| *c == cause), "{open:?}");
+        assert!(open.contains(&&cause), "{open:?}");
     }
     for cause in [
-        "stated_spacing",
-        "line_torsion",
-        "clock_scale",
-        "stated_gravity",
-        "off_centre_cm",
+        CauseId::StatedSpacing,
+        CauseId::LineTorsion,
+        CauseId::ClockScale,
+        CauseId::StatedGravity,
+        CauseId::OffCentreCm,
     ] {
-        assert!(!open.iter().any(|c| *c == cause), "{open:?}");
+        assert!(!open.contains(&&cause), "{open:?}");
     }
     // Table 2: 1040 and 1038 mm by the ratio, 1057 and 1060 mm by the yaw period.
     assert!(
@@ -569,6 +571,6 @@ fn no_common_cause_accounts_for_the_spread_of_the_bar() {
     let critique = criticised(&bar);
     show(&critique);
     assert_eq!(critique.verdict.status, Status::Unexplained);
-    assert!(critique.verdict.causes.iter().any(|c| c == "unknown"));
+    assert!(critique.verdict.causes.contains(&CauseId::Unknown));
     assert!(critique.discrepancies.len() >= 6);
 }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use crate::told::told_in_every_language;
-use gyradius_diagnosis::{Critique, DiscrepancyKind, Status, criticise};
+use gyradius_diagnosis::{CauseId, Critique, DiscrepancyKind, ParameterName, Status, criticise};
 use gyradius_recording::import::{ColumnMapping, ImportOptions, ImportedData, import_files};
 use gyradius_recording::{
     Body, Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording,
@@ -166,7 +166,7 @@ fn criticised(loaded: &LoadedSession) -> Critique {
 }
 
 /// How often of eight drawn sessions exactly these causes are named.
-fn named(quadratic: f64, dry: f64, causes: &[&str]) -> usize {
+fn named(quadratic: f64, dry: f64, causes: &[CauseId]) -> usize {
     let mut rng = rng();
     let right = |critique: &Critique| {
         let status = if causes.is_empty() {
@@ -192,12 +192,12 @@ fn a_pendulum_that_swings_as_it_should_is_left_alone() {
 
 #[test]
 fn quadratic_drag_is_named() {
-    assert!(named(0.001, 0.0, &["quadratic_drag"]) >= 6);
+    assert!(named(0.001, 0.0, &[CauseId::QuadraticDrag]) >= 6);
 }
 
 #[test]
 fn dry_friction_is_named() {
-    assert!(named(0.0, 0.0003, &["bearing_friction"]) >= 6);
+    assert!(named(0.0, 0.0003, &[CauseId::BearingFriction]) >= 6);
 }
 
 /// Strength over the true one of what was drawn: θ'' = … − (2 ω q/V) |θ'| θ'.
@@ -209,7 +209,7 @@ fn the_strength_of_a_drag_is_found_within_its_uncertainty() {
         .value
         .scalar()
         .unwrap();
-    let found = &critique.causes[0].parameters["torque_coefficient_per_inertia"];
+    let found = &critique.causes[0].parameters[&ParameterName::TorqueCoefficientPerInertia.into()];
     // 2 ω q/(ω A) = 2 q/A: between those of the widest and the narrowest release.
     assert!((1.0..3.0).contains(&period));
     assert!(found.value > 0.002 / 0.5 - 5.0 * found.u && found.value < 0.002 / 0.2 + 5.0 * found.u);

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use gyradius_diagnosis::{CauseVerdict, Critique, NextSwing, Status};
+use gyradius_diagnosis::{CauseId, CauseVerdict, Critique, NextSwing, Status};
 use gyradius_planning::{PlannedSwing, Step};
 use gyradius_procedure::{Event, Phase, Recommend, Rehearsal, Task, practice_task};
 use gyradius_recording::{Excitation, Quantity, load_session};
@@ -20,7 +20,7 @@ const SHIPPED: &str = include_str!("../../../../../python/gyradius/rigs/keelboat
 const UTC: &str = "2026-05-04T09:30:00Z";
 /// What the operator leaves out of every line's length, m.
 const SHACKLES_M: f64 = 0.05;
-const TRUTH: &str = "stated_length";
+const TRUTH: CauseId = CauseId::StatedLength;
 
 /// The shipped keelboat with another body, by a phone that is content with 50 samples a second.
 fn drawn(rng: &mut impl Rng) -> RigFile {
@@ -85,12 +85,12 @@ fn verdict(rehearsal: &Rehearsal) -> CauseVerdict {
 }
 
 /// What may be the cause.
-fn candidates(verdict: &CauseVerdict) -> BTreeSet<&str> {
+fn candidates(verdict: &CauseVerdict) -> BTreeSet<CauseId> {
     verdict
         .causes
         .iter()
         .chain(&verdict.indistinguishable_from)
-        .map(String::as_str)
+        .copied()
         .collect()
 }
 
@@ -134,7 +134,7 @@ fn tells_more(seed: u64) -> bool {
     let mut rehearsal = Rehearsal::create(folder.path().join("p"), rig, task, seed).unwrap();
     play(&mut rehearsal, &[Phase::Suggest, Phase::Done]);
     let before = verdict(&rehearsal);
-    if before.status != Status::Ambiguous || !candidates(&before).contains(TRUTH) {
+    if before.status != Status::Ambiguous || !candidates(&before).contains(&TRUTH) {
         println!("{before:?}");
         return false;
     }
@@ -171,7 +171,7 @@ fn tells_more(seed: u64) -> bool {
     let after = verdict(&rehearsal);
     println!("{before:?}\n{after:?}");
     let found = candidates(&after);
-    found.contains(TRUTH)
+    found.contains(&TRUTH)
         && after.status != Status::Unexplained
         && found.len() <= candidates(&before).len()
 }

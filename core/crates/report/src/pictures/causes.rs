@@ -40,7 +40,7 @@ fn draw_bar(out: &mut Markup, top: f64, cause: &CauseResult) {
     } else {
         colour::MEASURED
     };
-    let label = words::sentence_case(&words::cause(&cause.id, out.language()));
+    let label = words::sentence_case(&words::cause(cause.id, out.language()));
     text(
         out,
         0.0,

@@ -15,8 +15,8 @@ use crate::markup::Markup;
 use crate::words::{figure as number_of, plain, say};
 use gyradius_base::language::Language;
 use gyradius_base::message::name;
-use gyradius_identification::{QuantityName, QuantityResult};
 use gyradius_identification::routes::ellipsoid::equivalent_semi_axes_m;
+use gyradius_identification::{QuantityName, QuantityResult};
 
 const GAP: f64 = 34.0;
 const MARGIN: f64 = 22.0;
@@ -77,10 +77,12 @@ fn scalar(quantities: &BTreeMap<QuantityName, QuantityResult>, key: &QuantityNam
 }
 
 fn known(quantities: &BTreeMap<QuantityName, QuantityResult>) -> Option<Known> {
-    let principal = quantities.get(&QuantityName::PrincipalGyradii).and_then(|q| {
-        let values = q.value.vector()?;
-        q.value.is_finite().then_some(values)
-    });
+    let principal = quantities
+        .get(&QuantityName::PrincipalGyradii)
+        .and_then(|q| {
+            let values = q.value.vector()?;
+            q.value.is_finite().then_some(values)
+        });
     let single = |key| scalar(quantities, key);
     let about_hull = || {
         Some([

@@ -5,16 +5,26 @@ use crate::chart::{Mark, Panel, colour, stacked};
 use crate::scale::{drawable, extent};
 use crate::words::{self, say};
 use gyradius_base::language::Language;
-use gyradius_diagnosis::LearnedForce;
+use gyradius_diagnosis::{ForceCoordinate, LearnedForce};
 
 /// The picture; none without points.
 pub(crate) fn learned_force(force: &LearnedForce, language: Language) -> Option<Figure> {
     let points: Vec<&[f64; 5]> = force.points.iter().filter(|p| drawable(p[3])).collect();
     let column = |i: usize| -> Vec<f64> { points.iter().map(|p| p[i]).collect() };
     let (f, u) = (column(3), column(4));
-    let labels = match &*force.coordinate {
-        "yaw" | "turn" => ["angle_rad", "turn_rate_rad_s", "time_s"],
-        _ => ["displacement_m", "velocity_m_s", "time_s"],
+    let labels = match force.coordinate {
+        ForceCoordinate::Surge | ForceCoordinate::Sway | ForceCoordinate::All => {
+            ["displacement_m", "velocity_m_s", "time_s"]
+        }
+        ForceCoordinate::Yaw
+        | ForceCoordinate::Pitch
+        | ForceCoordinate::PitchInPhase
+        | ForceCoordinate::PitchOutOfPhase
+        | ForceCoordinate::Roll
+        | ForceCoordinate::RollInPhase
+        | ForceCoordinate::RollOutOfPhase
+        | ForceCoordinate::Compound
+        | ForceCoordinate::Other => ["angle_rad", "turn_rate_rad_s", "time_s"],
     };
     let columns: Vec<(Vec<f64>, &'static str)> = (0..3)
         .map(column)
@@ -26,8 +36,8 @@ pub(crate) fn learned_force(force: &LearnedForce, language: Language) -> Option<
     }
     let heading = format!(
         "{}, {}",
-        words::force(&force.coordinate, language),
-        words::unit_text(&force.unit)
+        words::force(force.coordinate, language),
+        words::unit_text(force.unit)
     );
     let panels: Vec<Panel> = columns
         .iter()

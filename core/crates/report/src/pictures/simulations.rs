@@ -57,7 +57,7 @@ impl Curves {
         let (from, to) = worst(trace);
         let ends = extent(trace.t_s.iter().copied());
         Self {
-            unit: trace.unit.clone(),
+            unit: trace.unit.to_string(),
             whole: all(0, trace.t_s.len()),
             close_up: all(from, to),
             before: over_noise(trace, &trace.base),

@@ -12,7 +12,7 @@ use gyradius_base::language::Language;
 use gyradius_base::message;
 use gyradius_diagnosis::{
     CauseResult, Criticism, Critique, Discrepancy, LearnedForce, ModelResult, NextSwing,
-    ParameterResult, Status,
+    ParameterId, ParameterResult, Status,
 };
 use gyradius_identification::{QuantityName, QuantityResult, Value};
 
@@ -110,7 +110,7 @@ fn causes(critique: &Critique, out: &mut Markup) {
 }
 
 fn cause_row(critique: &Critique, cause: &CauseResult, language: Language) -> Vec<String> {
-    let name = words::cause(&cause.id, language);
+    let name = words::cause(cause.id, language);
     let name = match (
         cause.taken,
         critique.verdict.indistinguishable_from.contains(&cause.id),
@@ -139,13 +139,13 @@ fn cause_row(critique: &Critique, cause: &CauseResult, language: Language) -> Ve
 }
 
 /// `yaw torque coefficient 12.10 ± 0.30 N m s²`.
-fn parameter((name, parameter): (&String, &ParameterResult), language: Language) -> String {
-    let name = words::parameter(name, &parameter.unit, language);
+fn parameter((id, parameter): (&ParameterId, &ParameterResult), language: Language) -> String {
+    let name = words::parameter(*id, parameter.unit, language);
     // An uncertainty that is no number determines nothing either.
     if parameter.u <= UNDETERMINED * parameter.value.abs() {
         let figure = joined(
             &with_u(parameter.value, parameter.u),
-            &words::unit_text(&parameter.unit),
+            &words::unit_text(parameter.unit),
         );
         format!("{name} {}", language.number(&figure))
     } else {
@@ -374,7 +374,7 @@ fn row(found: &Discrepancy, language: Language) -> Vec<String> {
         words::sentence_case(&words::discrepancy(found.what, language)),
         language.number(&joined(
             &significant(found.size, 3),
-            &words::unit_text(&found.unit),
+            &words::unit_text(found.unit),
         )),
         language.number(&format!("{} σ", sigmas(found.sigma))),
         words::sentence_case(&found.message.in_language(language)),

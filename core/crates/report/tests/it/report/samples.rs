@@ -4,14 +4,13 @@
 #![allow(clippy::expect_used)]
 
 use std::collections::BTreeMap;
-use std::str::FromStr;
 use std::f64::consts::TAU;
+use std::str::FromStr;
 
-use gyradius_diagnosis::{Criticism, SwingTrace};
+use gyradius_diagnosis::{Criticism, SwingTrace, UnitName};
 use gyradius_identification::{
     AmplitudePoint, AmplitudeUnit, BudgetLine, Claim, Measurement, Method, ModeResult,
-    QuantityName, QuantityResult, Relation, Route, SwingResult,
-    Value, Verdict,
+    QuantityName, QuantityResult, Relation, Route, SwingResult, Value, Verdict,
 };
 use gyradius_recording::{ModeName, Quantity, Repair, RepairKind, Sensor};
 use gyradius_report::{
@@ -482,7 +481,7 @@ fn swing_trace(swing: &str, period_s: f64, amplitude: f64, noise_size: f64) -> S
     SwingTrace {
         swing: swing.into(),
         channel: "turn rate about the phone's z".into(),
-        unit: "rad/s".into(),
+        unit: UnitName::RadianPerSecond.into(),
         noise: noise_size,
         t_s,
         measured,
