@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use gyradius_base::language::Language;
 use gyradius_diagnosis::{Criticism, SwingTrace};
 use gyradius_identification::{
     AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
@@ -307,6 +308,7 @@ pub fn keelboat() -> ReportSource {
         applies_to: applies_to.iter().map(|id| id.to_string()).collect(),
     };
     ReportSource {
+        language: Language::English,
         criticism: None,
         measurement: Measurement {
             format: "gyradius-measurement/1".into(),
