@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use gyradius_core::diagnosis::{self, SwingTrace};
+use gyradius_core::diagnosis::{self, Critique, SwingTrace};
 use gyradius_core::procedure::{self, keep_criticism};
 use gyradius_core::report::{Curve, thinned};
 
 use crate::as_json;
-use crate::data::critique::Critique;
 use crate::data::sentence::Sentence;
 use crate::error::Result;
 
@@ -93,7 +92,7 @@ impl Criticism {
 
     /// The result.
     pub fn result(&self) -> Critique {
-        self.inner.critique.clone().into()
+        self.inner.critique.clone()
     }
 
     /// The `gyradius-critique/1` text.

@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 
 use gyradius_core::diagnosis::{
-    self, CauseId, DiscrepancyKind, Gain, ModelResult, NextSwing, ParameterId, Status,
+    CauseResult, CauseVerdict, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
+    ParameterId, ParameterResult,
 };
 use gyradius_core::recording::Excitation;
 
+use super::names::{CauseName, CauseStatus, CoordinateName, KindOfDiscrepancy, UnitText};
 use super::sentence::Sentence;
 use super::{QuantitiesByName, ShiftsByName};
 
@@ -20,34 +22,19 @@ pub struct NamedParameter {
 }
 
 /// Parameters as the core holds them.
-pub type ParametersByName = BTreeMap<ParameterId, diagnosis::ParameterResult>;
+pub type ParametersByName = BTreeMap<ParameterId, ParameterResult>;
 uniffi::custom_type!(ParametersByName, Vec<NamedParameter>, {
     remote,
-    lower: |map| map.into_iter().map(NamedParameter::from).collect(),
-    try_lift: |list| list.into_iter().map(|one| Ok((one.name.parse()?, one.parameter.try_into()?))).collect(),
-});
-
-impl From<(ParameterId, diagnosis::ParameterResult)> for NamedParameter {
-    fn from((id, found): (ParameterId, diagnosis::ParameterResult)) -> Self {
-        let (name, parameter) = (id.to_string(), found.into());
-        Self { name, parameter }
-    }
-}
-
-/// The verdict in one word as the core holds it.
-pub type CauseStatus = Status;
-uniffi::custom_type!(CauseStatus, String, {
-    remote,
-    lower: |status| status.to_string(),
-    try_lift: |text| Ok(text.parse()?),
-});
-
-/// A kind of discrepancy as the core holds it.
-pub type KindOfDiscrepancy = DiscrepancyKind;
-uniffi::custom_type!(KindOfDiscrepancy, String, {
-    remote,
-    lower: |kind| kind.to_string(),
-    try_lift: |text| Ok(text.parse()?),
+    lower: |map| {
+        let named = |(id, parameter): (ParameterId, ParameterResult)| {
+            NamedParameter { name: id.to_string(), parameter }
+        };
+        map.into_iter().map(named).collect()
+    },
+    try_lift: |list| {
+        let keyed = |one: NamedParameter| Ok((one.name.parse()?, one.parameter));
+        list.into_iter().map(keyed).collect()
+    },
 });
 
 /// A force that was learned, at one place.
@@ -74,7 +61,7 @@ uniffi::custom_type!(ForceRow, ForcePoint, {
 });
 
 /// The criticism of a session.
-#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+#[uniffi::remote(Record)]
 pub struct Critique {
     /// `gyradius-critique/1`.
     pub format: String,
@@ -98,35 +85,6 @@ pub struct Critique {
     pub warnings: Vec<Sentence>,
 }
 
-impl From<diagnosis::Critique> for Critique {
-    fn from(inner: diagnosis::Critique) -> Self {
-        let diagnosis::Critique {
-            format,
-            title,
-            baseline,
-            discrepancies,
-            causes,
-            verdict,
-            extended,
-            gain,
-            learned,
-            warnings,
-        } = inner;
-        Self {
-            format,
-            title,
-            baseline,
-            discrepancies: discrepancies.into_iter().map(Discrepancy::from).collect(),
-            causes: causes.into_iter().map(CauseResult::from).collect(),
-            verdict: verdict.into(),
-            extended,
-            gain,
-            learned: learned.map(LearnedForce::from),
-            warnings,
-        }
-    }
-}
-
 /// A simulation fitted to the session.
 #[uniffi::remote(Record)]
 pub struct ModelResult {
@@ -139,7 +97,7 @@ pub struct ModelResult {
 }
 
 /// One thing that the base simulation gets wrong.
-#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+#[uniffi::remote(Record)]
 pub struct Discrepancy {
     /// The swing; empty for what shows between swings.
     pub swing: String,
@@ -148,39 +106,18 @@ pub struct Discrepancy {
     /// How large it is.
     pub size: f64,
     /// Unit of the size.
-    pub unit: String,
+    pub unit: UnitText,
     /// Its significance in standard deviations.
     pub sigma: f64,
     /// In words.
     pub message: Sentence,
 }
 
-impl From<diagnosis::Discrepancy> for Discrepancy {
-    fn from(inner: diagnosis::Discrepancy) -> Self {
-        let diagnosis::Discrepancy {
-            swing,
-            what,
-            size,
-            unit,
-            sigma,
-            message,
-        } = inner;
-        Self {
-            swing,
-            what,
-            size,
-            unit: unit.to_string(),
-            sigma,
-            message,
-        }
-    }
-}
-
 /// A cause that was tried.
-#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+#[uniffi::remote(Record)]
 pub struct CauseResult {
     /// Its name: `quadratic_drag`, `line_stretch`, `stated_length` …
-    pub id: String,
+    pub id: CauseName,
     /// Of the causes tried in its place, that it is this one.
     pub probability: f64,
     /// Logarithm (natural) of the evidence with it over that without.
@@ -193,95 +130,30 @@ pub struct CauseResult {
     pub taken: bool,
 }
 
-impl From<diagnosis::CauseResult> for CauseResult {
-    fn from(inner: diagnosis::CauseResult) -> Self {
-        let diagnosis::CauseResult {
-            id,
-            probability,
-            log_evidence_gain,
-            parameters,
-            message,
-            taken,
-        } = inner;
-        Self {
-            id: id.to_string(),
-            probability,
-            log_evidence_gain,
-            parameters,
-            message,
-            taken,
-        }
-    }
-}
-
 /// A fitted parameter.
-#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+#[uniffi::remote(Record)]
 pub struct ParameterResult {
     /// Value.
     pub value: f64,
     /// Its standard uncertainty.
     pub u: f64,
     /// Unit.
-    pub unit: String,
-}
-
-impl From<diagnosis::ParameterResult> for ParameterResult {
-    fn from(inner: diagnosis::ParameterResult) -> Self {
-        let diagnosis::ParameterResult { value, u, unit } = inner;
-        Self {
-            value,
-            u,
-            unit: unit.to_string(),
-        }
-    }
-}
-
-impl TryFrom<ParameterResult> for diagnosis::ParameterResult {
-    type Error = gyradius_core::Error;
-
-    fn try_from(found: ParameterResult) -> Result<Self, Self::Error> {
-        let ParameterResult { value, u, unit } = found;
-        let unit = unit.parse()?;
-        Ok(Self { value, u, unit })
-    }
+    pub unit: UnitText,
 }
 
 /// What follows from it all.
-#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+#[uniffi::remote(Record)]
 pub struct CauseVerdict {
     /// `adequate`, `explained`, `ambiguous` or `unexplained`.
     pub status: CauseStatus,
     /// Causes named.
-    pub causes: Vec<String>,
+    pub causes: Vec<CauseName>,
     /// Causes that these data cannot tell from those.
-    pub indistinguishable_from: Vec<String>,
+    pub indistinguishable_from: Vec<CauseName>,
     /// The swing that would tell them apart.
     pub next_swing: Option<NextSwing>,
     /// In words.
     pub message: Sentence,
-}
-
-impl From<diagnosis::CauseVerdict> for CauseVerdict {
-    fn from(inner: diagnosis::CauseVerdict) -> Self {
-        let diagnosis::CauseVerdict {
-            status,
-            causes,
-            indistinguishable_from,
-            next_swing,
-            message,
-        } = inner;
-        Self {
-            status,
-            causes: names(&causes),
-            indistinguishable_from: names(&indistinguishable_from),
-            next_swing,
-            message,
-        }
-    }
-}
-
-fn names(causes: &[CauseId]) -> Vec<String> {
-    causes.iter().map(|id| id.to_string()).collect()
 }
 
 /// A swing worth making.
@@ -321,12 +193,12 @@ pub struct Gain {
 }
 
 /// A generalised force learned from the data inside the simulation.
-#[derive(Debug, Clone, PartialEq, uniffi::Record)]
+#[uniffi::remote(Record)]
 pub struct LearnedForce {
-    /// `yaw`, `turn` (pitch or roll), `across` or `along`.
-    pub coordinate: String,
+    /// `yaw`, `pitch`, `roll`, `surge`, `sway` or `all`.
+    pub coordinate: CoordinateName,
     /// Unit of the force.
-    pub unit: String,
+    pub unit: UnitText,
     /// The force at places, rates and times.
     pub points: Vec<ForceRow>,
     /// The simplest closed form that does as well.
@@ -337,27 +209,4 @@ pub struct LearnedForce {
     pub heldout_rms_over_noise: Option<f64>,
     /// The same with the closed form.
     pub closed_heldout_rms_over_noise: Option<f64>,
-}
-
-impl From<diagnosis::LearnedForce> for LearnedForce {
-    fn from(inner: diagnosis::LearnedForce) -> Self {
-        let diagnosis::LearnedForce {
-            coordinate,
-            unit,
-            points,
-            equation,
-            text,
-            heldout_rms_over_noise,
-            closed_heldout_rms_over_noise,
-        } = inner;
-        Self {
-            coordinate: coordinate.to_string(),
-            unit: unit.to_string(),
-            points,
-            equation,
-            text,
-            heldout_rms_over_noise,
-            closed_heldout_rms_over_noise,
-        }
-    }
 }

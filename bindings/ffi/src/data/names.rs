@@ -1,5 +1,6 @@
 //! Names of the core, which are enumerations there and cross as the text that files have.
 
+use gyradius_core::diagnosis::{CauseId, DiscrepancyKind, ForceCoordinate, Status, Unit};
 use gyradius_core::identification::{
     AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
 };
@@ -34,4 +35,14 @@ by_text! {
     InputName = Input,
     /// A stated dimension, or a quantity.
     SubjectName = Subject,
+    /// A cause that the criticism tries.
+    CauseName = CauseId,
+    /// The verdict in one word.
+    CauseStatus = Status,
+    /// What a learned force acts on.
+    CoordinateName = ForceCoordinate,
+    /// A kind of discrepancy.
+    KindOfDiscrepancy = DiscrepancyKind,
+    /// A unit of the criticism's figures.
+    UnitText = Unit,
 }

@@ -7,7 +7,7 @@ use gyradius_core::procedure::{
 };
 use gyradius_core::recording::{Attachment, Quantity, Sensor, Site, Suspension};
 
-use super::critique::CauseStatus;
+use super::names::CauseStatus;
 use super::plan::PlanStep;
 use super::recording::HullBody;
 use super::sentence::Sentence;

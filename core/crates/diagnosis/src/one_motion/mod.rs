@@ -140,7 +140,7 @@ fn quantities(
             interval_95: Some([period.value - half, period.value + half]),
             method: Method::SimulationOfOneMotion,
         };
-        periods.insert(QuantityName::small_period_of(&swing.id), quantity);
+        periods.insert(QuantityName::small_period_of(swing.id), quantity);
     }
     if let Ok(solution) = system.solve(x) {
         write_quantities(&system, &solution, &mut result);

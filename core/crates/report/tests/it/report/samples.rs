@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::str::FromStr;
 
+use gyradius_base::language::Language;
 use gyradius_diagnosis::{Criticism, SwingTrace, UnitName};
 use gyradius_identification::{
     AmplitudePoint, AmplitudeUnit, BudgetLine, Claim, Measurement, Method, ModeResult,
@@ -313,6 +314,7 @@ pub fn keelboat() -> ReportSource {
         applies_to: applies_to.iter().map(|id| id.to_string()).collect(),
     };
     ReportSource {
+        language: Language::English,
         criticism: None,
         measurement: Measurement {
             format: "gyradius-measurement/1".into(),
@@ -364,16 +366,16 @@ fn quantities() -> BTreeMap<QuantityName, QuantityResult> {
         (QuantityName::KPitch, quantity(1.156, 0.0031)),
         (QuantityName::KRoll, quantity(0.625, 0.0042)),
         (QuantityName::CmDepth, quantity(0.923, 0.012)),
-        ("psi_deg".into(), quantity(5.55, 1.4)),
+        (QuantityName::Psi, quantity(5.55, 1.4)),
         (
-            "principal_gyradii_m".into(),
+            QuantityName::PrincipalGyradii,
             whole(
                 Value::Vector([0.618, 1.156, 1.061]),
                 Value::Vector([0.0043, 0.0031, 0.0012]),
             ),
         ),
         (
-            "inertia_kg_m2".into(),
+            QuantityName::Inertia,
             whole(
                 Value::Matrix([[243.2, 0.0, -42.1], [0.0, 832.1, 0.0], [-42.1, 0.0, 695.2]]),
                 Value::Matrix([[3.1, 0.0, 9.4], [0.0, 4.5, 0.0], [9.4, 0.0, 1.3]]),
