@@ -1,5 +1,7 @@
 //! The report in German: no sentence of it is left in English.
 
+#![allow(clippy::expect_used)]
+
 use std::collections::BTreeSet;
 use std::path::Path;
 

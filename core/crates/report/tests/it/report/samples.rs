@@ -24,7 +24,7 @@ use rand_distr::{Distribution, Normal};
 
 /// What a file's name stands for.
 pub fn named<T: FromStr<Err: std::fmt::Debug>>(name: &str) -> T {
-    name.parse().unwrap()
+    name.parse().expect("a name of the core")
 }
 
 fn quantity(value: f64, u: f64) -> QuantityResult {
