@@ -84,7 +84,8 @@ def write_pdf(html: str, output: Path) -> None:
     story = [flowable for body in page.iter("body") for flowable in _walk(body, _styles())]
     buffer = io.BytesIO()
     margins = {f"{side}Margin": MARGIN for side in ("left", "right", "top", "bottom")}
-    SimpleDocTemplate(buffer, pagesize=A4, title=title, lang=page.get("lang"), **margins).build(story, onLaterPages=_number)
+    document = SimpleDocTemplate(buffer, pagesize=A4, title=title, lang=page.get("lang"), **margins)
+    document.build(story, onLaterPages=_number)
     output.write_bytes(buffer.getvalue())
 
 

@@ -137,7 +137,9 @@ def test_plot_of_typed_periods_says_why_there_is_none(keelboat: gyradius.Measure
 
 def test_report_in_german(keelboat: gyradius.Measurement) -> None:
     html = keelboat.to_html("kein Grund", language="de")
-    assert '<html lang="de">' in html and "Trägheitsradius Gieren" in html and "kein Grund." in html
+    assert '<html lang="de">' in html
+    assert "Trägheitsradius Gieren" in html
+    assert "kein Grund." in html
     assert '<html lang="en">' in keelboat.to_html()
     with pytest.raises(gyradius.InputError, match="language"):
         keelboat.to_html(language="fr")
