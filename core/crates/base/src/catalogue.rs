@@ -63,7 +63,7 @@ fn tag(language: Language) -> LanguageIdentifier {
 }
 
 /// The Fluent identifier of a key.
-pub fn identifier(key: &str) -> String {
+pub(crate) fn identifier(key: &str) -> String {
     key.replace('.', "-").replace(' ', "_")
 }
 
@@ -115,7 +115,7 @@ pub fn ids(source: &str) -> impl Iterator<Item = (&str, Vec<&str>)> {
 }
 
 /// With a capital letter at its beginning.
-pub fn capital(text: &str) -> String {
+fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()

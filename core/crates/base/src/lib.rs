@@ -6,7 +6,7 @@
 //! session file* (`hull_pitch_deg`) and ψ are bow up. A standard uncertainty is `u` (or `_se_` for
 //! a fitted figure), one sigma.
 
-pub mod catalogue;
+mod catalogue;
 pub mod constants;
 pub mod error;
 pub mod frames;

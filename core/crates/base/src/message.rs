@@ -179,7 +179,7 @@ pub fn id_in(id: &str, language: Language) -> String {
     id.split('-').map(word).collect::<Vec<_>>().join("-")
 }
 
-pub use catalogue::{capital, texts};
+pub use catalogue::texts;
 
 /// A module for `#[serde(flatten, with = "…")]`: a message in JSON as two keys, its English and
 /// `said`, the message where it has more than that.

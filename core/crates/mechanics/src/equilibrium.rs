@@ -21,7 +21,7 @@ pub struct Equilibrium {
 ///
 /// Where both lines and both halves are alike, the first guess is already the closed form (centre
 /// of mass vertically below the mid-point of the suspension) and the iteration only confirms it.
-pub fn equilibrium(rig: &Rig, body: &RigidBody) -> Result<Equilibrium> {
+pub(crate) fn equilibrium(rig: &Rig, body: &RigidBody) -> Result<Equilibrium> {
     body.check()?;
     let mut pose = first_guess(rig, body);
     for _ in 0..MAX_ITERATIONS {

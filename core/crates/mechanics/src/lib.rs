@@ -30,11 +30,11 @@ mod state;
 mod suspended;
 mod trajectory;
 
-pub use equilibrium::{Equilibrium, equilibrium};
+pub use equilibrium::Equilibrium;
 pub use experiment::{Draws, Experiment, Record};
 pub use numbers::{Number, Numbers};
 pub use path::{Fineness, Moment, Path, Slack};
-pub use phone::{Mounted, Phone, Reading, rotated};
+pub use phone::{Mounted, Phone, Reading};
 pub use pose::Pose;
 pub use real::{Dual, M3, Real, V3};
 pub use rig::{Hanging, Line, Rig, RigidBody, SuspensionAxis};
@@ -44,7 +44,4 @@ pub use small::{
     ModeKind, SmallEffects, SmallModes, compound_pendulum_period_s, mode_kind, small_modes,
 };
 pub use start::Start;
-pub use suspended::{Cord, MOST_LINES, Spring, Suspended};
-pub use trajectory::{
-    Damping, ModalPart, Sampling, State, Trajectory, initial_state, placed, simulate,
-};
+pub use trajectory::{Damping, ModalPart, Sampling, State, Trajectory, initial_state, simulate};

@@ -2,7 +2,7 @@
 
 use super::numbers::numbers;
 use super::path::Moment;
-use super::real::{M3, Real, V3, constant, times};
+use super::real::{M3, Real, V3, times};
 use super::state::matrix;
 use gyradius_base::frames::Rotation;
 
@@ -64,7 +64,7 @@ impl<S: Real> Reading<S> {
 /// The shift is in hull axes. The turn is a rotation vector in phone axes, about an axis that
 /// stays, or small.
 #[derive(Debug, Clone, Copy)]
-pub struct Offset<S: Real> {
+pub(crate) struct Offset<S: Real> {
     /// m.
     pub shift: V3<S>,
     /// m/s.
@@ -134,7 +134,7 @@ impl<S: Real> Mounted<S> {
 
     /// Readings while the phone moves against the hull as well, by several motions one upon the
     /// other.
-    pub fn read_moving(&self, moment: &Moment<S>, offsets: &[Offset<S>]) -> Reading<S> {
+    pub(crate) fn read_moving(&self, moment: &Moment<S>, offsets: &[Offset<S>]) -> Reading<S> {
         let mut arm = self.arm;
         let mut own = V3::zeros();
         for offset in offsets {
@@ -200,10 +200,4 @@ pub(crate) fn rotation<S: Real>(vector: &V3<S>) -> M3<S> {
     };
     let v = vector * sinc;
     matrix(&[cos, v.x, v.y, v.z])
-}
-
-/// The same for plain numbers, as a [`Rotation`].
-pub fn rotated(nominal: &Rotation, phone: &Phone) -> Rotation {
-    let turn = nalgebra::Vector3::new(phone.turn_x_rad, phone.turn_y_rad, phone.turn_z_rad);
-    nominal * Rotation::from_scaled_axis(constant::<f64>(&turn))
 }

@@ -17,7 +17,7 @@ pub(crate) const MEMORY: usize = 14;
 
 /// The body at one instant.
 #[derive(Debug, Clone, Copy)]
-pub struct Now<S: Real> {
+pub(crate) struct Now<S: Real> {
     /// Time, s.
     pub t_s: S,
     /// Centre of mass, world axes, m.

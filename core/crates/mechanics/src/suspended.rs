@@ -3,11 +3,11 @@
 use super::real::{M3, Real, V3};
 
 /// Most lines: two inverted Vs have four.
-pub const MOST_LINES: usize = 4;
+pub(crate) const MOST_LINES: usize = 4;
 
 /// A line without mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cord<S> {
+pub(crate) struct Cord<S> {
     /// Upper end, world axes, m.
     pub top_m: V3<S>,
     /// Lower end, hull axes, from the mid-point of the suspension points, m.
@@ -18,7 +18,7 @@ pub struct Cord<S> {
 
 /// Springs in place of lines of fixed length.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spring<S> {
+pub(crate) struct Spring<S> {
     /// Tension per stretch of each line, N/m.
     pub stiffness_n_m: S,
     /// Tension per rate of stretch, N s/m.
@@ -27,7 +27,7 @@ pub struct Spring<S> {
 
 /// The body and what it hangs on.
 #[derive(Debug)]
-pub struct Suspended<S: Real> {
+pub(crate) struct Suspended<S: Real> {
     /// Mass, kg.
     pub mass_kg: S,
     /// Inertia about the centre of mass, hull axes, kg m².

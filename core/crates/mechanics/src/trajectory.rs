@@ -130,7 +130,7 @@ fn raised(rig: &Rig, body: &RigidBody, rest: &Pose, displacement: Vector6<f64>) 
 }
 
 /// The nearest state that keeps the lines' lengths.
-pub fn placed(rig: &Rig, body: &RigidBody, state: &State) -> Result<State> {
+pub(crate) fn placed(rig: &Rig, body: &RigidBody, state: &State) -> Result<State> {
     let equations = equations(rig, body, &Damping::default())?;
     let mut y = vector(&equations, state);
     equations.project(&mut y, PLACING_ITERATIONS);

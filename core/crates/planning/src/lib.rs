@@ -41,4 +41,4 @@ pub use step::{PlannedIncline, PlannedSwing, Step};
 pub use suggested::suggested;
 pub use tell_apart::plan_to_tell_apart;
 pub use wanted::Wanted;
-pub use warnings::{NEAR_IN_PHASE, Warning, WarningKind};
+pub use warnings::{Warning, WarningKind};

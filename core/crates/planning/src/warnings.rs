@@ -14,7 +14,7 @@ use gyradius_recording::{Excitation, ModeName};
 
 /// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %,
 /// Fig. 15).
-pub const NEAR_IN_PHASE: f64 = 0.03;
+const NEAR_IN_PHASE: f64 = 0.03;
 /// Lines are watched for so many periods of the slowest motion.
 const WATCHED_PERIODS: f64 = 4.0;
 

@@ -45,6 +45,6 @@ pub use toml_write::write_session;
 pub use domain::Domain;
 pub use keys::Table;
 pub use load::utf8;
-pub use replace::{partial_of, replace_file};
+pub use replace::replace_file;
 pub use toml_read::{ROOT, session, with_root};
 pub use toml_swing::SWING;

@@ -25,7 +25,7 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<()> {
 }
 
 /// Where a file is written before it takes its name.
-pub fn partial_of(path: &Path) -> PathBuf {
+pub(crate) fn partial_of(path: &Path) -> PathBuf {
     let mut partial: OsString = path.as_os_str().to_owned();
     partial.push(".partial");
     PathBuf::from(partial)

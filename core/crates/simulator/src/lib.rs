@@ -17,7 +17,7 @@ mod truth;
 pub use feed::{Feed, Heard, Silence};
 pub use job::{Practised, practise, save_practised};
 pub use rehung::{Mistakes, Release};
-pub use rig::{RIG_FORMAT, RigFile, RiggedSwing, read_rig, read_rig_bytes};
+pub use rig::{RIG_FORMAT, RigFile, RiggedSwing, read_rig};
 pub use sampling::Sampling;
 pub use simulated::{Simulated, Variation, read_rig_file};
 pub use truth::Truth;

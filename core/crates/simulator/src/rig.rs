@@ -56,7 +56,7 @@ pub fn read_rig(text: &str, file_name: &str) -> Result<RigFile> {
 }
 
 /// The same from the bytes of a file.
-pub fn read_rig_bytes(bytes: &[u8], file_name: &str) -> Result<RigFile> {
+pub(crate) fn read_rig_bytes(bytes: &[u8], file_name: &str) -> Result<RigFile> {
     read_rig(utf8(bytes, file_name)?, file_name)
 }
 

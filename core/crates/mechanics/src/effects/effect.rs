@@ -9,7 +9,7 @@ use crate::suspended::{Cord, MOST_LINES, Suspended};
 
 /// Force and torque on the body beside the lines' pull.
 #[derive(Debug, Clone, Copy)]
-pub struct Loads<S: Real> {
+pub(crate) struct Loads<S: Real> {
     /// At the centre of mass, world axes, N.
     pub force: V3<S>,
     /// About the centre of mass, hull axes, N m.
@@ -18,7 +18,7 @@ pub struct Loads<S: Real> {
 
 /// Masses that move with the body, and the forces that come with them; hull axes throughout.
 #[derive(Debug, Clone, Copy)]
-pub struct AddedMass<S: Real> {
+pub(crate) struct AddedMass<S: Real> {
     /// Of `[acceleration of the centre of mass; angular acceleration]`.
     pub matrix: [[S; 6]; 6],
     /// N.
@@ -90,7 +90,7 @@ impl<S: Real> AddedMass<S> {
 
 /// A support that moves: the upper ends of all lines together.
 #[derive(Debug, Clone, Copy)]
-pub struct Support<S: Real> {
+pub(crate) struct Support<S: Real> {
     /// World axes, m.
     pub offset: V3<S>,
     /// m/s.
@@ -103,7 +103,7 @@ pub struct Support<S: Real> {
 
 /// What the equations of motion were solved for.
 #[derive(Debug, Clone, Copy)]
-pub struct Solved<S: Real> {
+pub(crate) struct Solved<S: Real> {
     /// Of the centre of mass, world axes, m/s².
     pub acceleration: V3<S>,
     /// Hull axes, rad/s².
@@ -127,7 +127,7 @@ impl<S: Real> Default for Solved<S> {
 }
 
 /// The law of an effect. Every part is optional.
-pub trait Effect<S: Real>: Debug {
+pub(crate) trait Effect<S: Real>: Debug {
     /// Changes the rig or the body before the motion begins.
     fn set_up(&self, _system: &mut Suspended<S>) {}
     /// Force and torque.

@@ -1,6 +1,6 @@
 //! What the simple theory leaves out, each effect a named part that is switched on by listing it.
 //!
-//! An effect is a structure of named numbers ([`Numbers`]) with a law ([`Effect`]), in a file of
+//! An effect is a structure of named numbers ([`Numbers`]) with a law (`Effect`), in a file of
 //! its own, and a line in the registry below.
 //!
 //! `pitch_coupling` is not among them: the exchange of a combined yaw and sway with the pitch (T.
@@ -40,31 +40,31 @@ mod support_compliance;
 mod unequal_lines;
 mod wind;
 
-pub use super::state::Now;
-pub use added_mass::EntrainedAir;
-pub use amplitude_added_mass::AmplitudeAddedMass;
-pub use bearing_friction::BearingFriction;
-pub use buoyancy::Buoyancy;
-pub use effect::{AddedMass, Described, Effect, EffectKind, Loads, Solved, Support};
-pub use internal_motion::InternalMotion;
+use added_mass::EntrainedAir;
+use amplitude_added_mass::AmplitudeAddedMass;
+use bearing_friction::BearingFriction;
+use buoyancy::Buoyancy;
+pub(crate) use effect::{AddedMass, Effect, Loads, Solved, Support};
+pub use effect::{Described, EffectKind};
+use internal_motion::InternalMotion;
 pub use knock::Knock;
-pub use learned_force::LearnedForce;
-pub use line_creep::LineCreep;
-pub use line_mass::LineMass;
-pub use line_slip::LineSlip;
-pub use line_stretch::LineStretch;
-pub use line_torsion::LineTorsion;
-pub use linear_damping::LinearDamping;
-pub use nonparallel_lines::NonparallelLines;
-pub use off_centre_cm::OffCentreCm;
-pub use power_law_damping::PowerLawDamping;
-pub use presliding_bearing::PreslidingBearing;
-pub use quadratic_drag::QuadraticDrag;
-pub use stated_length::StatedLength;
-pub use stated_spacing::StatedSpacing;
-pub use support_compliance::SupportCompliance;
-pub use unequal_lines::UnequalLines;
-pub use wind::Wind;
+use learned_force::LearnedForce;
+use line_creep::LineCreep;
+use line_mass::LineMass;
+use line_slip::LineSlip;
+use line_stretch::LineStretch;
+use line_torsion::LineTorsion;
+pub(crate) use linear_damping::LinearDamping;
+use nonparallel_lines::NonparallelLines;
+use off_centre_cm::OffCentreCm;
+use power_law_damping::PowerLawDamping;
+use presliding_bearing::PreslidingBearing;
+use quadratic_drag::QuadraticDrag;
+use stated_length::StatedLength;
+use stated_spacing::StatedSpacing;
+use support_compliance::SupportCompliance;
+use unequal_lines::UnequalLines;
+use wind::Wind;
 
 /// An effect and the values of its numbers.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,7 +9,7 @@ use gyradius_base::error::Result;
 
 /// One of the two sensors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sensor {
+pub(crate) enum Sensor {
     /// Angular rate.
     Gyroscope,
     /// Specific force.
@@ -17,7 +17,7 @@ pub enum Sensor {
 }
 
 /// The hull's motion as a phone meets it.
-pub struct Ride<'a, S: Real> {
+pub(crate) struct Ride<'a, S: Real> {
     /// The hull at a time, s.
     pub hull: &'a dyn Fn(S) -> Moment<S>,
     /// Where the phone sits.
@@ -29,10 +29,10 @@ pub struct Ride<'a, S: Real> {
 }
 
 /// The phone's own motion against the hull, by time.
-pub type OwnMotion<'a, S> = Box<dyn Fn(S) -> Offset<S> + 'a>;
+pub(crate) type OwnMotion<'a, S> = Box<dyn Fn(S) -> Offset<S> + 'a>;
 
 /// The law of a sensor's effect. Every part is optional.
-pub trait SensorEffect<S: Real>: Debug {
+pub(crate) trait SensorEffect<S: Real>: Debug {
     /// Refuses numbers that the law has no meaning for.
     fn check(&self) -> Result<()> {
         Ok(())

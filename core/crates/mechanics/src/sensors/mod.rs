@@ -1,7 +1,7 @@
 //! What a phone's sensors do to what they feel, each effect a named part that is switched on by
 //! listing it.
 //!
-//! An effect is a structure of named numbers ([`Numbers`]) with a law ([`SensorEffect`]), in a file
+//! An effect is a structure of named numbers ([`Numbers`]) with a law (`SensorEffect`), in a file
 //! of its own, and a line in the registry below. Laws act in the order of the signal, whatever the
 //! order of the list: the phone's own motion against the hull, the clock, the filter, errors of the
 //! sensor, noise, conversion to figures.
@@ -34,22 +34,22 @@ mod saturation;
 mod scale;
 mod white_noise;
 
-pub use super::phone::Offset;
-pub use bias_drift::BiasDrift;
-pub use clock_scale::ClockScale;
-pub use coloured_noise::ColouredNoise;
-pub use cross_axis::CrossAxis;
-pub use delay::Delay;
-pub use drop_outs::DropOuts;
-pub use effect::{OwnMotion, Ride, Sensor, SensorDescribed, SensorEffect};
-pub use jitter::Jitter;
-pub use low_pass::LowPass;
-pub use phone_mount_resonance::PhoneMountResonance;
+use bias_drift::BiasDrift;
+use clock_scale::ClockScale;
+use coloured_noise::ColouredNoise;
+use cross_axis::CrossAxis;
+use delay::Delay;
+use drop_outs::DropOuts;
+pub use effect::SensorDescribed;
+pub(crate) use effect::{OwnMotion, Ride, Sensor, SensorEffect};
+use jitter::Jitter;
+use low_pass::LowPass;
+use phone_mount_resonance::PhoneMountResonance;
 pub use phone_slip::PhoneSlip;
-pub use quantisation::Quantisation;
-pub use saturation::Saturation;
-pub use scale::{AccScale, GyroScale};
-pub use white_noise::WhiteNoise;
+use quantisation::Quantisation;
+use saturation::Saturation;
+use scale::{AccScale, GyroScale};
+use white_noise::WhiteNoise;
 
 macro_rules! registry {
     ($($effect:ident),* $(,)?) => {

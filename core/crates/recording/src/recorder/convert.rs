@@ -8,7 +8,8 @@ use super::damage::Damage;
 use super::merge::{Merge, seconds};
 use super::reader::Reader;
 use super::types::{Event, Header, Piece, Stream};
-use crate::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor, partial_of};
+use crate::replace::partial_of;
+use crate::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
 use gyradius_base::error::{Error, Result};
 
 /// Writes a recorder's file as `<name>.csv` into the folder of a session, and beside it
