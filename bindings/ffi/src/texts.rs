@@ -63,7 +63,7 @@ pub fn route_in(method: &str, language: Language) -> String {
 #[uniffi::export]
 pub fn cause_in(id: &str, language: Language) -> String {
     // A name from the outside that is no cause is told as it is spelled.
-    id.parse().map_or_else(
+    id.parse::<diagnosis::CauseId>().map_or_else(
         |_| message::spaced(id),
         |id| diagnosis::cause_name(id, language),
     )
