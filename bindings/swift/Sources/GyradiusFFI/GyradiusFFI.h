@@ -271,7 +271,7 @@ void uniffi_gyradius_ffi_fn_free_analysis(uint64_t handle, RustCallStatus *_Nonn
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_FIGURES
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_FIGURES
-RustBuffer uniffi_gyradius_ffi_fn_method_analysis_figures(uint64_t ptr, RustBuffer criticism, RustCallStatus *_Nonnull out_status
+RustBuffer uniffi_gyradius_ffi_fn_method_analysis_figures(uint64_t ptr, RustBuffer criticism, RustBuffer language, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_JSON
@@ -281,12 +281,12 @@ RustBuffer uniffi_gyradius_ffi_fn_method_analysis_json(uint64_t ptr, RustCallSta
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_RECORDINGS
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_RECORDINGS
-RustBuffer uniffi_gyradius_ffi_fn_method_analysis_recordings(uint64_t ptr, RustCallStatus *_Nonnull out_status
+RustBuffer uniffi_gyradius_ffi_fn_method_analysis_recordings(uint64_t ptr, RustBuffer language, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_REPORT_HTML_BLOCKING
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_REPORT_HTML_BLOCKING
-RustBuffer uniffi_gyradius_ffi_fn_method_analysis_report_html_blocking(uint64_t ptr, RustBuffer criticism, RustBuffer measured_on, RustBuffer listener, RustCallStatus *_Nonnull out_status
+RustBuffer uniffi_gyradius_ffi_fn_method_analysis_report_html_blocking(uint64_t ptr, RustBuffer criticism, RustBuffer measured_on, RustBuffer language, RustBuffer listener, RustCallStatus *_Nonnull out_status
 );
 #endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_RESULT

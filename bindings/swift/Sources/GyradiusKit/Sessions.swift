@@ -50,8 +50,7 @@ extension Analysis {
     onProgress: OnProgress? = nil
   ) async throws -> String {
     try await watched(onProgress) {
-      try self.reportHtmlBlocking(
-        criticism: criticism, measuredOn: measuredOn, language: language, listener: $0)
+      try self.reportHtmlBlocking(criticism: criticism, measuredOn: measuredOn, language: language, listener: $0)
     }
   }
 }

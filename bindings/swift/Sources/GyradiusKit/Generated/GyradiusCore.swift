@@ -645,9 +645,9 @@ fileprivate struct FfiConverterData: FfiConverterRustBuffer {
 public protocol AnalysisProtocol: AnyObject, Sendable {
     
     /**
-     * The report's pictures by themselves.
+     * The report's pictures by themselves, in a language.
      */
-    func figures(criticism: Criticism?)  -> [ReportFigure]
+    func figures(criticism: Criticism?, language: Language)  -> [ReportFigure]
     
     /**
      * The `gyradius-measurement/1` text.
@@ -655,16 +655,18 @@ public protocol AnalysisProtocol: AnyObject, Sendable {
     func json() throws  -> String
     
     /**
-     * What was recorded, with fit, residual and spectrum, thinned for plots.
+     * What was recorded, with fit, residual and spectrum, thinned for plots; channels and modes by
+     * their names in a language.
      */
-    func recordings()  -> [RecordingFigureData]
+    func recordings(language: Language)  -> [RecordingFigureData]
     
     /**
-     * The report: one self-contained HTML file, with the session's criticism where one is given.
+     * The report: one self-contained HTML file in a language, with the session's criticism where
+     * one is given.
      * `measured_on` is the date as the operator writes it, in the place of the session's own; the
      * report leaves a blank where neither is there.
      */
-    func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, listener: ProgressListener?) throws  -> String
+    func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, language: Language, listener: ProgressListener?) throws  -> String
     
     /**
      * The result.
@@ -729,14 +731,15 @@ open class Analysis: AnalysisProtocol, @unchecked Sendable {
 
     
     /**
-     * The report's pictures by themselves.
+     * The report's pictures by themselves, in a language.
      */
-open func figures(criticism: Criticism?) -> [ReportFigure]  {
+open func figures(criticism: Criticism?, language: Language) -> [ReportFigure]  {
     return try!  FfiConverterSequenceTypeReportFigure.lift(try! rustCall() {
         uniffiCallStatus in
     uniffi_gyradius_ffi_fn_method_analysis_figures(
             self.uniffiCloneHandle(),
-        FfiConverterOptionTypeCriticism.lower(criticism),uniffiCallStatus
+        FfiConverterOptionTypeCriticism.lower(criticism),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
     )
 })
 }
@@ -754,29 +757,33 @@ open func json()throws  -> String  {
 }
     
     /**
-     * What was recorded, with fit, residual and spectrum, thinned for plots.
+     * What was recorded, with fit, residual and spectrum, thinned for plots; channels and modes by
+     * their names in a language.
      */
-open func recordings() -> [RecordingFigureData]  {
+open func recordings(language: Language) -> [RecordingFigureData]  {
     return try!  FfiConverterSequenceTypeRecordingFigureData.lift(try! rustCall() {
         uniffiCallStatus in
     uniffi_gyradius_ffi_fn_method_analysis_recordings(
-            self.uniffiCloneHandle(),uniffiCallStatus
+            self.uniffiCloneHandle(),
+        FfiConverterTypeLanguage_lower(language),uniffiCallStatus
     )
 })
 }
     
     /**
-     * The report: one self-contained HTML file, with the session's criticism where one is given.
+     * The report: one self-contained HTML file in a language, with the session's criticism where
+     * one is given.
      * `measured_on` is the date as the operator writes it, in the place of the session's own; the
      * report leaves a blank where neither is there.
      */
-open func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, listener: ProgressListener?)throws  -> String  {
+open func reportHtmlBlocking(criticism: Criticism?, measuredOn: String?, language: Language, listener: ProgressListener?)throws  -> String  {
     return try  FfiConverterString.lift(try rustCallWithError(FfiConverterTypeGyradiusError_lift) {
         uniffiCallStatus in
     uniffi_gyradius_ffi_fn_method_analysis_report_html_blocking(
             self.uniffiCloneHandle(),
         FfiConverterOptionTypeCriticism.lower(criticism),
         FfiConverterOptionString.lower(measuredOn),
+        FfiConverterTypeLanguage_lower(language),
         FfiConverterOptionTypeProgressListener.lower(listener),uniffiCallStatus
     )
 })
@@ -6258,7 +6265,7 @@ public struct LearnedForce: Equatable, Hashable {
     /**
      * The same in words.
      */
-    public let text: String
+    public let message: Sentence
     /**
      * Held-out residual over noise with the force in the simulation.
      */
@@ -6285,7 +6292,7 @@ public struct LearnedForce: Equatable, Hashable {
          */equation: String, 
         /**
          * The same in words.
-         */text: String, 
+         */message: Sentence, 
         /**
          * Held-out residual over noise with the force in the simulation.
          */heldoutRmsOverNoise: Double?, 
@@ -6296,7 +6303,7 @@ public struct LearnedForce: Equatable, Hashable {
         self.unit = unit
         self.points = points
         self.equation = equation
-        self.text = text
+        self.message = message
         self.heldoutRmsOverNoise = heldoutRmsOverNoise
         self.closedHeldoutRmsOverNoise = closedHeldoutRmsOverNoise
     }
@@ -6321,7 +6328,7 @@ public struct FfiConverterTypeLearnedForce: FfiConverterRustBuffer {
                 unit: FfiConverterString.read(from: &buf), 
                 points: FfiConverterSequenceTypeForceRow.read(from: &buf), 
                 equation: FfiConverterString.read(from: &buf), 
-                text: FfiConverterString.read(from: &buf), 
+                message: FfiConverterTypeSentence.read(from: &buf), 
                 heldoutRmsOverNoise: FfiConverterOptionDouble.read(from: &buf), 
                 closedHeldoutRmsOverNoise: FfiConverterOptionDouble.read(from: &buf)
         )
@@ -6332,7 +6339,7 @@ public struct FfiConverterTypeLearnedForce: FfiConverterRustBuffer {
         FfiConverterString.write(value.unit, into: &buf)
         FfiConverterSequenceTypeForceRow.write(value.points, into: &buf)
         FfiConverterString.write(value.equation, into: &buf)
-        FfiConverterString.write(value.text, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
         FfiConverterOptionDouble.write(value.heldoutRmsOverNoise, into: &buf)
         FfiConverterOptionDouble.write(value.closedHeldoutRmsOverNoise, into: &buf)
     }
@@ -19202,16 +19209,16 @@ private let initializationResult: InitializationResult = {
     if (uniffi_gyradius_ffi_checksum_func_warning_in() != 28542) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_analysis_figures() != 20605) {
+    if (uniffi_gyradius_ffi_checksum_method_analysis_figures() != 57621) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_json() != 57079) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_analysis_recordings() != 48787) {
+    if (uniffi_gyradius_ffi_checksum_method_analysis_recordings() != 3321) {
         return InitializationResult.apiChecksumMismatch
     }
-    if (uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() != 41751) {
+    if (uniffi_gyradius_ffi_checksum_method_analysis_report_html_blocking() != 28384) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_result() != 64973) {
