@@ -165,8 +165,9 @@ blind-tools: $(BIN)/maturin
 	@$(BIN)/python -m pip --quiet install -r tests/requirements.txt
 
 # The schemas of the program's JSON, from its types.
+# The same selection as of test-rust, so that nothing is compiled twice.
 schemas:
-	@GYRADIUS_WRITE_SCHEMAS=1 cargo test -p gyradius-core --test it committed_schemas
+	@GYRADIUS_WRITE_SCHEMAS=1 cargo test $(CRATES) --test it committed_schemas
 
 # Which crate uses which, in ARCHITECTURE.md.
 graph:

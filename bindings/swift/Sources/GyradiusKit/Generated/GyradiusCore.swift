@@ -3796,7 +3796,7 @@ public struct AssumedHull: Equatable, Hashable {
     /**
      * Where each figure comes from.
      */
-    public let sources: TextsByName
+    public let sources: SourcesByName
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -3827,7 +3827,7 @@ public struct AssumedHull: Equatable, Hashable {
          */psiDeg: Quantity, 
         /**
          * Where each figure comes from.
-         */sources: TextsByName) {
+         */sources: SourcesByName) {
         self.massKg = massKg
         self.lengthM = lengthM
         self.beamM = beamM
@@ -3863,7 +3863,7 @@ public struct FfiConverterTypeAssumedHull: FfiConverterRustBuffer {
                 kRollM: FfiConverterTypeQuantity.read(from: &buf), 
                 cmDepthM: FfiConverterTypeQuantity.read(from: &buf), 
                 psiDeg: FfiConverterTypeQuantity.read(from: &buf), 
-                sources: FfiConverterTypeTextsByName.read(from: &buf)
+                sources: FfiConverterTypeSourcesByName.read(from: &buf)
         )
     }
 
@@ -3876,7 +3876,7 @@ public struct FfiConverterTypeAssumedHull: FfiConverterRustBuffer {
         FfiConverterTypeQuantity.write(value.kRollM, into: &buf)
         FfiConverterTypeQuantity.write(value.cmDepthM, into: &buf)
         FfiConverterTypeQuantity.write(value.psiDeg, into: &buf)
-        FfiConverterTypeTextsByName.write(value.sources, into: &buf)
+        FfiConverterTypeSourcesByName.write(value.sources, into: &buf)
     }
 }
 
@@ -4150,7 +4150,7 @@ public struct BudgetLine: Equatable, Hashable {
     /**
      * The input.
      */
-    public let input: String
+    public let input: InputName
     /**
      * |sensitivity| × u(input), unit of the quantity.
      */
@@ -4161,7 +4161,7 @@ public struct BudgetLine: Equatable, Hashable {
     public init(
         /**
          * The input.
-         */input: String, 
+         */input: InputName, 
         /**
          * |sensitivity| × u(input), unit of the quantity.
          */uContribution: Double) {
@@ -4185,13 +4185,13 @@ public struct FfiConverterTypeBudgetLine: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> BudgetLine {
         return
             try BudgetLine(
-                input: FfiConverterString.read(from: &buf), 
+                input: FfiConverterTypeInputName.read(from: &buf), 
                 uContribution: FfiConverterDouble.read(from: &buf)
         )
     }
 
     public static func write(_ value: BudgetLine, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.input, into: &buf)
+        FfiConverterTypeInputName.write(value.input, into: &buf)
         FfiConverterDouble.write(value.uContribution, into: &buf)
     }
 }
@@ -4219,7 +4219,7 @@ public struct CauseResult: Equatable, Hashable {
     /**
      * Its name: `quadratic_drag`, `line_stretch`, `stated_length` …
      */
-    public let id: String
+    public let id: CauseName
     /**
      * Of the causes tried in its place, that it is this one.
      */
@@ -4246,7 +4246,7 @@ public struct CauseResult: Equatable, Hashable {
     public init(
         /**
          * Its name: `quadratic_drag`, `line_stretch`, `stated_length` …
-         */id: String, 
+         */id: CauseName, 
         /**
          * Of the causes tried in its place, that it is this one.
          */probability: Double, 
@@ -4286,7 +4286,7 @@ public struct FfiConverterTypeCauseResult: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> CauseResult {
         return
             try CauseResult(
-                id: FfiConverterString.read(from: &buf), 
+                id: FfiConverterTypeCauseName.read(from: &buf), 
                 probability: FfiConverterDouble.read(from: &buf), 
                 logEvidenceGain: FfiConverterDouble.read(from: &buf), 
                 parameters: FfiConverterTypeParametersByName.read(from: &buf), 
@@ -4296,7 +4296,7 @@ public struct FfiConverterTypeCauseResult: FfiConverterRustBuffer {
     }
 
     public static func write(_ value: CauseResult, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.id, into: &buf)
+        FfiConverterTypeCauseName.write(value.id, into: &buf)
         FfiConverterDouble.write(value.probability, into: &buf)
         FfiConverterDouble.write(value.logEvidenceGain, into: &buf)
         FfiConverterTypeParametersByName.write(value.parameters, into: &buf)
@@ -4332,11 +4332,11 @@ public struct CauseVerdict: Equatable, Hashable {
     /**
      * Causes named.
      */
-    public let causes: [String]
+    public let causes: [CauseName]
     /**
      * Causes that these data cannot tell from those.
      */
-    public let indistinguishableFrom: [String]
+    public let indistinguishableFrom: [CauseName]
     /**
      * The swing that would tell them apart.
      */
@@ -4354,10 +4354,10 @@ public struct CauseVerdict: Equatable, Hashable {
          */status: CauseStatus, 
         /**
          * Causes named.
-         */causes: [String], 
+         */causes: [CauseName], 
         /**
          * Causes that these data cannot tell from those.
-         */indistinguishableFrom: [String], 
+         */indistinguishableFrom: [CauseName], 
         /**
          * The swing that would tell them apart.
          */nextSwing: NextSwing?, 
@@ -4388,8 +4388,8 @@ public struct FfiConverterTypeCauseVerdict: FfiConverterRustBuffer {
         return
             try CauseVerdict(
                 status: FfiConverterTypeCauseStatus.read(from: &buf), 
-                causes: FfiConverterSequenceString.read(from: &buf), 
-                indistinguishableFrom: FfiConverterSequenceString.read(from: &buf), 
+                causes: FfiConverterSequenceTypeCauseName.read(from: &buf), 
+                indistinguishableFrom: FfiConverterSequenceTypeCauseName.read(from: &buf), 
                 nextSwing: FfiConverterOptionTypeNextSwing.read(from: &buf), 
                 message: FfiConverterTypeSentence.read(from: &buf)
         )
@@ -4397,8 +4397,8 @@ public struct FfiConverterTypeCauseVerdict: FfiConverterRustBuffer {
 
     public static func write(_ value: CauseVerdict, into buf: inout [UInt8]) {
         FfiConverterTypeCauseStatus.write(value.status, into: &buf)
-        FfiConverterSequenceString.write(value.causes, into: &buf)
-        FfiConverterSequenceString.write(value.indistinguishableFrom, into: &buf)
+        FfiConverterSequenceTypeCauseName.write(value.causes, into: &buf)
+        FfiConverterSequenceTypeCauseName.write(value.indistinguishableFrom, into: &buf)
         FfiConverterOptionTypeNextSwing.write(value.nextSwing, into: &buf)
         FfiConverterTypeSentence.write(value.message, into: &buf)
     }
@@ -4427,7 +4427,7 @@ public struct Claim: Equatable, Hashable {
     /**
      * What is claimed: a stated dimension, or a route such as `k_yaw_m`.
      */
-    public let claim: String
+    public let claim: SubjectName
     /**
      * As stated, or by the first route.
      */
@@ -4474,7 +4474,7 @@ public struct Claim: Equatable, Hashable {
     public init(
         /**
          * What is claimed: a stated dimension, or a route such as `k_yaw_m`.
-         */claim: String, 
+         */claim: SubjectName, 
         /**
          * As stated, or by the first route.
          */stated: Double, 
@@ -4534,7 +4534,7 @@ public struct FfiConverterTypeClaim: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Claim {
         return
             try Claim(
-                claim: FfiConverterString.read(from: &buf), 
+                claim: FfiConverterTypeSubjectName.read(from: &buf), 
                 stated: FfiConverterDouble.read(from: &buf), 
                 statedU: FfiConverterDouble.read(from: &buf), 
                 implied: FfiConverterDouble.read(from: &buf), 
@@ -4549,7 +4549,7 @@ public struct FfiConverterTypeClaim: FfiConverterRustBuffer {
     }
 
     public static func write(_ value: Claim, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.claim, into: &buf)
+        FfiConverterTypeSubjectName.write(value.claim, into: &buf)
         FfiConverterDouble.write(value.stated, into: &buf)
         FfiConverterDouble.write(value.statedU, into: &buf)
         FfiConverterDouble.write(value.implied, into: &buf)
@@ -5172,7 +5172,7 @@ public struct Discrepancy: Equatable, Hashable {
     /**
      * Unit of the size.
      */
-    public let unit: String
+    public let unit: UnitText
     /**
      * Its significance in standard deviations.
      */
@@ -5196,7 +5196,7 @@ public struct Discrepancy: Equatable, Hashable {
          */size: Double, 
         /**
          * Unit of the size.
-         */unit: String, 
+         */unit: UnitText, 
         /**
          * Its significance in standard deviations.
          */sigma: Double, 
@@ -5230,7 +5230,7 @@ public struct FfiConverterTypeDiscrepancy: FfiConverterRustBuffer {
                 swing: FfiConverterString.read(from: &buf), 
                 what: FfiConverterTypeKindOfDiscrepancy.read(from: &buf), 
                 size: FfiConverterDouble.read(from: &buf), 
-                unit: FfiConverterString.read(from: &buf), 
+                unit: FfiConverterTypeUnitText.read(from: &buf), 
                 sigma: FfiConverterDouble.read(from: &buf), 
                 message: FfiConverterTypeSentence.read(from: &buf)
         )
@@ -5240,7 +5240,7 @@ public struct FfiConverterTypeDiscrepancy: FfiConverterRustBuffer {
         FfiConverterString.write(value.swing, into: &buf)
         FfiConverterTypeKindOfDiscrepancy.write(value.what, into: &buf)
         FfiConverterDouble.write(value.size, into: &buf)
-        FfiConverterString.write(value.unit, into: &buf)
+        FfiConverterTypeUnitText.write(value.unit, into: &buf)
         FfiConverterDouble.write(value.sigma, into: &buf)
         FfiConverterTypeSentence.write(value.message, into: &buf)
     }
@@ -5380,7 +5380,7 @@ public struct Gain: Equatable, Hashable {
     /**
      * Change of every quantity that both models give.
      */
-    public let shifts: NumbersByName
+    public let shifts: ShiftsByName
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -5396,7 +5396,7 @@ public struct Gain: Equatable, Hashable {
          */kYawShiftM: Double?, 
         /**
          * Change of every quantity that both models give.
-         */shifts: NumbersByName) {
+         */shifts: ShiftsByName) {
         self.heldoutRmsRatio = heldoutRmsRatio
         self.logScorePerSample = logScorePerSample
         self.kYawShiftM = kYawShiftM
@@ -5422,7 +5422,7 @@ public struct FfiConverterTypeGain: FfiConverterRustBuffer {
                 heldoutRmsRatio: FfiConverterOptionDouble.read(from: &buf), 
                 logScorePerSample: FfiConverterOptionDouble.read(from: &buf), 
                 kYawShiftM: FfiConverterOptionDouble.read(from: &buf), 
-                shifts: FfiConverterTypeNumbersByName.read(from: &buf)
+                shifts: FfiConverterTypeShiftsByName.read(from: &buf)
         )
     }
 
@@ -5430,7 +5430,7 @@ public struct FfiConverterTypeGain: FfiConverterRustBuffer {
         FfiConverterOptionDouble.write(value.heldoutRmsRatio, into: &buf)
         FfiConverterOptionDouble.write(value.logScorePerSample, into: &buf)
         FfiConverterOptionDouble.write(value.kYawShiftM, into: &buf)
-        FfiConverterTypeNumbersByName.write(value.shifts, into: &buf)
+        FfiConverterTypeShiftsByName.write(value.shifts, into: &buf)
     }
 }
 
@@ -5534,7 +5534,7 @@ public struct HangingAdvice: Equatable, Hashable {
     /**
      * What it measures.
      */
-    public let gives: [String]
+    public let gives: [QuantityKey]
     /**
      * The swings made on it.
      */
@@ -5555,7 +5555,7 @@ public struct HangingAdvice: Equatable, Hashable {
          */suspension: Suspension, 
         /**
          * What it measures.
-         */gives: [String], 
+         */gives: [QuantityKey], 
         /**
          * The swings made on it.
          */swings: [String], 
@@ -5587,7 +5587,7 @@ public struct FfiConverterTypeHangingAdvice: FfiConverterRustBuffer {
             try HangingAdvice(
                 framePoints: FfiConverterString.read(from: &buf), 
                 suspension: FfiConverterTypeSuspension.read(from: &buf), 
-                gives: FfiConverterSequenceString.read(from: &buf), 
+                gives: FfiConverterSequenceTypeQuantityKey.read(from: &buf), 
                 swings: FfiConverterSequenceString.read(from: &buf), 
                 message: FfiConverterTypeSentence.read(from: &buf)
         )
@@ -5596,7 +5596,7 @@ public struct FfiConverterTypeHangingAdvice: FfiConverterRustBuffer {
     public static func write(_ value: HangingAdvice, into buf: inout [UInt8]) {
         FfiConverterString.write(value.framePoints, into: &buf)
         FfiConverterTypeSuspension.write(value.suspension, into: &buf)
-        FfiConverterSequenceString.write(value.gives, into: &buf)
+        FfiConverterSequenceTypeQuantityKey.write(value.gives, into: &buf)
         FfiConverterSequenceString.write(value.swings, into: &buf)
         FfiConverterTypeSentence.write(value.message, into: &buf)
     }
@@ -6247,13 +6247,13 @@ public func FfiConverterTypeJudgement_lower(_ value: Judgement) -> RustBuffer {
  */
 public struct LearnedForce: Equatable, Hashable {
     /**
-     * `yaw`, `turn` (pitch or roll), `across` or `along`.
+     * `yaw`, `pitch`, `roll`, `surge`, `sway` or `all`.
      */
-    public let coordinate: String
+    public let coordinate: CoordinateName
     /**
      * Unit of the force.
      */
-    public let unit: String
+    public let unit: UnitText
     /**
      * The force at places, rates and times.
      */
@@ -6279,11 +6279,11 @@ public struct LearnedForce: Equatable, Hashable {
     // declare one manually.
     public init(
         /**
-         * `yaw`, `turn` (pitch or roll), `across` or `along`.
-         */coordinate: String, 
+         * `yaw`, `pitch`, `roll`, `surge`, `sway` or `all`.
+         */coordinate: CoordinateName, 
         /**
          * Unit of the force.
-         */unit: String, 
+         */unit: UnitText, 
         /**
          * The force at places, rates and times.
          */points: [ForceRow], 
@@ -6324,8 +6324,8 @@ public struct FfiConverterTypeLearnedForce: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> LearnedForce {
         return
             try LearnedForce(
-                coordinate: FfiConverterString.read(from: &buf), 
-                unit: FfiConverterString.read(from: &buf), 
+                coordinate: FfiConverterTypeCoordinateName.read(from: &buf), 
+                unit: FfiConverterTypeUnitText.read(from: &buf), 
                 points: FfiConverterSequenceTypeForceRow.read(from: &buf), 
                 equation: FfiConverterString.read(from: &buf), 
                 message: FfiConverterTypeSentence.read(from: &buf), 
@@ -6335,8 +6335,8 @@ public struct FfiConverterTypeLearnedForce: FfiConverterRustBuffer {
     }
 
     public static func write(_ value: LearnedForce, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.coordinate, into: &buf)
-        FfiConverterString.write(value.unit, into: &buf)
+        FfiConverterTypeCoordinateName.write(value.coordinate, into: &buf)
+        FfiConverterTypeUnitText.write(value.unit, into: &buf)
         FfiConverterSequenceTypeForceRow.write(value.points, into: &buf)
         FfiConverterString.write(value.equation, into: &buf)
         FfiConverterTypeSentence.write(value.message, into: &buf)
@@ -6833,7 +6833,7 @@ public struct ModeResult: Equatable, Hashable {
     /**
      * `rad`, `m`, or `rad/s` where only the rate is known.
      */
-    public let amplitudeUnit: String
+    public let amplitudeUnit: AmplitudeUnitName
     /**
      * Phase at the start of the span, rad: the motion is amplitude · cos(ωt + phase).
      */
@@ -6881,7 +6881,7 @@ public struct ModeResult: Equatable, Hashable {
          */amplitude: Double?, 
         /**
          * `rad`, `m`, or `rad/s` where only the rate is known.
-         */amplitudeUnit: String, 
+         */amplitudeUnit: AmplitudeUnitName, 
         /**
          * Phase at the start of the span, rad: the motion is amplitude · cos(ωt + phase).
          */phaseRad: Double?, 
@@ -6935,7 +6935,7 @@ public struct FfiConverterTypeModeResult: FfiConverterRustBuffer {
                 decayTimeS: FfiConverterOptionDouble.read(from: &buf), 
                 decayTimeSeS: FfiConverterOptionDouble.read(from: &buf), 
                 amplitude: FfiConverterOptionDouble.read(from: &buf), 
-                amplitudeUnit: FfiConverterString.read(from: &buf), 
+                amplitudeUnit: FfiConverterTypeAmplitudeUnitName.read(from: &buf), 
                 phaseRad: FfiConverterOptionDouble.read(from: &buf), 
                 relativeDb: FfiConverterDouble.read(from: &buf), 
                 parasitic: FfiConverterBool.read(from: &buf), 
@@ -6952,7 +6952,7 @@ public struct FfiConverterTypeModeResult: FfiConverterRustBuffer {
         FfiConverterOptionDouble.write(value.decayTimeS, into: &buf)
         FfiConverterOptionDouble.write(value.decayTimeSeS, into: &buf)
         FfiConverterOptionDouble.write(value.amplitude, into: &buf)
-        FfiConverterString.write(value.amplitudeUnit, into: &buf)
+        FfiConverterTypeAmplitudeUnitName.write(value.amplitudeUnit, into: &buf)
         FfiConverterOptionDouble.write(value.phaseRad, into: &buf)
         FfiConverterDouble.write(value.relativeDb, into: &buf)
         FfiConverterBool.write(value.parasitic, into: &buf)
@@ -8000,7 +8000,7 @@ public struct ParameterResult: Equatable, Hashable {
     /**
      * Unit.
      */
-    public let unit: String
+    public let unit: UnitText
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -8013,7 +8013,7 @@ public struct ParameterResult: Equatable, Hashable {
          */u: Double, 
         /**
          * Unit.
-         */unit: String) {
+         */unit: UnitText) {
         self.value = value
         self.u = u
         self.unit = unit
@@ -8037,14 +8037,14 @@ public struct FfiConverterTypeParameterResult: FfiConverterRustBuffer {
             try ParameterResult(
                 value: FfiConverterDouble.read(from: &buf), 
                 u: FfiConverterDouble.read(from: &buf), 
-                unit: FfiConverterString.read(from: &buf)
+                unit: FfiConverterTypeUnitText.read(from: &buf)
         )
     }
 
     public static func write(_ value: ParameterResult, into buf: inout [UInt8]) {
         FfiConverterDouble.write(value.value, into: &buf)
         FfiConverterDouble.write(value.u, into: &buf)
-        FfiConverterString.write(value.unit, into: &buf)
+        FfiConverterTypeUnitText.write(value.unit, into: &buf)
     }
 }
 
@@ -9520,7 +9520,7 @@ public struct QuantityResult: Equatable, Hashable {
     /**
      * How it was got.
      */
-    public let method: String
+    public let method: MethodName
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
@@ -9536,7 +9536,7 @@ public struct QuantityResult: Equatable, Hashable {
          */interval95: Ends?, 
         /**
          * How it was got.
-         */method: String) {
+         */method: MethodName) {
         self.value = value
         self.u = u
         self.interval95 = interval95
@@ -9562,7 +9562,7 @@ public struct FfiConverterTypeQuantityResult: FfiConverterRustBuffer {
                 value: FfiConverterTypeValue.read(from: &buf), 
                 u: FfiConverterTypeValue.read(from: &buf), 
                 interval95: FfiConverterOptionTypeEnds.read(from: &buf), 
-                method: FfiConverterString.read(from: &buf)
+                method: FfiConverterTypeMethodName.read(from: &buf)
         )
     }
 
@@ -9570,7 +9570,7 @@ public struct FfiConverterTypeQuantityResult: FfiConverterRustBuffer {
         FfiConverterTypeValue.write(value.value, into: &buf)
         FfiConverterTypeValue.write(value.u, into: &buf)
         FfiConverterOptionTypeEnds.write(value.interval95, into: &buf)
-        FfiConverterString.write(value.method, into: &buf)
+        FfiConverterTypeMethodName.write(value.method, into: &buf)
     }
 }
 
@@ -10923,7 +10923,7 @@ public struct Route: Equatable, Hashable {
     /**
      * `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum` …
      */
-    public let method: String
+    public let method: RouteName
     /**
      * Value.
      */
@@ -10950,7 +10950,7 @@ public struct Route: Equatable, Hashable {
     public init(
         /**
          * `yaw_period`, `period_ratio`, `beat_count`, `double_pendulum` …
-         */method: String, 
+         */method: RouteName, 
         /**
          * Value.
          */value: Double, 
@@ -10990,7 +10990,7 @@ public struct FfiConverterTypeRoute: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Route {
         return
             try Route(
-                method: FfiConverterString.read(from: &buf), 
+                method: FfiConverterTypeRouteName.read(from: &buf), 
                 value: FfiConverterDouble.read(from: &buf), 
                 u: FfiConverterDouble.read(from: &buf), 
                 interval95: FfiConverterTypeEnds.read(from: &buf), 
@@ -11000,7 +11000,7 @@ public struct FfiConverterTypeRoute: FfiConverterRustBuffer {
     }
 
     public static func write(_ value: Route, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.method, into: &buf)
+        FfiConverterTypeRouteName.write(value.method, into: &buf)
         FfiConverterDouble.write(value.value, into: &buf)
         FfiConverterDouble.write(value.u, into: &buf)
         FfiConverterTypeEnds.write(value.interval95, into: &buf)
@@ -12551,11 +12551,11 @@ public struct Verdict: Equatable, Hashable {
     /**
      * The quantity.
      */
-    public let quantity: String
+    public let quantity: QuantityKey
     /**
      * `>=` or `<=`.
      */
-    public let relation: String
+    public let relation: RelationSign
     /**
      * The limit.
      */
@@ -12571,17 +12571,17 @@ public struct Verdict: Equatable, Hashable {
     /**
      * `pass`, `fail` or `undecided`.
      */
-    public let verdict: String
+    public let verdict: DecisionName
 
     // Default memberwise initializers are never public by default, so we
     // declare one manually.
     public init(
         /**
          * The quantity.
-         */quantity: String, 
+         */quantity: QuantityKey, 
         /**
          * `>=` or `<=`.
-         */relation: String, 
+         */relation: RelationSign, 
         /**
          * The limit.
          */limit: Double, 
@@ -12593,7 +12593,7 @@ public struct Verdict: Equatable, Hashable {
          */conformanceProbability: Double, 
         /**
          * `pass`, `fail` or `undecided`.
-         */verdict: String) {
+         */verdict: DecisionName) {
         self.quantity = quantity
         self.relation = relation
         self.limit = limit
@@ -12618,22 +12618,22 @@ public struct FfiConverterTypeVerdict: FfiConverterRustBuffer {
     public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Verdict {
         return
             try Verdict(
-                quantity: FfiConverterString.read(from: &buf), 
-                relation: FfiConverterString.read(from: &buf), 
+                quantity: FfiConverterTypeQuantityKey.read(from: &buf), 
+                relation: FfiConverterTypeRelationSign.read(from: &buf), 
                 limit: FfiConverterDouble.read(from: &buf), 
                 guardBand: FfiConverterDouble.read(from: &buf), 
                 conformanceProbability: FfiConverterDouble.read(from: &buf), 
-                verdict: FfiConverterString.read(from: &buf)
+                verdict: FfiConverterTypeDecisionName.read(from: &buf)
         )
     }
 
     public static func write(_ value: Verdict, into buf: inout [UInt8]) {
-        FfiConverterString.write(value.quantity, into: &buf)
-        FfiConverterString.write(value.relation, into: &buf)
+        FfiConverterTypeQuantityKey.write(value.quantity, into: &buf)
+        FfiConverterTypeRelationSign.write(value.relation, into: &buf)
         FfiConverterDouble.write(value.limit, into: &buf)
         FfiConverterDouble.write(value.guardBand, into: &buf)
         FfiConverterDouble.write(value.conformanceProbability, into: &buf)
-        FfiConverterString.write(value.verdict, into: &buf)
+        FfiConverterTypeDecisionName.write(value.verdict, into: &buf)
     }
 }
 
@@ -17942,6 +17942,31 @@ fileprivate struct FfiConverterSequenceSequenceDouble: FfiConverterRustBuffer {
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
+fileprivate struct FfiConverterSequenceTypeCauseName: FfiConverterRustBuffer {
+    typealias SwiftType = [CauseName]
+
+    public static func write(_ value: [CauseName], into buf: inout [UInt8]) {
+        let len = Int32(value.count)
+        writeInt(&buf, len)
+        for item in value {
+            FfiConverterTypeCauseName.write(item, into: &buf)
+        }
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> [CauseName] {
+        let len: Int32 = try readInt(&buf)
+        var seq = [CauseName]()
+        seq.reserveCapacity(Int(len))
+        for _ in 0 ..< len {
+            seq.append(try FfiConverterTypeCauseName.read(from: &buf))
+        }
+        return seq
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
 fileprivate struct FfiConverterSequenceTypeCorrelationTuple: FfiConverterRustBuffer {
     typealias SwiftType = [CorrelationTuple]
 
@@ -17984,6 +18009,31 @@ fileprivate struct FfiConverterSequenceTypeForceRow: FfiConverterRustBuffer {
         seq.reserveCapacity(Int(len))
         for _ in 0 ..< len {
             seq.append(try FfiConverterTypeForceRow.read(from: &buf))
+        }
+        return seq
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+fileprivate struct FfiConverterSequenceTypeQuantityKey: FfiConverterRustBuffer {
+    typealias SwiftType = [QuantityKey]
+
+    public static func write(_ value: [QuantityKey], into buf: inout [UInt8]) {
+        let len = Int32(value.count)
+        writeInt(&buf, len)
+        for item in value {
+            FfiConverterTypeQuantityKey.write(item, into: &buf)
+        }
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> [QuantityKey] {
+        let len: Int32 = try readInt(&buf)
+        var seq = [QuantityKey]()
+        seq.reserveCapacity(Int(len))
+        for _ in 0 ..< len {
+            seq.append(try FfiConverterTypeQuantityKey.read(from: &buf))
         }
         return seq
     }
@@ -18093,6 +18143,46 @@ fileprivate struct FfiConverterDictionaryTypeModeNameDouble: FfiConverterRustBuf
 }
 
 
+public typealias AmplitudeUnitName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeAmplitudeUnitName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> AmplitudeUnitName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: AmplitudeUnitName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> AmplitudeUnitName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: AmplitudeUnitName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeAmplitudeUnitName_lift(_ value: RustBuffer) throws -> AmplitudeUnitName {
+    return try FfiConverterTypeAmplitudeUnitName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeAmplitudeUnitName_lower(_ value: AmplitudeUnitName) -> RustBuffer {
+    return FfiConverterTypeAmplitudeUnitName.lower(value)
+}
+
+
+
 public typealias ArgumentsByName = [String: SentenceArgument]
 
 #if swift(>=5.8)
@@ -18173,6 +18263,46 @@ public func FfiConverterTypeBudgetsByName_lower(_ value: BudgetsByName) -> RustB
 
 
 
+public typealias CauseName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeCauseName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> CauseName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: CauseName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> CauseName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: CauseName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeCauseName_lift(_ value: RustBuffer) throws -> CauseName {
+    return try FfiConverterTypeCauseName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeCauseName_lower(_ value: CauseName) -> RustBuffer {
+    return FfiConverterTypeCauseName.lower(value)
+}
+
+
+
 public typealias CauseStatus = String
 
 #if swift(>=5.8)
@@ -18209,6 +18339,46 @@ public func FfiConverterTypeCauseStatus_lift(_ value: RustBuffer) throws -> Caus
 #endif
 public func FfiConverterTypeCauseStatus_lower(_ value: CauseStatus) -> RustBuffer {
     return FfiConverterTypeCauseStatus.lower(value)
+}
+
+
+
+public typealias CoordinateName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeCoordinateName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> CoordinateName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: CoordinateName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> CoordinateName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: CoordinateName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeCoordinateName_lift(_ value: RustBuffer) throws -> CoordinateName {
+    return try FfiConverterTypeCoordinateName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeCoordinateName_lower(_ value: CoordinateName) -> RustBuffer {
+    return FfiConverterTypeCoordinateName.lower(value)
 }
 
 
@@ -18333,6 +18503,46 @@ public func FfiConverterTypeCurvePair_lower(_ value: CurvePair) -> RustBuffer {
 
 
 
+public typealias DecisionName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeDecisionName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> DecisionName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: DecisionName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> DecisionName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: DecisionName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeDecisionName_lift(_ value: RustBuffer) throws -> DecisionName {
+    return try FfiConverterTypeDecisionName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeDecisionName_lower(_ value: DecisionName) -> RustBuffer {
+    return FfiConverterTypeDecisionName.lower(value)
+}
+
+
+
 public typealias Ends = Interval
 
 #if swift(>=5.8)
@@ -18413,6 +18623,46 @@ public func FfiConverterTypeForceRow_lower(_ value: ForceRow) -> RustBuffer {
 
 
 
+public typealias InputName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeInputName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> InputName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: InputName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> InputName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: InputName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeInputName_lift(_ value: RustBuffer) throws -> InputName {
+    return try FfiConverterTypeInputName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeInputName_lower(_ value: InputName) -> RustBuffer {
+    return FfiConverterTypeInputName.lower(value)
+}
+
+
+
 public typealias KindOfDiscrepancy = String
 
 #if swift(>=5.8)
@@ -18449,6 +18699,46 @@ public func FfiConverterTypeKindOfDiscrepancy_lift(_ value: RustBuffer) throws -
 #endif
 public func FfiConverterTypeKindOfDiscrepancy_lower(_ value: KindOfDiscrepancy) -> RustBuffer {
     return FfiConverterTypeKindOfDiscrepancy.lower(value)
+}
+
+
+
+public typealias MethodName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeMethodName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> MethodName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: MethodName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> MethodName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: MethodName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeMethodName_lift(_ value: RustBuffer) throws -> MethodName {
+    return try FfiConverterTypeMethodName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeMethodName_lower(_ value: MethodName) -> RustBuffer {
+    return FfiConverterTypeMethodName.lower(value)
 }
 
 
@@ -18653,6 +18943,46 @@ public func FfiConverterTypeQuantitiesByName_lower(_ value: QuantitiesByName) ->
 
 
 
+public typealias QuantityKey = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeQuantityKey: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> QuantityKey {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: QuantityKey, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> QuantityKey {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: QuantityKey) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeQuantityKey_lift(_ value: RustBuffer) throws -> QuantityKey {
+    return try FfiConverterTypeQuantityKey.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeQuantityKey_lower(_ value: QuantityKey) -> RustBuffer {
+    return FfiConverterTypeQuantityKey.lower(value)
+}
+
+
+
 public typealias RecorderStream = Channel
 
 #if swift(>=5.8)
@@ -18689,6 +19019,86 @@ public func FfiConverterTypeRecorderStream_lift(_ value: RustBuffer) throws -> R
 #endif
 public func FfiConverterTypeRecorderStream_lower(_ value: RecorderStream) -> RustBuffer {
     return FfiConverterTypeRecorderStream.lower(value)
+}
+
+
+
+public typealias RelationSign = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeRelationSign: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> RelationSign {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: RelationSign, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> RelationSign {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: RelationSign) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeRelationSign_lift(_ value: RustBuffer) throws -> RelationSign {
+    return try FfiConverterTypeRelationSign.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeRelationSign_lower(_ value: RelationSign) -> RustBuffer {
+    return FfiConverterTypeRelationSign.lower(value)
+}
+
+
+
+public typealias RouteName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeRouteName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> RouteName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: RouteName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> RouteName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: RouteName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeRouteName_lift(_ value: RustBuffer) throws -> RouteName {
+    return try FfiConverterTypeRouteName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeRouteName_lower(_ value: RouteName) -> RustBuffer {
+    return FfiConverterTypeRouteName.lower(value)
 }
 
 
@@ -18733,6 +19143,126 @@ public func FfiConverterTypeRoutesByName_lower(_ value: RoutesByName) -> RustBuf
 
 
 
+public typealias ShiftsByName = [NamedNumber]
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeShiftsByName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> ShiftsByName {
+        return try FfiConverterSequenceTypeNamedNumber.read(from: &buf)
+    }
+
+    public static func write(_ value: ShiftsByName, into buf: inout [UInt8]) {
+        return FfiConverterSequenceTypeNamedNumber.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> ShiftsByName {
+        return try FfiConverterSequenceTypeNamedNumber.lift(value)
+    }
+
+    public static func lower(_ value: ShiftsByName) -> RustBuffer {
+        return FfiConverterSequenceTypeNamedNumber.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeShiftsByName_lift(_ value: RustBuffer) throws -> ShiftsByName {
+    return try FfiConverterTypeShiftsByName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeShiftsByName_lower(_ value: ShiftsByName) -> RustBuffer {
+    return FfiConverterTypeShiftsByName.lower(value)
+}
+
+
+
+public typealias SourcesByName = [NamedText]
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeSourcesByName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SourcesByName {
+        return try FfiConverterSequenceTypeNamedText.read(from: &buf)
+    }
+
+    public static func write(_ value: SourcesByName, into buf: inout [UInt8]) {
+        return FfiConverterSequenceTypeNamedText.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> SourcesByName {
+        return try FfiConverterSequenceTypeNamedText.lift(value)
+    }
+
+    public static func lower(_ value: SourcesByName) -> RustBuffer {
+        return FfiConverterSequenceTypeNamedText.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSourcesByName_lift(_ value: RustBuffer) throws -> SourcesByName {
+    return try FfiConverterTypeSourcesByName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSourcesByName_lower(_ value: SourcesByName) -> RustBuffer {
+    return FfiConverterTypeSourcesByName.lower(value)
+}
+
+
+
+public typealias SubjectName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeSubjectName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SubjectName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: SubjectName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> SubjectName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: SubjectName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSubjectName_lift(_ value: RustBuffer) throws -> SubjectName {
+    return try FfiConverterTypeSubjectName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSubjectName_lower(_ value: SubjectName) -> RustBuffer {
+    return FfiConverterTypeSubjectName.lower(value)
+}
+
+
+
 public typealias TextsByName = [NamedText]
 
 #if swift(>=5.8)
@@ -18769,6 +19299,46 @@ public func FfiConverterTypeTextsByName_lift(_ value: RustBuffer) throws -> Text
 #endif
 public func FfiConverterTypeTextsByName_lower(_ value: TextsByName) -> RustBuffer {
     return FfiConverterTypeTextsByName.lower(value)
+}
+
+
+
+public typealias UnitText = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeUnitText: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> UnitText {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: UnitText, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> UnitText {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: UnitText) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeUnitText_lift(_ value: RustBuffer) throws -> UnitText {
+    return try FfiConverterTypeUnitText.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeUnitText_lower(_ value: UnitText) -> RustBuffer {
+    return FfiConverterTypeUnitText.lower(value)
 }
 
 
