@@ -12,11 +12,11 @@ use gyradius_base::parallel::in_parallel;
 use gyradius_recording::{ModeName, Quantity, Session, Swing};
 
 use super::estimate::{Observation, Observed, Solution, System};
-use super::measure::{SwingWork, WEAKEST_DB};
 use super::measurement::{ModeResult, SwingResult};
 use super::observe::{Evidence, hints_contradicted, parasites};
 use super::parameters::Layout;
 use super::samples::{FittedSwing, Statement};
+use super::swing_work::{SwingWork, WEAKEST_DB};
 
 /// A swing contradicts the others where leaving it out takes more off χ²: chance takes 30 of some
 /// ten figures once in a thousand times (χ² of 10 degrees of freedom).

@@ -19,6 +19,7 @@ pub mod parameters;
 pub mod routes;
 pub mod samples;
 mod sentences;
+mod swing_work;
 pub mod theory;
 mod traced;
 mod twin;

@@ -32,6 +32,8 @@ use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
 use super::sentences::{message, name, plain};
+pub use super::swing_work::SwingWork;
+use super::swing_work::WEAKEST_DB;
 use super::twin::{Correction, corrections};
 
 /// Name and version of the result's format.
@@ -44,10 +46,6 @@ pub const PHONE_TILT_U_DEG: f64 = 0.15;
 /// A typed period without uncertainty is taken as good to this, relative (a stopwatch's last
 /// digit).
 const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
-
-/// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger
-/// motion drives them off their own period.
-pub(super) const WEAKEST_DB: f64 = -16.0;
 
 /// A mode weaker than this in a record whose residual exceeds its noise by this factor may be part
 /// of the misfit: strong motions that are no damped lines leave such traces beside them.
@@ -77,15 +75,6 @@ pub struct Analysis {
     pub measurement: Measurement,
     /// What was found in each recording, in swing order; swings without a recording have none.
     pub evidence: Vec<Option<Evidence>>,
-}
-
-/// One swing on its way to the estimate.
-pub struct SwingWork {
-    pub(crate) result: SwingResult,
-    /// What the record says, where there is one.
-    pub evidence: Option<Evidence>,
-    /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
-    pub(super) periods: Vec<(usize, Quantity)>,
 }
 
 /// Measures a session.

@@ -14,6 +14,7 @@ pub mod corrections;
 mod domain;
 pub mod double_pendulum;
 pub mod ellipsoid;
+mod entry;
 pub mod finite_amplitude;
 pub mod guard;
 pub mod incline;

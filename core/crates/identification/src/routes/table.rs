@@ -4,9 +4,9 @@
 //! values the inputs are variables of their names. Units follow from the names ([`unit_of`]).
 
 use super::attachments::{self, AxisBody};
-use super::catalogue::{CatalogueEntry, Inputs, Slot};
 use super::compound::{self, HeightAndPeriod};
 use super::double_pendulum::{self, DepthIs, GyradiusAndDepth, Periods};
+use super::entry::{CatalogueEntry, Inputs, Slot};
 use super::guard::{GUARD_95, Relation, judge};
 use super::principal::{self, Principal, Tilt};
 use super::yaw::{self, Lines};

@@ -3,27 +3,15 @@
 
 use nalgebra::DVector;
 
-use super::fit::{Fit, Statement, SwingModel};
+use super::fit::Fit;
 use super::linearise::Linearised;
 use super::marquardt::free;
-use super::record::Samples;
+use super::model::{Statement, SwingModel};
+use super::record::{Recorded, Samples};
 use super::scene::{OWN, Own, SwingSetup};
 use crate::theory::{swing_body, swing_rig};
 use gyradius_base::error::{Error, Result};
 use gyradius_mechanics::small_modes;
-
-/// A recording to come.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Recorded {
-    /// Length of the recording, s.
-    pub duration_s: f64,
-    /// Samples per second of either sensor.
-    pub rate_hz: f64,
-    /// White noise of each axis of the gyroscope, rad/s.
-    pub gyro_rad_s: f64,
-    /// White noise of each axis of the accelerometer, m/s².
-    pub acc_m_s2: f64,
-}
 
 /// What a swing with this start would say of the session's parameters `x`, as if it agreed with all
 /// others. Linear about `x`, the swing's own numbers (start, damping, phone, biases) left open as

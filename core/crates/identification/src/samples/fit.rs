@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::linearise::{Linearised, Simulated};
 use super::marquardt::{Enough, Fitting, Moves, Point, free};
+use super::model::{Statement, SwingModel};
 use super::record::{Samples, Stream};
 use super::scene::{OWN, Own, SwingSetup, TURN};
 use crate::theory::{swing_body, swing_rig};
@@ -20,13 +21,6 @@ const HORIZONS: [f64; 5] = [1.5, 3.0, 7.0, 16.0, 40.0];
 const LEAST_INFORMATION: f64 = 0.1;
 /// A hull pitched by more tells bow from stern, degrees.
 const TELLING_PITCH_DEG: f64 = 3.0;
-
-/// One swing and its samples.
-#[derive(Clone)]
-pub struct SwingModel<'a> {
-    pub setup: SwingSetup<'a>,
-    pub samples: Samples,
-}
 
 /// A fitted swing.
 #[derive(Debug, Clone)]
@@ -46,32 +40,6 @@ pub struct Fit {
     pub rms_over_noise: f64,
     /// Factor on the variance of everything: what is left is not white.
     pub inflation: f64,
-}
-
-/// A linear statement about the session's parameters: `row · x = value`, of unit standard
-/// uncertainty.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Statement {
-    /// Parameters by their index, each with its factor.
-    pub row: Vec<(usize, f64)>,
-    /// What they add up to.
-    pub value: f64,
-}
-
-impl Statement {
-    /// How far parameters are from what is stated, in standard uncertainties.
-    pub fn misfit(&self, x: &[f64]) -> f64 {
-        self.value - self.row.iter().map(|(i, slope)| slope * x[*i]).sum::<f64>()
-    }
-
-    /// The row by places among the free parameters.
-    pub fn by_place(&self, free: &[usize]) -> Vec<(usize, f64)> {
-        let place = |i: &usize| free.iter().position(|f| f == i);
-        self.row
-            .iter()
-            .filter_map(|(i, slope)| Some((place(i)?, *slope)))
-            .collect()
-    }
 }
 
 /// A swing over its first horizon, from one set of the session's parameters.
@@ -274,24 +242,6 @@ impl SwingModel<'_> {
             Rotation::from_rotation_matrix(&matrix)
         };
         (0..8).map(turned).collect()
-    }
-
-    /// χ² of the swing's samples up to a horizon, with the priors of its own numbers.
-    pub fn own_cost(&self, x: &[f64], own: &Own, horizon_s: f64) -> f64 {
-        let (horizon_s, whole_s) = (
-            horizon_s.min(self.samples.duration_s),
-            self.samples.duration_s,
-        );
-        let priors: f64 = own
-            .values
-            .iter()
-            .zip(Own::prior_u())
-            .map(|(v, u)| (v / u).powi(2))
-            .sum();
-        match Simulated::new(&self.setup, x, own, horizon_s, whole_s) {
-            Ok(simulated) => simulated.chi2(&self.samples, horizon_s) + priors,
-            Err(_) => f64::INFINITY,
-        }
     }
 
     /// Information and gradient of the priors, session's free parameters first.

@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::fit::{Statement, SwingModel};
 use super::linearise::{Linearised, Simulated};
+use super::model::{Statement, SwingModel};
 use super::scene::{OWN, Own};
 use crate::parameters::{Layout, Role};
 use gyradius_base::error::Result;

@@ -15,13 +15,14 @@ mod expected;
 mod fit;
 mod linearise;
 mod marquardt;
+mod model;
 mod modes;
 mod record;
 mod scene;
 mod session;
 
-pub use expected::{Recorded, expected_statements};
-pub use fit::Statement;
-pub use record::{Samples, Sensor, Stream, Turning};
+pub use expected::expected_statements;
+pub use model::Statement;
+pub use record::{Recorded, Samples, Sensor, Stream, Turning};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup, place};
 pub use session::FittedSwing;

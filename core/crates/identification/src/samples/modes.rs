@@ -3,7 +3,8 @@
 
 use nalgebra::{DVector, Vector6};
 
-use super::fit::{Fit, SwingModel};
+use super::fit::Fit;
+use super::model::SwingModel;
 use super::scene::{OWN, Own};
 use crate::measurement::ModeResult;
 use crate::names::AmplitudeUnit;

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use super::expected::Recorded;
 use crate::observe::Evidence;
 use gyradius_base::frames::Vec3;
 
@@ -139,6 +138,19 @@ impl Stream {
         self.values
             .retain(|_| keep.next().copied().unwrap_or(false));
     }
+}
+
+/// A recording to come.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Recorded {
+    /// Length of the recording, s.
+    pub duration_s: f64,
+    /// Samples per second of either sensor.
+    pub rate_hz: f64,
+    /// White noise of each axis of the gyroscope, rad/s.
+    pub gyro_rad_s: f64,
+    /// White noise of each axis of the accelerometer, m/s².
+    pub acc_m_s2: f64,
 }
 
 /// All samples of a swing.

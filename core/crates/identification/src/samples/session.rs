@@ -1,7 +1,8 @@
 //! The fits of a session's swings.
 
-use super::fit::{Begun, Fit, Statement, SwingModel, begun, fit, fit_together};
+use super::fit::{Begun, Fit, begun, fit, fit_together};
 use super::marquardt::Moves;
+use super::model::{Statement, SwingModel};
 use super::modes::fitted_modes;
 use super::record::Samples;
 use super::scene::{Own, SwingSetup};
