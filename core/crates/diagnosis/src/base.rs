@@ -9,10 +9,10 @@ use gyradius_identification::measure::{Prepared, SwingWork, estimate};
 use gyradius_identification::parameters::Layout;
 use gyradius_identification::samples::{Own, Samples, Sensor, SwingSetup, place};
 use gyradius_identification::theory::swing_periods;
-use gyradius_recording::{Quantity, Session};
+use gyradius_recording::Quantity;
 
-use super::fitting::HORIZONS_S;
 use super::point::{BIAS, Model, Mount, OWN, Part, Point};
+use super::swung::{Base, HORIZONS_S, Swung};
 
 /// Phones turned against each other by less than this may be one phone that slipped, rad; beyond,
 /// it was taped anew.
@@ -30,32 +30,7 @@ const MOST_PRODUCT: f64 = 0.7;
 /// hull is followed up to some 2.5 Hz.
 const FASTEST_PERIOD_S: f64 = 0.4;
 
-/// A swing that is fitted.
-pub struct Swung<'a> {
-    pub setup: SwingSetup<'a>,
-    pub samples: Samples,
-    /// Which of the session's phone mounts it has.
-    pub mount: usize,
-    /// Place in the session.
-    pub number: usize,
-    pub evidence: &'a Evidence,
-}
-
-/// What is fitted: the session's parameters and its swings.
-pub struct Base<'a> {
-    pub session: &'a Session,
-    pub system: &'a System<'a>,
-    pub swings: Vec<Swung<'a>>,
-    pub mounts: usize,
-    /// The session's parameters in play.
-    pub free: Vec<usize>,
-}
-
 impl<'a> Base<'a> {
-    pub fn layout(&self) -> &'a Layout {
-        &self.system.layout
-    }
-
     /// Keeps the roll gyradius and the product of inertia, of which level swings say nearly
     /// nothing, to those of a body: a simulation that lacks something would bend them out of all
     /// shape.

@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, DVector};
 use super::causes::{Scales, TERMS, learned_force};
 use super::evidence::{LEAST_GAIN, gain};
 use super::fitting::Fitted;
+use super::found::Found;
 use super::point::{Model, Point};
-use super::search::Found;
 use super::term::Term;
 
 /// A force with all its terms, as it was fitted.

@@ -17,11 +17,11 @@ use gyradius_recording::Quantity;
 
 use super::cause_id::CauseId;
 use super::fitting::{Fitted, Places};
+use super::found::Found;
+use super::found::Tried;
 use super::look::{Beside, Glimpse, Look, Sums, laid_out, strengths};
 use super::point::{Model, Point};
 use super::quantities::quantities;
-use super::search::Found;
-use super::trial::Tried;
 
 /// Odds below this move no interval of 95 %.
 const LEAST_ODDS: f64 = 1e-3;

@@ -10,12 +10,12 @@ use gyradius_identification::samples::Sensor;
 use gyradius_recording::{ModeName, RepairKind};
 use gyradius_signal::{FittedMode, Pole};
 
-use super::base::Base;
 use super::fitting::Fitted;
 use super::point::{Model, Point};
 use super::result::{Discrepancy, DiscrepancyKind};
 use super::seen::Seen;
 use super::shape::{direction, energy, shape};
+use super::swung::Base;
 use super::unit::UnitName;
 use super::white::{Band, Left};
 use super::words;

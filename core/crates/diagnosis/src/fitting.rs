@@ -8,6 +8,7 @@ use gyradius_base::parallel::in_parallel;
 use gyradius_identification::samples::Own;
 
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
+use super::swung::HORIZONS_S;
 
 const MOST_STEPS: usize = 20;
 /// So many steps with derivatives that are known count as one with new ones.
@@ -34,8 +35,6 @@ const CONVERGED: f64 = 1e-2;
 pub const CONVERGED_SHARE: f64 = 1e-7;
 /// Of a part of the recordings, this much less exactly.
 const NEARLY: f64 = 3e-3;
-/// Parts of the recordings that a fit from far away is led over, s.
-pub const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
 /// Steps over each of them but the first, which are few and quick there, and where the forms of a
 /// cause part.
 const EARLY_STEPS: usize = 6;

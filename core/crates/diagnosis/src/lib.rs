@@ -12,6 +12,7 @@ mod doubt;
 mod evidence;
 mod findings;
 mod fitting;
+mod found;
 mod learned;
 mod linear;
 mod look;
@@ -26,6 +27,7 @@ mod result;
 mod search;
 mod seen;
 mod shape;
+mod swung;
 mod tell_apart;
 mod term;
 mod traces;
@@ -56,16 +58,17 @@ use gyradius_identification::measure::{Prepared, prepare, title};
 use gyradius_identification::{MeasureOptions, QuantityName, QuantityResult, analyse};
 use gyradius_recording::{LoadedData, LoadedSession, Quantity};
 
-use base::{Base, by_periods};
+use base::by_periods;
 use doubt::widen;
 use findings::findings;
+use found::{Found, Tried};
 use learned::learned;
 use next_swing::{Explained, next_swing};
 use point::Model;
 use quantities::quantities;
-use search::{Found, search};
+use search::search;
+use swung::Base;
 use traces::traces;
-use trial::Tried;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-critique/1";

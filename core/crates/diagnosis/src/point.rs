@@ -11,10 +11,10 @@ use gyradius_mechanics::effects::EffectValues;
 use gyradius_mechanics::sensors;
 use gyradius_mechanics::{Experiment, Fineness, Phone};
 
-use super::base::{Base, Swung};
 use super::cause_id::CauseId;
 use super::parameter_id::ParameterName;
 use super::result::ParameterResult;
+use super::swung::{Base, Swung};
 use super::unit::UnitName;
 
 /// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and

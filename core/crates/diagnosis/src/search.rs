@@ -13,11 +13,12 @@ use super::causes::{
 };
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
+use super::found::{Found, Looked, Round, Tried};
 use super::look::{Look, Standing};
 use super::moments::moments;
 use super::parameter_id::ParameterName;
 use super::point::{Cause, Form, Model, Part, Point};
-use super::trial::{Tried, least_cost};
+use super::trial::least_cost;
 use super::verdict::{parameters, simplest_first};
 use super::white::Left;
 
@@ -82,50 +83,6 @@ const PINNED: f64 = 1e-3;
 /// A fit to a part of the recordings that gained more of χ² than this for each row in its last step
 /// has not arrived: the fifth digit of what is left in noises.
 const UNSETTLED: f64 = 2e-5;
-
-/// One round: what was tried, the best first.
-#[derive(Clone)]
-pub struct Round {
-    pub tried: Vec<Tried>,
-    pub taken: bool,
-    /// Where none was taken: all first looks.
-    pub looked: Option<Looked>,
-}
-
-impl Round {
-    /// Nothing begins any more at what was tried, but where it has no name it may yet be taken up:
-    /// of the others derivatives, most of what a fit holds, are let go.
-    fn of(mut tried: Vec<Tried>, taken: bool, looked: Option<Looked>) -> Self {
-        let named = tried.iter_mut().filter(|t| t.cause.id != CauseId::Unknown);
-        named.for_each(|t| t.fitted.jacobians = vec![]);
-        Self {
-            tried,
-            taken,
-            looked,
-        }
-    }
-}
-
-/// First looks, and what they were made beside (without its derivatives).
-#[derive(Clone)]
-pub struct Looked {
-    pub looks: Vec<Look>,
-    pub fitted: Fitted,
-}
-
-/// What the search found.
-pub struct Found<'a> {
-    pub base: Fitted,
-    pub base_left: Left,
-    pub model: Model<'a>,
-    pub fitted: Fitted,
-    pub left: Left,
-    pub rounds: Vec<Round>,
-    /// Where the last cause was looked for.
-    pub looked_from: Point,
-    /// Where the fits of single swings lead.
-    pub begin: Point,
-}
 
 /// Searches from a fitted base and from where its fit began.
 pub fn search<'a>(

@@ -4,9 +4,9 @@ use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
 use gyradius_identification::samples::Sensor;
 
+use super::found::Found;
 use super::point::{Model, first_settled};
 use super::result::SwingTrace;
-use super::search::Found;
 use super::unit::UnitName;
 use super::words;
 

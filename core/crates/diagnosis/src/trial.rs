@@ -3,10 +3,11 @@
 use gyradius_base::error::Result;
 
 use super::evidence::gain;
-use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, HORIZONS_S, Pace};
+use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, Pace};
+use super::found::{Found, Tried};
 use super::look::Look;
 use super::point::{Cause, Model, Point};
-use super::search::Found;
+use super::swung::HORIZONS_S;
 use super::white::Left;
 
 /// Shares of the way to where the first look points, from which a full fit may begin.
@@ -31,32 +32,6 @@ const HOPELESS_AFTER: usize = 3;
 const BEHIND: f64 = 20.0;
 /// … after so many steps, two of which tell the pace.
 const PACED_AFTER: usize = 1;
-/// A fit whose last step gained more of χ² than this has not come to its end.
-const STILL_GAINS: f64 = 1.0;
-
-/// A cause fitted in full beside those taken before.
-#[derive(Clone)]
-pub struct Tried {
-    pub cause: Cause,
-    /// Those taken before, and this one.
-    pub causes: Vec<Cause>,
-    pub fitted: Fitted,
-    /// Of the logarithm of the evidence, over the model without it.
-    pub gain: f64,
-    /// What is left, χ² beyond noise.
-    pub left: Left,
-    /// Where it was looked for.
-    pub from: Point,
-    /// Where fits of its other forms ended, the best first.
-    pub ends: Vec<Tried>,
-}
-
-impl Tried {
-    /// Whether its fit used up its steps on the way.
-    pub fn is_on_its_way(&self) -> bool {
-        self.fitted.last_gained >= STILL_GAINS
-    }
-}
 
 impl Found<'_> {
     /// Fits a cause in full; `None` where no start leads anywhere.

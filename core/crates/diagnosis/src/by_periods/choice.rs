@@ -1,8 +1,8 @@
 //! Which causes the evidence takes.
 
 use super::causes::{CAUSES, Cause};
+use super::figures;
 use super::model::{Fitted, Setting};
-use super::words;
 use crate::cause_id::CauseId;
 use crate::result::{CauseResult, Status};
 use gyradius_base::error::{Error, Result};
@@ -189,12 +189,12 @@ impl<'a> Round<'a> {
         let result = |fitted: &Fitted| {
             let cause = fitted.causes.last()?;
             let gain = self.gain(fitted);
-            let said = words::cause(setting, fitted);
+            let said = figures::cause(setting, fitted);
             Some(CauseResult {
                 id: cause.id,
                 probability: (gain - most).exp() / all,
                 log_evidence_gain: gain,
-                parameters: words::parameters(setting, fitted),
+                parameters: figures::parameters(setting, fitted),
                 message: said,
                 taken: false,
             })

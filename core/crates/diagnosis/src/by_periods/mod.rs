@@ -6,6 +6,7 @@
 
 mod causes;
 mod choice;
+mod figures;
 mod model;
 mod next_swing;
 mod words;

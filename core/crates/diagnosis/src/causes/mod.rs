@@ -18,10 +18,10 @@ use gyradius_mechanics::Experiment;
 use gyradius_mechanics::effects::EffectValues;
 use gyradius_recording::{ModeName, Orientation};
 
-use super::base::Base;
 use super::cause_id::CauseId;
 use super::parameter_id::ParameterName;
 use super::point::{Cause, CauseParameter, Form, NO_LIMITS, Point, Put};
+use super::swung::Base;
 use super::unit::UnitName;
 
 pub use aboard::{ringing, seconds};
