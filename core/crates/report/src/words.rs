@@ -173,11 +173,9 @@ pub(super) fn force(coordinate: ForceCoordinate, language: Language) -> String {
         | ForceCoordinate::Roll
         | ForceCoordinate::RollInPhase
         | ForceCoordinate::RollOutOfPhase => "torque_of_turn",
-        ForceCoordinate::All
-        | ForceCoordinate::Compound
-        | ForceCoordinate::Other
-        | ForceCoordinate::Surge
-        | ForceCoordinate::Sway => "some_force",
+        ForceCoordinate::Surge => "force_along",
+        ForceCoordinate::Sway => "force_across",
+        ForceCoordinate::All | ForceCoordinate::Compound | ForceCoordinate::Other => "some_force",
     };
     say(language, key, [])
 }
