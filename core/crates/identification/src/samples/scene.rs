@@ -20,7 +20,7 @@ pub const LANES: [usize; 24] = [
 /// Of these, how many belong to the session.
 pub const SHARED_LANES: usize = 11;
 
-/// Places of what belongs to one swing alone, of which there are [`OWN`].
+/// Places of what belongs to one swing alone, of which there are `OWN`.
 pub mod place {
     use std::ops::Range;
 
