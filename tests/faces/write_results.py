@@ -51,7 +51,7 @@ def sessions(folder: Path) -> None:
         session = gyradius.load(path)
         measured = session.core.measure(LIMITS)
         (folder / f"measure-{name}.json").write_text(measured.to_json(), encoding="utf-8")
-        (folder / f"report-{name}.html").write_text(measured.to_html(None, None), encoding="utf-8")
+        (folder / f"report-{name}.html").write_text(measured.to_html(None, None, "en"), encoding="utf-8")
         if name in TYPED:
             criticism = session.core.critique(None)
             (folder / f"critique-{name}.json").write_text(criticism.to_json(), encoding="utf-8")
