@@ -62,11 +62,7 @@ pub fn route_in(method: &str, language: Language) -> String {
 /// The short name of a cause that the criticism tries, in a language.
 #[uniffi::export]
 pub fn cause_in(id: &str, language: Language) -> String {
-    // A name from the outside that is no cause is told as it is spelled.
-    id.parse::<diagnosis::CauseId>().map_or_else(
-        |_| message::spaced(id),
-        |id| diagnosis::cause_name(id, language),
-    )
+    diagnosis::cause_called(id, language)
 }
 
 /// The unit that a quantity's key ends in, as it is printed.

@@ -225,7 +225,7 @@ pub struct BudgetLine {
     pub u_contribution: f64,
 }
 
-/// One sitting of the consistency court.
+/// One comparison of the consistency tests.
 #[uniffi::remote(Record)]
 pub struct Claim {
     /// What is claimed: a stated dimension, or a route such as `k_yaw_m`.

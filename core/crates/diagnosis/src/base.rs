@@ -11,8 +11,8 @@ use gyradius_identification::samples::{Own, Samples, Sensor, SwingSetup, place};
 use gyradius_identification::theory::swing_periods;
 use gyradius_recording::Quantity;
 
+use super::fitted_swing::{Base, FittedSwing, HORIZONS_S};
 use super::point::{BIAS, Model, Mount, OWN, Part, Point};
-use super::swung::{Base, HORIZONS_S, Swung};
 
 /// Phones turned against each other by less than this may be one phone that slipped, rad; beyond,
 /// it was taped anew.
@@ -104,7 +104,7 @@ impl<'a> Base<'a> {
         let swings = begun
             .into_iter()
             .zip(which)
-            .map(|(b, mount)| Swung {
+            .map(|(b, mount)| FittedSwing {
                 setup: b.setup,
                 samples: b.samples,
                 mount,

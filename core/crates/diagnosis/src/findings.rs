@@ -10,12 +10,12 @@ use gyradius_identification::samples::Sensor;
 use gyradius_recording::{ModeName, RepairKind};
 use gyradius_signal::{FittedMode, Pole};
 
+use super::fitted_swing::Base;
 use super::fitting::Fitted;
 use super::point::{Model, Point};
 use super::result::{Discrepancy, DiscrepancyKind};
 use super::seen::Seen;
 use super::shape::{direction, energy, shape};
-use super::swung::Base;
 use super::unit::UnitName;
 use super::white::{Band, Left};
 use super::words;
@@ -277,16 +277,12 @@ fn dimensions(base: &Base, point: &Point) -> Vec<Discrepancy> {
     all
 }
 
+/// Clocks and masses have a unit here.
 fn unit_of(kind: InputKind) -> UnitName {
     match kind {
-        InputKind::Gravity => UnitName::MetrePerSecondSquaredRaised,
-        InputKind::HullPitch => UnitName::Degree,
         InputKind::PhoneClock => UnitName::One,
-        InputKind::LineLength
-        | InputKind::Spacing
-        | InputKind::TopSpacing
-        | InputKind::AxisHeight => UnitName::Metre,
-        _ => UnitName::Kilogram,
+        InputKind::Mass => UnitName::Kilogram,
+        other => other.into(),
     }
 }
 

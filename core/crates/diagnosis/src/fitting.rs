@@ -7,8 +7,8 @@ use gyradius_base::frames::Vec3;
 use gyradius_base::parallel::in_parallel;
 use gyradius_identification::samples::Own;
 
+use super::fitted_swing::HORIZONS_S;
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
-use super::swung::HORIZONS_S;
 
 const MOST_STEPS: usize = 20;
 /// So many steps with derivatives that are known count as one with new ones.

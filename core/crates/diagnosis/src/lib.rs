@@ -11,6 +11,7 @@ mod coordinate;
 mod doubt;
 mod evidence;
 mod findings;
+mod fitted_swing;
 mod fitting;
 mod found;
 mod learned;
@@ -27,7 +28,6 @@ mod result;
 mod search;
 mod seen;
 mod shape;
-mod swung;
 mod tell_apart;
 mod term;
 mod traces;
@@ -47,7 +47,7 @@ pub use result::{
 };
 pub use tell_apart::tell_apart;
 pub use unit::{Unit, UnitName};
-pub use words::cause_name;
+pub use words::{cause_called, cause_name};
 
 use std::collections::BTreeMap;
 
@@ -61,13 +61,13 @@ use gyradius_recording::{LoadedData, LoadedSession, Quantity};
 use base::by_periods;
 use doubt::widen;
 use findings::findings;
+use fitted_swing::Base;
 use found::{Found, Tried};
 use learned::learned;
 use next_swing::{Explained, next_swing};
 use point::Model;
 use quantities::quantities;
 use search::search;
-use swung::Base;
 use traces::traces;
 
 /// Name and version of the result's format.

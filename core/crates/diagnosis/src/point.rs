@@ -12,9 +12,9 @@ use gyradius_mechanics::sensors;
 use gyradius_mechanics::{Experiment, Fineness, Phone};
 
 use super::cause_id::CauseId;
+use super::fitted_swing::{Base, FittedSwing};
 use super::parameter_id::ParameterName;
 use super::result::ParameterResult;
-use super::swung::{Base, Swung};
 use super::unit::UnitName;
 
 /// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and
@@ -336,7 +336,7 @@ impl Model<'_> {
         }
     }
 
-    pub fn swing(&self, s: usize) -> &Swung<'_> {
+    pub fn swing(&self, s: usize) -> &FittedSwing<'_> {
         &self.base.swings[s]
     }
 

@@ -10,12 +10,12 @@ use gyradius_recording::{LoadedData, LoadedSession};
 use super::base::by_periods;
 use super::by_periods::tell_apart_by_periods;
 use super::cause_id::CauseId;
+use super::fitted_swing::Base;
 use super::found::Found;
 use super::found::Tried;
 use super::next_swing::{Explained, next_swing};
 use super::point::Model;
 use super::result::{NextSwing, Progress};
-use super::swung::Base;
 
 /// The swing, among those thought of, in which the two causes, each fitted to the session beside
 /// nothing else, differ most: that of the criticism's verdict, for causes of one's own choice.

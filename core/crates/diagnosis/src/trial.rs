@@ -3,11 +3,11 @@
 use gyradius_base::error::Result;
 
 use super::evidence::gain;
+use super::fitted_swing::HORIZONS_S;
 use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, Pace};
 use super::found::{Found, Tried};
 use super::look::Look;
 use super::point::{Cause, Model, Point};
-use super::swung::HORIZONS_S;
 use super::white::Left;
 
 /// Shares of the way to where the first look points, from which a full fit may begin.

@@ -7,6 +7,7 @@ use std::str::FromStr;
 use gyradius_base::error::{Error, Result};
 
 use gyradius_base::{named, written_as_text};
+use gyradius_identification::InputKind;
 
 named! {
     /// A unit of a figure.
@@ -75,6 +76,21 @@ named! {
         Second = "s",
         /// Degree.
         Degree = "°",
+    }
+}
+
+/// That of a stated figure.
+impl From<InputKind> for UnitName {
+    fn from(stated: InputKind) -> Self {
+        match stated {
+            InputKind::LineLength
+            | InputKind::Spacing
+            | InputKind::TopSpacing
+            | InputKind::AxisHeight => Self::Metre,
+            InputKind::Gravity => Self::MetrePerSecondSquaredRaised,
+            InputKind::HullPitch => Self::Degree,
+            _ => Self::Untold,
+        }
     }
 }
 

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use gyradius_recording::{RepairKind, Sensor};
 
 use super::cause_id::CauseId;
+use super::fitted_swing::Base;
 use super::fitting::Fitted;
 use super::found::{Found, Round, Tried};
 use super::parameter_id::{ParameterId, ParameterName};
 use super::point::{Cause, Form};
 use super::result::{CauseResult, CauseVerdict, ParameterResult, Status};
-use super::swung::Base;
 use super::unit::UnitName;
 use super::words;
 use gyradius_base::message::{Argument, Message};

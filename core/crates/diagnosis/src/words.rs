@@ -79,5 +79,10 @@ pub fn names(ids: impl IntoIterator<Item = CauseId>, last: &str) -> Argument {
 
 /// The short name of a cause.
 pub fn cause_name(id: CauseId, language: Language) -> String {
-    name(&format!("{OF_CRITIQUE}name.{id}"), language).unwrap_or_else(|| spaced(id.name()))
+    cause_called(id.name(), language)
+}
+
+/// The same by a text from outside; what has no name is told by its words.
+pub fn cause_called(id: &str, language: Language) -> String {
+    name(&format!("{OF_CRITIQUE}name.{id}"), language).unwrap_or_else(|| spaced(id))
 }

@@ -170,7 +170,7 @@ pub struct BudgetLine {
     pub u_contribution: f64,
 }
 
-/// One sitting of the consistency court.
+/// One comparison of the consistency tests.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Claim {
     /// What is claimed: a stated figure such as `line_length`, or a route such as `k_yaw_m`.

@@ -23,14 +23,10 @@ pub fn symbol(quantity: &QuantityName) -> Option<&'static str> {
 /// A quantity's name in words.
 pub fn quantity_name(quantity: &QuantityName) -> String {
     match quantity {
-        QuantityName::KYaw => "Yaw gyradius".into(),
-        QuantityName::KPitch => "Pitch gyradius".into(),
-        QuantityName::KRoll => "Roll gyradius".into(),
-        QuantityName::CmDepth => "Depth of the centre of mass".into(),
-        QuantityName::Psi => "Tilt of the principal axis".into(),
         QuantityName::PrincipalGyradii => "Principal gyradii".into(),
         QuantityName::Inertia => "Moments of inertia".into(),
         QuantityName::SmallPeriod(_) => spaced(quantity.as_str()),
+        scalar => quantity_in(scalar.as_str(), Language::English),
     }
 }
 

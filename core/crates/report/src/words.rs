@@ -56,7 +56,7 @@ pub(super) fn quantity_inside(quantity: &QuantityName, language: Language) -> St
     }
 }
 
-/// A stated figure or a route's quantity as the court names it.
+/// A stated figure or a route's quantity as the consistency tests name it.
 pub(super) fn claim_name(subject: &Subject, language: Language) -> String {
     match (subject, language) {
         (_, Language::English) => words::claim_name(subject),

@@ -4421,7 +4421,7 @@ public func FfiConverterTypeCauseVerdict_lower(_ value: CauseVerdict) -> RustBuf
 
 
 /**
- * One sitting of the consistency court.
+ * One comparison of the consistency tests.
  */
 public struct Claim: Equatable, Hashable {
     /**

@@ -115,7 +115,7 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
     if name.kind == InputKind::Gravity && !EARTH_M_S2.contains(&held.predicted) {
         return None;
     }
-    let unit = unit_of(name.kind);
+    let unit = UnitName::from(name.kind);
     let implied_u = (held.u * held.u - prior.u * prior.u).max(0.0).sqrt();
     (*role == Role::Stated).then(|| {
         let said = words::message(
@@ -142,18 +142,6 @@ fn dimension(base: &Fitted, place: usize, held: HeldOut) -> Option<Discrepancy> 
             said,
         )
     })
-}
-
-fn unit_of(kind: InputKind) -> UnitName {
-    match kind {
-        InputKind::LineLength
-        | InputKind::Spacing
-        | InputKind::TopSpacing
-        | InputKind::AxisHeight => UnitName::Metre,
-        InputKind::Gravity => UnitName::MetrePerSecondSquaredRaised,
-        InputKind::HullPitch => UnitName::Degree,
-        _ => UnitName::Untold,
-    }
 }
 
 /// Which swings share a stated figure; nothing where all do.

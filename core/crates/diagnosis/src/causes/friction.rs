@@ -42,16 +42,21 @@ fn four(
         .collect()
 }
 
+/// What the turn about the suspension is called: pitch or roll.
+fn turning(scales: &Scales, pitch: ParameterName, roll: ParameterName) -> ParameterName {
+    if scales.pitches { pitch } else { roll }
+}
+
 fn quadratic_drag(scales: &Scales) -> Cause {
     let (i, mass) = (inertias(scales), scales.mass_kg);
     let names = [
         ParameterName::SurgeForceCoefficient,
         ParameterName::SwayForceCoefficient,
-        if scales.pitches {
-            ParameterName::PitchTorqueCoefficient
-        } else {
-            ParameterName::RollTorqueCoefficient
-        },
+        turning(
+            scales,
+            ParameterName::PitchTorqueCoefficient,
+            ParameterName::RollTorqueCoefficient,
+        ),
         ParameterName::YawTorqueCoefficient,
     ];
     let units = [
@@ -76,11 +81,7 @@ fn power_law_damping(scales: &Scales) -> Cause {
     let names = [
         ParameterName::SurgeNSM,
         ParameterName::SwayNSM,
-        if scales.pitches {
-            ParameterName::PitchNMS
-        } else {
-            ParameterName::RollNMS
-        },
+        turning(scales, ParameterName::PitchNMS, ParameterName::RollNMS),
         ParameterName::YawNMS,
     ];
     let mut parameters = four(
@@ -109,29 +110,27 @@ fn power_law_damping(scales: &Scales) -> Cause {
 /// Rate and speed over which dry friction turns its sign, rad/s and m/s: a hundredth of a swing's.
 const TRANSITION: f64 = 7e-4;
 
-fn bearing_friction(scales: &Scales) -> Cause {
-    let (i, mass) = (inertias(scales), scales.mass_kg);
+/// Strengths of a dry friction.
+fn dry_friction(scales: &Scales) -> ([ParameterName; 4], Vec<CauseParameter>) {
     let names = [
         ParameterName::SurgeN,
         ParameterName::SwayN,
-        if scales.pitches {
-            ParameterName::PitchNM
-        } else {
-            ParameterName::RollNM
-        },
+        turning(scales, ParameterName::PitchNM, ParameterName::RollNM),
         ParameterName::YawNM,
     ];
-    let parameters = four(
-        names,
-        [
-            UnitName::Newton,
-            UnitName::Newton,
-            UnitName::NewtonMetre,
-            UnitName::NewtonMetre,
-        ],
-        i.map(|i| i * mass),
-        5e-4,
-    );
+    let units = [
+        UnitName::Newton,
+        UnitName::Newton,
+        UnitName::NewtonMetre,
+        UnitName::NewtonMetre,
+    ];
+    let per = inertias(scales).map(|i| i * scales.mass_kg);
+    (names, four(names, units, per, 5e-4))
+}
+
+fn bearing_friction(scales: &Scales) -> Cause {
+    let i = inertias(scales);
+    let (names, parameters) = dry_friction(scales);
     let law = put(move |q, _, e| {
         let mut numbers = by_name(&names, |k| q[k] * i[k]);
         numbers.push(("transition_rad_s", TRANSITION));
@@ -147,28 +146,8 @@ fn bearing_friction(scales: &Scales) -> Cause {
 }
 
 fn presliding_bearing(scales: &Scales, give_rad: f64) -> Cause {
-    let (i, mass, line_m) = (inertias(scales), scales.mass_kg, scales.line_m);
-    let names = [
-        ParameterName::SurgeN,
-        ParameterName::SwayN,
-        if scales.pitches {
-            ParameterName::PitchNM
-        } else {
-            ParameterName::RollNM
-        },
-        ParameterName::YawNM,
-    ];
-    let mut parameters = four(
-        names,
-        [
-            UnitName::Newton,
-            UnitName::Newton,
-            UnitName::NewtonMetre,
-            UnitName::NewtonMetre,
-        ],
-        i.map(|i| i * mass),
-        5e-4,
-    );
+    let (i, line_m) = (inertias(scales), scales.line_m);
+    let (names, mut parameters) = dry_friction(scales);
     parameters.push(logarithm(
         ParameterName::GiveRad,
         UnitName::Radian,

@@ -19,9 +19,9 @@ use gyradius_mechanics::effects::EffectValues;
 use gyradius_recording::{ModeName, Orientation};
 
 use super::cause_id::CauseId;
+use super::fitted_swing::Base;
 use super::parameter_id::ParameterName;
 use super::point::{Cause, CauseParameter, Form, NO_LIMITS, Point, Put};
-use super::swung::Base;
 use super::unit::UnitName;
 
 pub use aboard::{ringing, seconds};

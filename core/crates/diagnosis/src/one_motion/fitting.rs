@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::super::fitted_swing::HORIZONS_S;
 use super::super::point::Part;
-use super::super::swung::HORIZONS_S;
 use super::causes::Cause;
 use super::swing::{DAMPING, Swing};
 

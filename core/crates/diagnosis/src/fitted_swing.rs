@@ -10,7 +10,7 @@ use gyradius_recording::Session;
 pub const HORIZONS_S: [f64; 3] = [8.0, 20.0, 50.0];
 
 /// A swing that is fitted.
-pub struct Swung<'a> {
+pub struct FittedSwing<'a> {
     pub setup: SwingSetup<'a>,
     pub samples: Samples,
     /// Which of the session's phone mounts it has.
@@ -24,7 +24,7 @@ pub struct Swung<'a> {
 pub struct Base<'a> {
     pub session: &'a Session,
     pub system: &'a System<'a>,
-    pub swings: Vec<Swung<'a>>,
+    pub swings: Vec<FittedSwing<'a>>,
     pub mounts: usize,
     /// The session's parameters in play.
     pub free: Vec<usize>,
