@@ -11,9 +11,10 @@ BIN := $(VENV)/bin
 LOGS := build/logs
 # Runs a command with its output shown and kept, so that what was skipped can be told at the end.
 STEP := tests/step $(LOGS)
-CRATES := --workspace --exclude gyradius-python
+# Cargo's library of the Python package.
+MODULE := target/debug/lib_core.$(if $(filter Darwin,$(shell uname)),dylib,so)
 
-.PHONY: help demo check test graph schemas lint lint-python release-package bench gallery package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots bindings generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -41,7 +42,7 @@ check:
 	@$(STEP) graph $(PYTHON) core/docs/graph.py --check
 	@$(STEP) clippy cargo clippy --workspace --all-targets -- -D warnings
 	@$(MAKE) --no-print-directory package
-	@$(STEP) rust tests/run-rust --changed $(CRATES)
+	@$(STEP) rust tests/run-rust --changed --workspace
 	@$(MAKE) --no-print-directory lint-python test-python
 
 # Lints first: they are quick, and they compile what the tests need.
@@ -73,8 +74,8 @@ test-cached: package
 	@$(STEP) cached $(BIN)/python -m pytest -q tests/test_cached.py
 
 test-rust:
-	@$(STEP) rust tests/run-rust $(CRATES)
-	@$(STEP) doctest cargo test --doc $(CRATES)
+	@$(STEP) rust tests/run-rust --workspace
+	@$(STEP) doctest cargo test --doc --workspace
 
 # The expected values themselves, computed anew at 30 digits by code that shares nothing with the core.
 test-vectors: blind-tools
@@ -91,16 +92,12 @@ test-faces:
 test-python: package
 	@$(STEP) python $(BIN)/python -m pytest -c python/pyproject.toml python/tests
 
-# The same selection as of test-rust, so that nothing is compiled twice.
-bindings:
-	@cargo build --quiet $(CRATES) --all-targets
-
 # The Swift that is committed is what the facade gives.
-generated: bindings
+generated: build
 	@$(STEP) generated bindings/check-generated
 
 # What Python gives, for the other faces to be held against; Rust at once.
-faces: package bindings
+faces: package
 	@$(STEP) faces $(BIN)/python tests/faces/write_results.py build/faces
 	@$(STEP) faces-rust tests/faces/check-rust build/faces
 
@@ -122,14 +119,14 @@ test-targets:
 	@$(STEP) targets bindings/check-targets
 
 # The app: compiled without the Android SDK, its screens driven under Robolectric (android/README.md).
-test-android: bindings
+test-android: build
 	@$(STEP) android android/offline/run test
 
 # Pictures of its screens in build/android/shots.
-screenshots: bindings
+screenshots: build
 	@$(STEP) screenshots android/offline/run shots
 
-generate: bindings
+generate: build
 	rm -rf bindings/swift/Sources/GyradiusFFI bindings/swift/Sources/GyradiusKit/Generated
 	bindings/generate swift bindings/swift/Sources
 
@@ -165,16 +162,15 @@ blind-tools: $(BIN)/maturin
 	@$(BIN)/python -m pip --quiet install -r tests/requirements.txt
 
 # The schemas of the program's JSON, from its types.
-# The same selection as of test-rust, so that nothing is compiled twice.
 schemas:
-	@GYRADIUS_WRITE_SCHEMAS=1 cargo test $(CRATES) --test it committed_schemas
+	@GYRADIUS_WRITE_SCHEMAS=1 cargo test --workspace --test it committed_schemas
 
 # Which crate uses which, in ARCHITECTURE.md.
 graph:
 	$(PYTHON) core/docs/graph.py
 
 doc:
-	@RUSTDOCFLAGS="-D warnings" $(STEP) doc cargo doc --no-deps $(CRATES)
+	@RUSTDOCFLAGS="-D warnings" $(STEP) doc cargo doc --no-deps --workspace
 
 # The core's speed by criterion, then ours beside other methods' on one record, all called from Python.
 bench: release-package blind-tools
@@ -193,10 +189,15 @@ skips:
 report-shots: demo
 	$(BIN)/python tests/report_shots.py build/demo build/shots
 
-# The package and what its tests need, in a virtual environment at the root. Its native module is built in the profile of
-# the Rust tests, so that the core is compiled once; what is shown or timed takes the release build.
-package: $(BIN)/maturin
-	@VIRTUAL_ENV=$(VENV) PIP_QUIET=1 $(BIN)/maturin develop --quiet --profile dev --extras test -m python/Cargo.toml
+# All that Rust compiles here, once: every other recipe asks cargo for the same selection. Cargo joins the features that its
+# packages ask of a library, so that another selection would compile most of them again.
+build:
+	@$(STEP) build cargo build --quiet --workspace --all-targets
+
+# The package and what its tests need, in a virtual environment at the root, with the module of `build`; what is shown or
+# timed takes the release build.
+package: $(BIN)/maturin build
+	@python/develop $(VENV) $(MODULE)
 
 release-package: $(BIN)/maturin
 	@VIRTUAL_ENV=$(VENV) PIP_QUIET=1 $(BIN)/maturin develop --quiet --release --extras test -m python/Cargo.toml
