@@ -7,7 +7,7 @@
 
 use super::import::table::{Columns, Table};
 use super::repair::{self, RawSeries, Repaired, Sampling};
-use super::samples::{PeriodList, Recording, Sensor, Track, Triad};
+use super::samples::{PeriodList, Recording, Repair, RepairKind, Sensor, Track, Triad};
 use gyradius_base::{Error, Result};
 
 /// The three-axis sensors with the names of their columns.
@@ -92,6 +92,7 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
     };
     for (sensor, repaired) in sensors.into_iter().zip(repaired) {
         out.repairs.extend(repaired.repairs.iter().cloned());
+        out.at_limit_s.extend(&repaired.at_limit_s);
         let place = match sensor {
             Sensor::Gyroscope => &mut out.gyroscope,
             Sensor::Accelerometer => &mut out.accelerometer,
@@ -100,6 +101,8 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
         };
         *place = triad(repaired);
     }
+    out.at_limit_s.sort_by(f64::total_cmp);
+    drop_other_clocks(&mut out);
     let usable = [
         &out.gyroscope,
         &out.accelerometer,
@@ -111,6 +114,44 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
     Ok(out)
 }
 
+/// A sensor whose stamps do not overlap with the gyroscope's (with the accelerometer's where there is
+/// none) has a clock of another origin: its samples cannot be put beside the others'.
+fn drop_other_clocks(out: &mut Recording) {
+    let span = |triad: &Option<Triad>| {
+        let t_s = &triad.as_ref()?.t_s;
+        Some((*t_s.first()?, *t_s.last()?))
+    };
+    let Some(main) = span(&out.gyroscope).or(span(&out.accelerometer)) else {
+        return;
+    };
+    for (sensor, place) in [
+        (Sensor::Accelerometer, &mut out.accelerometer),
+        (Sensor::LinearAccelerometer, &mut out.linear_accelerometer),
+    ] {
+        let Some((first_s, last_s)) = span(place) else {
+            continue;
+        };
+        let overlap_s = last_s.min(main.1) - first_s.max(main.0);
+        if overlap_s >= 0.5 * (last_s - first_s).min(main.1 - main.0) {
+            continue;
+        }
+        let count = place.take().map_or(0, |triad| triad.t_s.len());
+        out.repairs.push(Repair {
+            kind: RepairKind::OtherClock,
+            sensor,
+            count,
+            first_s,
+            last_s,
+            text: format!(
+                "{}: its stamps ({first_s} to {last_s} s) lie outside those of the other sensor ({} to {} s), as with a clock of its own; left out",
+                sensor.name(),
+                main.0,
+                main.1
+            ),
+        });
+    }
+}
+
 /// One sample has no clock: a sensor needs two.
 fn triad(repaired: Repaired) -> Option<Triad> {
     let axes: [Vec<f64>; 3] = repaired.channels.try_into().ok()?;
@@ -120,7 +161,7 @@ fn triad(repaired: Repaired) -> Option<Triad> {
     })
 }
 
-fn too_few(name: &str, repairs: &[super::samples::Repair]) -> Error {
+fn too_few(name: &str, repairs: &[Repair]) -> Error {
     let texts: Vec<&str> = repairs.iter().map(|repair| repair.text.as_str()).collect();
     let found = if texts.is_empty() {
         "fewer than two".to_owned()

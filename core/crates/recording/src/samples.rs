@@ -69,6 +69,9 @@ pub struct Recording {
     /// When the swing was disturbed, s, by the marks of who recorded it: no free swing goes across.
     #[serde(default)]
     pub disturbed_s: Vec<f64>,
+    /// When samples were left out because a sensor was at its limit, s, in time order.
+    #[serde(default)]
+    pub at_limit_s: Vec<f64>,
 }
 
 /// A rangefinder's track.
@@ -145,6 +148,15 @@ pub enum RepairKind {
     LostByRecorder,
     /// A second swing (hull touched or released again): only the longest is used.
     SecondSwing,
+    /// Different samples share a stamp (packets, stamps in whole seconds): spread evenly from one
+    /// stamp to the next.
+    SharedStamps,
+    /// The clock steps ahead by more than the record can hold, or a few rows stand alone beyond a
+    /// gap: what lies beyond is dropped.
+    StampStep,
+    /// A sensor's stamps lie outside those of the others, as with a clock of its own: the sensor is
+    /// dropped.
+    OtherClock,
 }
 
 /// One kind of damage of one sensor: how often, where first and last, what was done.

@@ -121,6 +121,9 @@ pub(super) fn repair(kind: RepairKind, language: Language) -> String {
         RepairKind::Pause => "pause_put_back",
         RepairKind::LostByRecorder => "lost_by_recorder",
         RepairKind::SecondSwing => "second_swing_left_out",
+        RepairKind::SharedStamps => "shared_stamps",
+        RepairKind::StampStep => "stamp_step",
+        RepairKind::OtherClock => "other_clock",
     };
     say(language, key, [])
 }

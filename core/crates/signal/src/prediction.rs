@@ -23,6 +23,10 @@ const AT_REST: f64 = 0.15;
 /// suspect already.
 const SUSPECT: f64 = 0.3;
 
+/// A block with less than this share of the usual number of samples lies at the edge of a gap. Its
+/// samples are on one side of its middle, and their line would have to be extended to it.
+const WHOLE_BLOCK: f64 = 0.5;
+
 /// Who tells of a disturbance knows its time to about so many blocks: it was seen in blocks, and
 /// lasts.
 const KNOWN_BLOCKS: f64 = 2.0;
@@ -136,6 +140,14 @@ impl BlockSeries {
             .sqrt()
     }
 
+    /// Whether at least half of a stretch of blocks holds samples: a gap is not rest.
+    fn is_recorded(&self, first: usize, end: usize) -> bool {
+        self.values.iter().any(|v| {
+            let present = v[first..end].iter().flatten().count();
+            2 * present >= end - first
+        })
+    }
+
     fn strongest_period(&self) -> Option<f64> {
         let n = self.len();
         let fft = FftPlanner::new().plan_fft_forward(n);
@@ -181,7 +193,12 @@ fn block_values(
                 .for_each(|(term, sum)| *sum += term);
         }
     }
-    sums.iter().map(line_at_middle).collect()
+    let filled: Vec<f64> = sums.iter().map(|s| s[0]).filter(|n| *n > 0.0).collect();
+    let fewest = WHOLE_BLOCK * quantile(&filled, 0.5).unwrap_or(0.0);
+    let is_whole = |s: &[f64; 5]| s[0] >= fewest;
+    sums.iter()
+        .map(|s| line_at_middle(s).filter(|_| is_whole(s)))
+        .collect()
 }
 
 fn line_at_middle([n, u, uu, x, ux]: &[f64; 5]) -> Option<f64> {
@@ -366,7 +383,11 @@ fn meets_rest(series: &BlockSeries, i: usize) -> bool {
 
 /// Whether there is as much motion after block `b` as before block `a`. Rest follows the rule of
 /// any swing: a constant foretells itself, and a few unknown blocks lead from the one to the other.
+/// A side that was hardly recorded says nothing of rest.
 fn goes_on(series: &BlockSeries, a: usize, b: usize) -> bool {
+    if !series.is_recorded(a - LAGS, a) || !series.is_recorded(b, b + LAGS) {
+        return true;
+    }
     let (before, after) = (series.rms(a - LAGS, a), series.rms(b, b + LAGS));
     before.min(after) > AT_REST * before.max(after)
 }

@@ -10,6 +10,9 @@ use gyradius_base::{Error, Result};
 const FEWEST_SAMPLES: usize = 16;
 /// Fewest cycles of the lowest mode in the span.
 const FEWEST_CYCLES: f64 = 1.5;
+/// Most cycles of the highest frequency for each sample. A record without gaps has at most 0.45 (its
+/// band ends there), one of which a third is recorded three times as many.
+const MOST_CYCLES_PER_SAMPLE: f64 = 8.0;
 /// Cells per period of the fastest line in the final fit: 1 − sinc² = 0.6 % of the information is
 /// lost.
 pub(super) const FINAL_CELLS: f64 = 24.0;
@@ -38,6 +41,7 @@ impl<'a> Record<'a> {
         };
         let clock = Clock::of(groups);
         let band_hz = band_hz(options, clock.span_s, interval_s)?;
+        check_span(groups, clock.span_s, band_hz.1)?;
         let band = (band_hz.0 * clock.span_s, band_hz.1 * clock.span_s);
         if band.0 < FEWEST_CYCLES * 0.999 {
             let reason = format!(
@@ -144,6 +148,18 @@ fn band_hz(options: &DecomposeOptions, span_s: f64, interval_s: f64) -> Result<(
         )));
     }
     Ok(band)
+}
+
+/// Cells of the search, and with them time and memory, go with the span: it may not be out of
+/// proportion to the samples.
+fn check_span(groups: &[ChannelGroup], span_s: f64, highest_hz: f64) -> Result<()> {
+    let samples: usize = groups.iter().map(|g| g.t_s.len()).sum();
+    if span_s.is_finite() && span_s * highest_hz <= MOST_CYCLES_PER_SAMPLE * samples as f64 {
+        return Ok(());
+    }
+    Err(no_result(format!(
+        "{samples} samples are spread over {span_s:.0} s: most of the time has none"
+    )))
 }
 
 fn check_group(group: &ChannelGroup) -> Result<()> {

@@ -98,6 +98,25 @@ fn jitter(sensor: Sensor, median: f64, steps: &[(f64, f64)]) -> Option<Repair> {
     })
 }
 
+/// Samples that share the stamp of their packet.
+pub(super) fn shared_stamps(raw: &RawSeries, shared: usize) -> Option<Repair> {
+    let last = raw.t_s.len().checked_sub(1).filter(|_| shared > 0)?;
+    let own = raw.t_s.len() - shared;
+    Some(Repair {
+        kind: RepairKind::SharedStamps,
+        sensor: raw.sensor,
+        count: shared,
+        first_s: time_near(&raw.t_s, 0),
+        last_s: time_near(&raw.t_s, last),
+        text: format!(
+            "{}: {} samples share {own} stamps, {:.0} to a stamp; spread evenly from one stamp to the next",
+            raw.sensor.name(),
+            raw.t_s.len(),
+            raw.t_s.len() as f64 / own.max(1) as f64
+        ),
+    })
+}
+
 /// One repair for each reason that samples were left out for.
 pub(super) fn left_out(raw: &RawSeries, fates: &Fates) -> Vec<Repair> {
     let kinds = [
@@ -106,6 +125,7 @@ pub(super) fn left_out(raw: &RawSeries, fates: &Fates) -> Vec<Repair> {
         RepairKind::NotANumber,
         RepairKind::Saturation,
         RepairKind::SecondSwing,
+        RepairKind::StampStep,
     ];
     kinds
         .into_iter()
@@ -126,6 +146,9 @@ fn left_out_as(kind: RepairKind, raw: &RawSeries, fates: &Fates) -> Option<Repai
             format!("{} a value that is not a number", plural(n, "has", "have"))
         }
         RepairKind::Saturation => format!("{} at the sensor's limit", plural(n, "is", "are")),
+        RepairKind::StampStep => {
+            format!("{} beyond a step of the clock", plural(n, "lies", "lie"))
+        }
         _ => format!(
             "{} to a second recording in the same file",
             plural(n, "belongs", "belong")

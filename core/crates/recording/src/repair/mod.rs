@@ -1,7 +1,8 @@
 //! What is wrong with a sensor's samples, and what the analysis leaves out for it.
 //!
-//! Nothing is resampled and nothing is moved: a sample is kept as it stands or left out, and every
-//! sample left out and every gap is listed. The file itself is never changed.
+//! Nothing is resampled: a sample is kept or left out, and every sample left out and every gap is
+//! listed. Stamps are used as they stand, but for those that packets share, which are spread. The
+//! file itself is never changed.
 
 mod findings;
 mod saturation;
@@ -12,8 +13,6 @@ pub use findings::MISSING_INTERVALS;
 pub use saturation::{CUT_STEPS, RUN_SAMPLES, RUNS, STATED_RANGE};
 pub(crate) use series::RawSeries;
 pub use stamps::median_interval_s;
-
-use std::ops::Range;
 
 use super::samples::{Repair, RepairKind};
 use gyradius_base::{Error, Result};
@@ -28,6 +27,8 @@ pub(crate) struct Repaired {
     pub channels: Vec<Vec<f64>>,
     /// Everything left out, and every gap.
     pub repairs: Vec<Repair>,
+    /// Stamps of the samples left out at the sensor's limit, s.
+    pub at_limit_s: Vec<f64>,
 }
 
 /// Whether a series is a sampled signal, whose gaps and jitter mean something, or a list of events.
@@ -49,29 +50,35 @@ pub(crate) fn repair_file(
     for raw in &series {
         refuse_reversed(raw, file)?;
     }
-    let windows: Vec<Option<Range<usize>>> = series
+    let mut series = series;
+    let shared: Vec<usize> = match sampling {
+        Sampling::Regular => series.iter_mut().map(stamps::spread_shared).collect(),
+        Sampling::Events => vec![0; series.len()],
+    };
+    let windows: Vec<stamps::Window> = series
         .iter()
         .map(|raw| window(&series, raw.table))
         .collect();
     Ok(series
         .into_iter()
         .zip(windows)
-        .map(|(raw, rows)| repair(raw, rows, sampling))
+        .zip(shared)
+        .map(|((raw, window), shared)| repair(raw, &window, shared, sampling))
         .collect())
 }
 
 /// Rows to keep of one table, decided by its densest sensor.
-fn window(series: &[RawSeries], table: usize) -> Option<Range<usize>> {
+fn window(series: &[RawSeries], table: usize) -> stamps::Window {
     let densest = series
         .iter()
         .filter(|raw| raw.table == table)
-        .max_by_key(|raw| raw.t_s.len())?;
-    stamps::longest_stretch(densest)
+        .max_by_key(|raw| raw.t_s.len());
+    densest.map_or_else(stamps::Window::default, stamps::window)
 }
 
-fn repair(raw: RawSeries, rows: Option<Range<usize>>, sampling: Sampling) -> Repaired {
+fn repair(raw: RawSeries, window: &stamps::Window, shared: usize, sampling: Sampling) -> Repaired {
     let mut fates: Fates = vec![None; raw.t_s.len()];
-    stamps::judge(&raw, rows, &mut fates);
+    stamps::judge(&raw, window, &mut fates);
     let mut repairs = Vec::new();
     if sampling == Sampling::Regular {
         repairs = findings::gaps_and_jitter(raw.sensor, &kept(&raw.t_s, &fates));
@@ -85,16 +92,25 @@ fn repair(raw: RawSeries, rows: Option<Range<usize>>, sampling: Sampling) -> Rep
     }
     saturation::judge(&raw, &mut fates);
     repairs.extend(findings::left_out(&raw, &fates));
+    repairs.extend(findings::shared_stamps(&raw, shared));
     repairs.sort_by_key(|repair| repair.kind);
     let channels = raw
         .channels
         .iter()
         .map(|channel| kept(channel, &fates))
         .collect();
+    let at_limit_s = raw
+        .t_s
+        .iter()
+        .zip(&fates)
+        .filter(|(_, fate)| **fate == Some(RepairKind::Saturation))
+        .map(|(t_s, _)| *t_s)
+        .collect();
     Repaired {
         t_s: kept(&raw.t_s, &fates),
         channels,
         repairs,
+        at_limit_s,
     }
 }
 

@@ -442,3 +442,100 @@ proptest! {
         }
     }
 }
+
+/// A minute at 100 Hz, and rows whose stamps have another origin.
+#[test]
+fn rows_beyond_a_step_of_the_clock_are_left_out() {
+    let far = [10.0, 300.0, 1e4, 1.7e9, 9.223372036854776e18, 1e308];
+    for ahead in far {
+        let last = read(&rows(6000, |i| {
+            0.01 * i as f64 + if i == 5999 { ahead } else { 0.0 }
+        }));
+        assert_eq!(last.gyroscope.as_ref().unwrap().t_s.len(), 5999, "{ahead}");
+        assert_eq!(only(&last, RepairKind::StampStep).count, 1);
+    }
+    for ahead in [200.0, 1e5, 1e9] {
+        for (from, kept) in [(2000, 4000), (4000, 4000), (3000, 3000)] {
+            let step = |i: usize| 0.01 * i as f64 + if i >= from { ahead } else { 0.0 };
+            let recording = read(&rows(6000, step));
+            let t_s = &recording.gyroscope.as_ref().unwrap().t_s;
+            assert_eq!(t_s.len(), kept, "{ahead} from {from}");
+            assert!(t_s[t_s.len() - 1] - t_s[0] < 41.0);
+            assert_eq!(only(&recording, RepairKind::StampStep).count, 6000 - kept);
+        }
+    }
+}
+
+/// The recorder stopped for less than it recorded, or sent bursts: nothing is left out.
+#[test]
+fn pauses_and_bursts_are_no_steps_of_the_clock() {
+    let paused = |i: usize| 0.01 * i as f64 + if i >= 3000 { 20.0 } else { 0.0 };
+    let bursts = |i: usize| 0.01 * i as f64 + 0.15 * (i / 10) as f64;
+    for recording in [read(&rows(6000, paused)), read(&rows(6000, bursts))] {
+        assert_eq!(recording.gyroscope.as_ref().unwrap().t_s.len(), 6000);
+    }
+}
+
+/// Samples every 10 ms in packets of 30, 60 and 90, each with the stamp of its last sample.
+#[test]
+fn the_samples_of_a_packet_are_spread() {
+    let size = |i: usize| [30, 60, 90][i % 3];
+    let mut last_of = Vec::new();
+    for packet in 0..60 {
+        let before = last_of.len();
+        last_of.extend(std::iter::repeat_n(before + size(packet) - 1, size(packet)));
+    }
+    let recording = read(&rows(last_of.len(), |i| 0.01 * last_of[i] as f64));
+    let t_s = &recording.gyroscope.as_ref().unwrap().t_s;
+    assert_eq!(t_s.len(), 3600);
+    for (i, t_s) in t_s.iter().enumerate() {
+        assert!((t_s - 0.01 * i as f64).abs() < 1e-9, "{i}: {t_s}");
+    }
+    let shared = only(&recording, RepairKind::SharedStamps);
+    assert_eq!(shared.count, 3540);
+    assert!(shared.text.contains("60 to a stamp"), "{}", shared.text);
+    // Stamps in whole seconds: a second late, all of them.
+    let seconds = read(&rows(6000, |i| (i / 100) as f64));
+    let t_s = &seconds.gyroscope.as_ref().unwrap().t_s;
+    assert_eq!(t_s.len(), 6000);
+    for (i, t_s) in t_s.iter().enumerate() {
+        assert!((t_s - (0.01 * i as f64 - 0.99)).abs() < 1e-9, "{i}: {t_s}");
+    }
+}
+
+/// The gyroscope counts from the start of the phone, the accelerometer from 1970.
+#[test]
+fn a_sensor_with_a_clock_of_its_own_is_left_out() {
+    let mut text = String::from("t,gx,gy,gz,ax,ay,az\n");
+    for i in 0..100 {
+        let t = 0.01 * f64::from(i);
+        text += &format!("{t:.2},1,{i},3,,,\n{:.2},,,,0.1,{i},9.8\n", 1.7e9 + t);
+    }
+    // One column of time: the stamps of the two alternate.
+    let recording = read(&text);
+    assert_eq!(recording.gyroscope.unwrap().t_s.len(), 100);
+    assert!(recording.accelerometer.is_none());
+    let repair = recording
+        .repairs
+        .iter()
+        .find(|r| r.kind == RepairKind::OtherClock);
+    assert_eq!(repair.unwrap().count, 100);
+}
+
+#[test]
+fn the_times_at_the_limit_are_kept() {
+    let mut text = String::from("t,gx,gy,gz\n");
+    for i in 0..400 {
+        let x = (10.0 * (0.05 * f64::from(i)).sin()).clamp(-7.0, 7.0);
+        text += &format!(
+            "{:.2},{x},{:.3},0.1\n",
+            0.01 * f64::from(i),
+            0.001 * f64::from(i % 7)
+        );
+    }
+    let recording = read(&text);
+    let count = only(&recording, RepairKind::Saturation).count;
+    assert!(count > 100);
+    assert_eq!(recording.at_limit_s.len(), count);
+    assert!(recording.at_limit_s.is_sorted());
+}
