@@ -142,6 +142,22 @@ class Verdict:
     verdict: str
 
 
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """Something that is not plausible, or that the data cannot hold.
+
+    ``severity`` is ``noted``, ``warned``, ``widened`` or ``refused``: what is refused is not stated.
+    """
+
+    kind: str
+    severity: str
+    swing: str | None
+    channel: str | None
+    numbers: Mapping[str, float]
+    text: str
+    advice: str
+
+
 @dataclass(frozen=True)
 class Measurement:
     """Everything a session gives."""
@@ -155,6 +171,7 @@ class Measurement:
     correlations: tuple[tuple[str, str, float], ...]
     consistency: tuple[Claim, ...]
     verdicts: tuple[Verdict, ...]
+    findings: tuple[Finding, ...]
     warnings: tuple[str, ...]
     _core: _core.Measurement
 
@@ -206,6 +223,7 @@ def view(core: _core.Measurement) -> Measurement:
         correlations=frozen(data["correlations"]),
         consistency=tuple(record(Claim, {**item, "source": item["from"]}) for item in data["consistency"]),
         verdicts=records(Verdict, data["verdicts"]),
+        findings=records(Finding, data["findings"]),
         warnings=tuple(data["warnings"]),
         _core=core,
     )

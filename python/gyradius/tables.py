@@ -40,6 +40,10 @@ def show(console: Console, measurement: Measurement) -> None:
     for warning in measurement.warnings:
         if warning not in said:
             console.print(warning_line(warning))
+    # What is more than noted is among the warnings.
+    for finding in measurement.findings:
+        if finding.severity == "noted":
+            console.print(Text(f"note: {finding.text}. {finding.advice}", style="dim"))
 
 
 def _parts(measurement: Measurement) -> list[RenderableType]:

@@ -6,6 +6,7 @@ use gyradius_core::diagnosis::{
     CauseResult, CauseVerdict, Critique, Discrepancy, Gain, LearnedForce, ModelResult, NextSwing,
     ParameterId, ParameterResult,
 };
+use gyradius_core::identification::Finding;
 use gyradius_core::recording::Excitation;
 
 use super::names::{CauseName, CauseStatus, CoordinateName, KindOfDiscrepancy, UnitText};
@@ -81,6 +82,8 @@ pub struct Critique {
     pub gain: Gain,
     /// The missing force as the data show it, where no known cause accounts for them.
     pub learned: Option<LearnedForce>,
+    /// What is not plausible in the session, and what its data cannot hold.
+    pub findings: Vec<Finding>,
     /// What a reader must know.
     pub warnings: Vec<Sentence>,
 }

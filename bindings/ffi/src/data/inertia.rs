@@ -1,17 +1,17 @@
 //! Plain data of the room `inertia`: the result of a measurement.
 
 use gyradius_core::identification::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
-    Value, Verdict,
+    AmplitudePoint, BudgetLine, Claim, Finding, Measurement, ModeResult, QuantityResult, Route,
+    SwingResult, Value, Verdict,
 };
 use gyradius_core::recording::{ModeName, Repair};
 
 use super::names::{
-    AmplitudeUnitName, DecisionName, InputName, MethodName, QuantityKey, RelationSign, RouteName,
-    SubjectName,
+    AmplitudeUnitName, DecisionName, InputName, KindOfFinding, MethodName, QuantityKey,
+    RelationSign, RouteName, SeverityName, SubjectName,
 };
 use super::sentence::Sentence;
-use super::{BudgetsByName, Count, Ends, QuantitiesByName, RoutesByName};
+use super::{BudgetsByName, Count, Ends, NumbersByName, QuantitiesByName, RoutesByName};
 
 /// What a quantity's value or uncertainty is.
 #[derive(Debug, Clone, PartialEq, uniffi::Enum)]
@@ -115,8 +115,29 @@ pub struct InertiaResult {
     pub consistency: Vec<Claim>,
     /// Verdicts against class limits, where asked for.
     pub verdicts: Vec<Verdict>,
+    /// What is not plausible in the session, and what its data cannot hold.
+    pub findings: Vec<Finding>,
     /// What a reader must know.
     pub warnings: Vec<Sentence>,
+}
+
+/// Something that is not plausible, or that the data cannot hold; `warnings` tell it too.
+#[uniffi::remote(Record)]
+pub struct Finding {
+    /// What kind.
+    pub kind: KindOfFinding,
+    /// What it does to the result.
+    pub severity: SeverityName,
+    /// Of which swing; none of the session.
+    pub swing: Option<String>,
+    /// Of which channel or dimension, where it is one.
+    pub channel: Option<String>,
+    /// The numbers behind it, SI.
+    pub numbers: NumbersByName,
+    /// What was found.
+    pub message: Sentence,
+    /// What to do.
+    pub advice: Sentence,
 }
 
 /// One swing's modes.

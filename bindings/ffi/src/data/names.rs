@@ -2,7 +2,8 @@
 
 use gyradius_core::diagnosis::{CauseId, DiscrepancyKind, ForceCoordinate, Status, Unit};
 use gyradius_core::identification::{
-    AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
+    AmplitudeUnit, Decision, FindingKind, Input, Method, QuantityName, Relation, RouteMethod,
+    Severity, Subject,
 };
 
 /// Declares that a type of the core crosses as its text.
@@ -35,6 +36,10 @@ by_text! {
     InputName = Input,
     /// A stated dimension, or a quantity.
     SubjectName = Subject,
+    /// A kind of finding.
+    KindOfFinding = FindingKind,
+    /// `noted`, `refused`, `warned` or `widened`.
+    SeverityName = Severity,
     /// A cause that the criticism tries.
     CauseName = CauseId,
     /// The verdict in one word.

@@ -199,6 +199,12 @@ pub enum RepairKind {
     LostByRecorder,
     /// A second swing: only the longest is used.
     SecondSwing,
+    /// Different samples share a stamp: spread evenly from one stamp to the next.
+    SharedStamps,
+    /// The clock steps ahead: what lies beyond is dropped.
+    StampStep,
+    /// A sensor with a clock of its own: dropped.
+    OtherClock,
 }
 
 /// One kind of damage of one sensor: how often, where, what was done.

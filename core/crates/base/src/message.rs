@@ -182,9 +182,9 @@ pub fn id_in(id: &str, language: Language) -> String {
 pub use catalogue::texts;
 
 /// A module for `#[serde(flatten, with = "…")]`: a message in JSON as two keys, its English and
-/// `said`, the message where it has more than that.
+/// the message, where it has more than that.
 macro_rules! english_and_said {
-    ($(#[$doc:meta])* $module:ident, $English:ident, $key:ident) => {
+    ($(#[$doc:meta])* $module:ident, $English:ident, $key:ident, $said:ident) => {
         $(#[$doc])*
         pub mod $module {
             use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -199,19 +199,19 @@ macro_rules! english_and_said {
                 pub $key: String,
                 /// The same for every language.
                 #[serde(default, skip_serializing_if = "Message::has_no_key")]
-                pub said: Message,
+                pub $said: Message,
             }
 
             /// Writes both.
             pub fn serialize<S: Serializer>(message: &Message, to: S) -> Result<S::Ok, S::Error> {
-                let ($key, said) = (message.english.clone(), message.clone());
-                $English { $key, said }.serialize(to)
+                let ($key, $said) = (message.english.clone(), message.clone());
+                $English { $key, $said }.serialize(to)
             }
 
             /// Reads both; a file from before there were keys has the English alone.
             pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Message, D::Error> {
-                let $English { $key, said } = $English::deserialize(from)?;
-                Ok(if said.has_no_key() { Message::in_english($key) } else { said })
+                let $English { $key, $said } = $English::deserialize(from)?;
+                Ok(if $said.has_no_key() { Message::in_english($key) } else { $said })
             }
         }
     };
@@ -219,11 +219,15 @@ macro_rules! english_and_said {
 
 english_and_said!(
     /// A message as `text` and `said`.
-    text_and_said, TextAndSaid, text
+    text_and_said, TextAndSaid, text, said
 );
 english_and_said!(
     /// A message as `channel` and `said`.
-    channel_and_said, ChannelAndSaid, channel
+    channel_and_said, ChannelAndSaid, channel, said
+);
+english_and_said!(
+    /// A message as `advice` and `advice_said`.
+    advice_and_said, AdviceAndSaid, advice, advice_said
 );
 
 /// Messages in JSON as two keys: `warnings`, their English, and `warnings_said`, the messages where

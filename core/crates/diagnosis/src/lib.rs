@@ -76,8 +76,12 @@ pub const FORMAT: &str = "gyradius-critique/1";
 /// Criticises a session.
 pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
     tell(progress, 0.0, "reading the swings")?;
-    let by_periods_alone =
-        || criticise_periods(loaded, &analyse(loaded, &MeasureOptions::default())?);
+    let by_periods_alone = || {
+        let analysis = analyse(loaded, &MeasureOptions::default())?;
+        let mut judged = criticise_periods(loaded, &analysis)?;
+        judged.critique = judged.critique.with(analysis.measurement.findings);
+        Ok(judged)
+    };
     if !loaded
         .data
         .iter()
@@ -93,10 +97,15 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
         system,
         inclines,
         warnings,
+        findings,
     } = prepared;
     let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
         let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, progress)?;
-        return turning.map_or_else(by_periods_alone, Ok);
+        let told = |judged: Criticism| {
+            let critique = judged.critique.with(findings);
+            Ok(Criticism { critique, ..judged })
+        };
+        return turning.map_or_else(by_periods_alone, told);
     };
     tell(progress, 0.15, "fitting all swings together")?;
     let model = Model::of(&base);
@@ -107,7 +116,9 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
     };
     let found = search(model.clone(), start, fitted, progress)?;
     tell(progress, 0.9, "judging by samples held out")?;
-    conclude(loaded, &model, &found, &inclines, warnings)
+    let judged = conclude(loaded, &model, &found, &inclines, warnings)?;
+    let critique = judged.critique.with(findings);
+    Ok(Criticism { critique, ..judged })
 }
 
 fn conclude(
@@ -159,6 +170,7 @@ fn conclude(
         extended,
         gain,
         learned: learned(found, rms(after)),
+        findings: Vec::new(),
         warnings,
     };
     Ok(Criticism {

@@ -11,7 +11,7 @@ use gyradius_base::message::Message;
 use gyradius_base::message::channel_and_said;
 use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
-use gyradius_identification::{QuantityName, QuantityResult};
+use gyradius_identification::{Finding, QuantityName, QuantityResult};
 use gyradius_recording::Excitation;
 
 use super::cause_id::CauseId;
@@ -43,6 +43,9 @@ pub struct Critique {
     /// The missing force as the data show it, where no known cause accounts for them.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub learned: Option<LearnedForce>,
+    /// What is not plausible in the session, and what its data cannot hold.
+    #[serde(default)]
+    pub findings: Vec<Finding>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
     #[schemars(with = "warnings_and_said::WarningsAndSaid")]
@@ -53,6 +56,14 @@ impl Critique {
     /// One thing more that a reader must know.
     pub(super) fn warn(&mut self, message: Message) {
         self.warnings.push(message);
+    }
+
+    /// With what the measurement found implausible.
+    pub(super) fn with(mut self, findings: Vec<Finding>) -> Self {
+        let told = findings.iter().filter_map(Finding::told);
+        self.warnings.extend(told);
+        self.findings = findings;
+        self
     }
 
     /// A criticism from its `gyradius-critique/1` text.

@@ -381,6 +381,12 @@ impl Solution {
 }
 
 impl Derived {
+    /// Takes in rows more, in which quantities share as in the others.
+    pub(super) fn append(&mut self, rows: &[f64]) {
+        self.by_row.extend(rows);
+        self.u = rows.iter().fold(self.u, |u, row| u.hypot(*row));
+    }
+
     /// Correlation with another scalar of the same solution.
     pub fn correlation(&self, other: &Derived) -> f64 {
         let covariance: f64 = self

@@ -9,6 +9,7 @@ pub mod by_samples;
 mod court;
 pub mod estimate;
 pub mod expected;
+mod findings;
 pub mod measure;
 mod measurement;
 pub mod modes;
@@ -19,6 +20,7 @@ pub mod parameters;
 pub mod routes;
 pub mod samples;
 mod sentences;
+mod spread;
 mod swing_work;
 pub mod theory;
 mod traced;
@@ -26,6 +28,7 @@ mod twin;
 mod value;
 pub mod words;
 
+pub use findings::{Finding, FindingKind, NEAR_IN_PHASE, Severity};
 pub use measure::solved_periods;
 pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, measure_recording};
 pub use measurement::{

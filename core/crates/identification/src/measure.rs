@@ -21,17 +21,22 @@ use gyradius_signal::{
 use super::alternatives::{RouteCalculation, routes};
 use super::beats;
 use super::by_samples::by_samples;
-use super::court;
+use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
+use super::findings::{
+    Finding, duplicates, near_resonance, of_dimensions, of_list, of_recording, of_residual,
+    of_size, phone_mass, phone_moved, unchecked,
+};
 use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
 use super::names::{AmplitudeUnit, Input, Subject};
 use super::observe::{
     Evidence, hints_contradicted, names_by_period, observe_recording, observe_track, parasites,
 };
-use super::outputs::write_quantities;
+use super::outputs::write_averaged;
 use super::parameters::{Layout, effective_gravity};
 use super::routes::guard::{Limit, verdict};
-use super::sentences::{message, name, plain};
+use super::sentences::{inputs, message, name, plain};
+use super::spread::Spread;
 pub use super::swing_work::SwingWork;
 use super::swing_work::WEAKEST_DB;
 use super::twin::{Correction, corrections};
@@ -92,6 +97,8 @@ pub struct Prepared<'a> {
     pub system: System<'a>,
     /// What a reader must know.
     pub warnings: Vec<Message>,
+    /// What is not plausible in it; swings that are refused have no periods any more.
+    pub findings: Vec<Finding>,
 }
 
 /// Observes every swing and lays out the session's parameters.
@@ -107,17 +114,21 @@ fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result
         tell(progress, share, &format!("reading {}", swing.id))?;
         Ok(work_swing(swing, &data.data, gravity.value))
     };
-    let works: Vec<SwingWork> = session
+    let mut works: Vec<SwingWork> = session
         .swings
         .iter()
         .zip(&loaded.data)
         .enumerate()
         .map(work)
         .collect::<Result<_>>()?;
-    if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() {
+    let mut findings = plausibility(loaded, gravity.value, &mut works);
+    let is_refused = findings.iter().any(Finding::refuses);
+    if works.iter().all(|w| w.result.modes.is_empty()) && !session.swings.is_empty() && !is_refused
+    {
         return Err(Error::no_result(&loaded.source, no_modes_reason(&works)));
     }
-    let pitch = phone_pitches(session, &works);
+    let (pitch, moved) = phone_pitches(session, &works);
+    findings.extend(moved);
     let inclines = recorded_inclines(loaded, &works);
     let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
     let layout = Layout::of(session, gravity, &pitch, &yaws);
@@ -128,7 +139,39 @@ fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result
         inclines,
         system,
         warnings: gravity_warning.into_iter().collect(),
+        findings,
     })
+}
+
+/// What is not plausible in the swings and the stated lengths. Nothing is taken from a swing that is
+/// refused.
+fn plausibility(
+    loaded: &LoadedSession,
+    gravity_m_s2: f64,
+    works: &mut [SwingWork],
+) -> Vec<Finding> {
+    let session = &loaded.session;
+    let of_swing = |(work, swing): (&SwingWork, &LoadedSwing)| match &swing.data {
+        LoadedData::Recording(recording) => {
+            of_recording(&swing.id, recording, work.evidence.as_ref(), gravity_m_s2)
+        }
+        LoadedData::Periods(list) => of_list(&swing.id, list),
+        LoadedData::Track(_) | LoadedData::Typed => vec![],
+    };
+    let mut found: Vec<Finding> = works.iter().zip(&loaded.data).flat_map(of_swing).collect();
+    found.extend(of_dimensions(session));
+    found.extend(Finding::default_u(&loaded.assumed));
+    for work in works.iter_mut() {
+        let is_its = |one: &&Finding| one.swing.as_deref() == Some(work.result.id.as_str());
+        if found.iter().filter(is_its).any(Finding::refuses) {
+            work.refuse();
+        }
+    }
+    for (place, finding) in duplicates(session, &loaded.data) {
+        works[place].refuse();
+        found.push(finding);
+    }
+    found
 }
 
 /// Measures a session and keeps the evidence.
@@ -148,6 +191,7 @@ pub fn analyse_watched(
         inclines,
         mut system,
         warnings,
+        findings,
     } = prepare_watched(loaded, progress)?;
     let mut result = Measurement {
         format: FORMAT.into(),
@@ -155,6 +199,7 @@ pub fn analyse_watched(
         ..Default::default()
     };
     warnings.into_iter().for_each(|said| result.warn(said));
+    findings.into_iter().for_each(|one| result.find(one));
     tell(progress, OBSERVED_SHARE, "solving the periods")?;
     let estimated = estimate(&mut system, session, &mut works, &inclines);
     tell(
@@ -172,7 +217,9 @@ pub fn analyse_watched(
             };
             let beats: Vec<_> = works.iter().map(counted).collect();
             let routes = routes(&system, &solution, &beats);
-            conclude(&system, &solution, &routes, options, &mut result);
+            conclude(&system, &solution, &routes, &mut result);
+            beyond_the_data((&system, &solution), &works, &mut result);
+            judge(options, &mut result);
         }
         Err(error) => result.warn(message("no_joint_estimate", [("reason", plain(error))])),
     }
@@ -294,10 +341,10 @@ fn conclude(
     system: &System,
     solution: &Solution,
     calculations: &[RouteCalculation],
-    options: &MeasureOptions,
     result: &mut Measurement,
 ) {
-    write_quantities(system, solution, result);
+    let spread = Spread::of(system, solution);
+    write_averaged(system, &spread, result);
     for calculation in calculations {
         let known = result
             .alternatives
@@ -309,7 +356,14 @@ fn conclude(
     worst_of_each(&result.consistency)
         .into_iter()
         .for_each(|said| result.warn(said));
-    if solution.birge > 1.0 {
+    if !spread.suspects.is_empty() {
+        let suspects = inputs(&spread.suspects);
+        result.find(Finding::contradiction(
+            solution.chi2,
+            solution.dof,
+            suspects,
+        ));
+    } else if solution.birge > 1.0 {
         let arguments = [
             ("chi2", solution.chi2),
             ("dof", solution.dof),
@@ -320,6 +374,25 @@ fn conclude(
             arguments.map(|(name, value)| (name, Argument::Number(value, 1))),
         ));
     }
+}
+
+/// What the result shows of the session: sizes, resonances, what rides along, what nothing tests.
+fn beyond_the_data(
+    (system, solution): (&System, &Solution),
+    works: &[SwingWork],
+    result: &mut Measurement,
+) {
+    let session = system.session;
+    let mut found = of_size(session, result);
+    found.extend(works.iter().filter_map(|w| of_residual(&w.result)));
+    found.extend(near_resonance(system, solution, works, result));
+    found.extend(phone_mass(session, works, result));
+    found.extend(unchecked(result));
+    found.into_iter().for_each(|one| result.find(one));
+}
+
+/// Verdicts on class limits.
+fn judge(options: &MeasureOptions, result: &mut Measurement) {
     for limit in &options.limits {
         let quantity = ("quantity", name(&format!("id.{}", limit.quantity)));
         match result
@@ -659,24 +732,40 @@ fn observations(
 }
 
 /// What the phones say of the pitch of each swing: the tilt against the first level swing, its
-/// sense as stated.
-fn phone_pitches(session: &Session, works: &[SwingWork]) -> Vec<Option<Quantity>> {
+/// sense as stated. Where it is not the stated pitch, the phone was moved or the pitch misread: then
+/// both are possible, and it is said.
+fn phone_pitches(session: &Session, works: &[SwingWork]) -> (Vec<Option<Quantity>>, Vec<Finding>) {
     let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
     let up = |i: usize| works[i].evidence.as_ref().and_then(|e| e.up);
     let reference = (0..works.len())
         .filter(|i| up(*i).is_some())
         .min_by(|a, b| pitch_size(stated(*a)).total_cmp(&pitch_size(stated(*b))));
-    (0..works.len())
-        .map(|i| {
-            let (reference, here) = (reference?, up(i)?);
-            let base = stated(reference).unwrap_or_default();
-            let tilt = tilt_between_rad(&up(reference)?, &here).to_degrees();
-            let sense = (stated(i)?.value - base.value).signum();
-            // Below half a degree the unsigned tilt is its own noise: the stated angle stands.
-            (i != reference && tilt > 0.5)
-                .then(|| Quantity::new(base.value + sense * tilt, base.u.hypot(PHONE_TILT_U_DEG)))
-        })
-        .collect()
+    let mut moved = Vec::new();
+    let pitches = (0..works.len()).map(|i| {
+        let (reference, here) = (reference?, up(i)?);
+        let base = stated(reference).unwrap_or_default();
+        let tilt = tilt_between_rad(&up(reference)?, &here).to_degrees();
+        let stated = stated(i)?;
+        let sense = (stated.value - base.value).signum();
+        // Below half a degree the unsigned tilt is its own noise: the stated angle stands.
+        if i == reference || tilt <= 0.5 {
+            return None;
+        }
+        let by_phone = Quantity::new(base.value + sense * tilt, base.u.hypot(PHONE_TILT_U_DEG));
+        let apart = by_phone.value - stated.value;
+        if apart.abs() <= FLAG_SIGMA * by_phone.u.hypot(stated.u) {
+            return Some(by_phone);
+        }
+        let id = &session.swings[i].id;
+        moved.push(phone_moved(id, stated.value, by_phone.value));
+        // The standard deviation of two equally likely figures is half their distance.
+        let middle = 0.5 * (by_phone.value + stated.value);
+        Some(Quantity::new(
+            middle,
+            by_phone.u.min(stated.u).hypot(0.5 * apart),
+        ))
+    });
+    (pitches.collect(), moved)
 }
 
 fn pitch_size(stated: Option<Quantity>) -> f64 {
@@ -724,13 +813,19 @@ pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Re
         &Hanging::default(),
         None,
     )?;
-    let work = work(evidence, None);
+    let mut work = work(evidence, None);
     let mut result = Measurement {
         format: FORMAT.into(),
         title: file_name(&recording.name).into(),
         ..Default::default()
     };
     result.warn(message("bare_recording", []));
+    let mut found = of_recording(&work.result.id, recording, work.evidence.as_ref(), gravity);
+    found.extend(of_residual(&work.result));
+    if found.iter().any(Finding::refuses) {
+        work.refuse();
+    }
+    found.into_iter().for_each(|one| result.find(one));
     result.swings.push(work.result);
     Ok(Analysis {
         measurement: result,

@@ -11,6 +11,7 @@ use gyradius_base::message::text_and_said;
 use gyradius_base::message::warnings_and_said;
 use gyradius_recording::{ModeName, Repair};
 
+use super::findings::Finding;
 use super::names::{
     AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
 };
@@ -37,6 +38,9 @@ pub struct Measurement {
     pub consistency: Vec<Claim>,
     /// Verdicts against class limits, where asked for.
     pub verdicts: Vec<Verdict>,
+    /// What is not plausible in the session, and what its data cannot hold.
+    #[serde(default)]
+    pub findings: Vec<Finding>,
     /// What a reader must know.
     #[serde(flatten, with = "warnings_and_said")]
     #[schemars(with = "warnings_and_said::WarningsAndSaid")]
@@ -47,6 +51,26 @@ impl Measurement {
     /// One thing more that a reader must know.
     pub(super) fn warn(&mut self, message: Message) {
         self.warnings.push(message);
+    }
+
+    /// A finding, which a reader must know unless it is only noted.
+    pub(super) fn find(&mut self, finding: Finding) {
+        self.warnings.extend(finding.told());
+        self.findings.push(finding);
+    }
+
+    /// Takes a quantity out, and what is made of it.
+    pub(super) fn take_out(&mut self, name: &QuantityName) {
+        let made_of_it = [QuantityName::PrincipalGyradii, QuantityName::Inertia];
+        let also = match name {
+            QuantityName::KYaw | QuantityName::KPitch | QuantityName::KRoll => &made_of_it[..],
+            _ => &[],
+        };
+        for gone in also.iter().chain([name]) {
+            self.quantities.remove(gone);
+            self.budget.remove(gone);
+        }
+        self.correlations.retain(|(a, b, _)| a != name && b != name);
     }
 }
 

@@ -222,6 +222,8 @@ named! {
         AxisHeight = "axis_height",
         /// Period of a compound pendulum.
         CompoundPeriod = "compound pendulum period",
+        /// Doubt which stated figure of a session that contradicts itself is wrong.
+        Contradiction = "contradiction",
         /// Depth of the centre of mass.
         Depth = "depth",
         /// The correction of periods for finite amplitude.

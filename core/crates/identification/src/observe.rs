@@ -13,6 +13,7 @@ use gyradius_signal::{
     undisturbed_span,
 };
 
+use super::findings::clear_of_limit;
 use super::sentences::{message, motion};
 use super::words::mode_text;
 
@@ -43,6 +44,12 @@ pub struct Evidence {
     /// Sensors whose readings came to the end of their range: `repairs` names one sensor of several
     /// that share a fault.
     pub saturated: Vec<Sensor>,
+    /// Share of the samples that were lost at a sensor's limit.
+    pub lost_at_limit: f64,
+    /// Whether a sensor is at its limit time and again to the end.
+    pub is_at_limit: bool,
+    /// Where the record was cut because up to there a sensor was at its limit, s.
+    pub cut_at_limit_s: Option<f64>,
     /// What a reader must know of it.
     pub warnings: Vec<Message>,
 }
@@ -71,13 +78,13 @@ fn channels(recording: &Recording) -> (Vec<ChannelGroup>, ChannelMap) {
     (groups, map)
 }
 
-/// The part of each group inside a span.
-fn clipped(groups: &[ChannelGroup], span: &FreeSpan) -> Vec<ChannelGroup> {
+/// The part of each group between two times.
+fn clipped(groups: &[ChannelGroup], start_s: f64, end_s: f64) -> Vec<ChannelGroup> {
     groups
         .iter()
         .map(|group| {
-            let first = group.t_s.partition_point(|t| *t < span.start_s);
-            let end = group.t_s.partition_point(|t| *t <= span.end_s);
+            let first = group.t_s.partition_point(|t| *t < start_s);
+            let end = group.t_s.partition_point(|t| *t <= end_s);
             ChannelGroup {
                 t_s: group.t_s[first..end].to_vec(),
                 channels: group
@@ -97,10 +104,20 @@ fn found_in(
     map: ChannelMap,
     amplitude_unit: AmplitudeUnit,
     repairs: &[Repair],
-    disturbed_s: &[f64],
+    (disturbed_s, at_limit_s): (&[f64], &[f64]),
 ) -> Result<Evidence> {
+    let (clear_s, lost_at_limit) = clear_of_limit(all, at_limit_s);
+    let rest;
+    let cut_at_limit_s = clear_s.filter(|t| t.is_finite());
+    let all = match cut_at_limit_s {
+        None => all,
+        Some(from_s) => {
+            rest = clipped(all, from_s, f64::INFINITY);
+            rest.as_slice()
+        }
+    };
     let span = undisturbed_span(all, disturbed_s);
-    let groups = clipped(all, &span);
+    let groups = clipped(all, span.start_s, span.end_s);
     let found = decompose(&groups, &DecomposeOptions::default())?;
     let mut warnings = found.warnings.clone();
     let saturated = saturated(repairs);
@@ -118,6 +135,9 @@ fn found_in(
         amplitude_unit,
         repairs,
         saturated,
+        lost_at_limit,
+        is_at_limit: clear_s.is_none(),
+        cut_at_limit_s,
         warnings,
     })
 }
@@ -142,7 +162,7 @@ pub fn observe_recording(
         map,
         AmplitudeUnit::Radian,
         &recording.repairs,
-        &recording.disturbed_s,
+        (&recording.disturbed_s, &recording.at_limit_s),
     )?;
     let found = &evidence.found;
     let up = up_direction(found, map).map(|(up, _)| up);
@@ -306,7 +326,7 @@ pub fn observe_track(
         ChannelMap::default(),
         AmplitudeUnit::Metre,
         &track.repairs,
-        &[],
+        (&[], &[]),
     )?;
     evidence.warnings.push(message("track_alone", []));
     evidence.named = name_track_modes(&evidence.found, hanging, swing);

@@ -7,8 +7,10 @@ use gyradius_mechanics::RigidBody;
 use gyradius_recording::Session;
 
 use super::estimate::{Derived, Solution, System};
+use super::findings::{is_supported, unsupported};
 use super::measurement::{BudgetLine, Measurement, QuantityResult};
 use super::names::{Input, InputKind, Method, QuantityName};
+use super::spread::Spread;
 use super::theory::hull_alone;
 use super::value::Value;
 
@@ -88,33 +90,48 @@ fn principal_gyradii_m(body: &RigidBody) -> [f64; 3] {
     ]
 }
 
-/// Fills in quantities, budget and correlations.
+/// Fills in quantities, budget and correlations, and what is not stated for want of a swing that
+/// shows it.
 pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measurement) {
-    let level_depth = system.layout.level_depth();
+    let spread = Spread::of(system, solution);
+    write_averaged(system, &spread, result);
+}
+
+/// The same of a session that was solved in every way that its data allow.
+pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement) {
     let hull = Hull {
         session: system.session,
         system,
-        level_depth,
+        level_depth: system.layout.level_depth(),
     };
-    let tilted = with_principal_axes_turned(system, solution);
     let mut determined: Vec<(QuantityName, Derived)> = Vec::new();
+    let mut left_out = Vec::new();
     for name in QuantityName::SCALARS {
-        let mut derived = solution.derive(&system.layout, |x| hull.scalar(&name, x));
-        let first_order = derived.as_ref().map_or(0.0, |d| d.u);
-        if let (Some(d), Some(other)) = (derived.as_mut(), tilted.as_ref()) {
-            widen(d, other, |x| hull.scalar(&name, x));
-        }
         let shown = name != QuantityName::Psi || has_tilted_swings(system);
-        if let Some(derived) = derived.filter(|d| shown && is_determined(&name, d)) {
-            result
-                .quantities
-                .insert(name.clone(), scalar_result(&derived));
-            let mut lines = budget(system, solution, &derived);
-            second_order(&mut lines, derived.u, first_order);
-            result.budget.insert(name.clone(), lines);
-            determined.push((name, derived));
+        let averaged = spread.derive(system, |x| hull.scalar(&name, x));
+        let Some(averaged) = averaged.filter(|a| shown && is_determined(&name, &a.derived)) else {
+            continue;
+        };
+        if !is_supported(system, &name) {
+            left_out.push(name);
+            continue;
         }
+        let mut lines = budget(system, spread.solution(), &averaged.derived);
+        let beyond = [
+            (InputKind::UnknownTilt, averaged.by_product),
+            (InputKind::Contradiction, averaged.by_doubt),
+        ];
+        for (kind, u_contribution) in beyond {
+            add_line(&mut lines, kind, u_contribution, averaged.derived.u);
+        }
+        let shown = scalar_result(&averaged.derived);
+        result.quantities.insert(name.clone(), shown);
+        result.budget.insert(name.clone(), lines);
+        determined.push((name, averaged.derived));
     }
+    unsupported(&left_out)
+        .into_iter()
+        .for_each(|one| result.find(one));
     for (i, (a, da)) in determined.iter().enumerate() {
         for (b, db) in &determined[i + 1..] {
             result
@@ -131,7 +148,7 @@ pub fn write_quantities(system: &System, solution: &Solution, result: &mut Measu
     .iter()
     .all(has)
     {
-        write_tensor(&hull, solution, has(&QuantityName::Psi), result);
+        write_tensor(&hull, spread, has(&QuantityName::Psi), result);
     }
 }
 
@@ -149,19 +166,10 @@ pub fn with_principal_axes_turned(system: &System, solution: &Solution) -> Optio
     turned.solve(&start).ok()
 }
 
-fn widen(derived: &mut Derived, other: &Solution, f: impl Fn(&[f64]) -> Option<f64>) {
-    let change = f(&other.x).map_or(0.0, |v| v - derived.value);
-    derived.u = derived.u.hypot(change);
-    // One row more, which quantities share as they share the others.
-    derived.by_row.push(change);
-}
-
-/// What [`widen`] added is an input's share too.
-fn second_order(lines: &mut Vec<BudgetLine>, u: f64, first_order: f64) {
-    let u_contribution = (u * u - first_order * first_order).max(0.0).sqrt();
+fn add_line(lines: &mut Vec<BudgetLine>, kind: InputKind, u_contribution: f64, u: f64) {
     if u_contribution > 1e-4 * u {
         lines.push(BudgetLine {
-            input: InputKind::UnknownTilt.into(),
+            input: kind.into(),
             u_contribution,
         });
         lines.sort_by(|a, b| b.u_contribution.total_cmp(&a.u_contribution));
@@ -203,8 +211,11 @@ fn scalar_result(derived: &Derived) -> QuantityResult {
 
 /// Principal gyradii and the tensor; without ψ the products of inertia are not known and the hull
 /// axes are taken as principal.
-fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut Measurement) {
-    let layout = &hull.system.layout;
+fn write_tensor(hull: &Hull, spread: &Spread, psi_known: bool, result: &mut Measurement) {
+    let derive = |f: &dyn Fn(&[f64]) -> Option<f64>| {
+        let averaged = spread.derive(hull.system, f)?;
+        Some(averaged.derived)
+    };
     let body_of = |x: &[f64]| {
         let mut body = hull.at(x)?;
         if !psi_known {
@@ -218,8 +229,7 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
     } else {
         Method::JointEstimateAlongHullAxes
     };
-    let gyradius =
-        |i: usize| solution.derive(layout, |x| body_of(x).map(|b| principal_gyradii_m(&b)[i]));
+    let gyradius = |i: usize| derive(&|x| body_of(x).map(|b| principal_gyradii_m(&b)[i]));
     if let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(gyradius) {
         let k = [x, y, z];
         let entry = QuantityResult {
@@ -235,9 +245,7 @@ fn write_tensor(hull: &Hull, solution: &Solution, psi_known: bool, result: &mut 
     if hull.session.body.mass_kg.is_none() {
         return;
     }
-    let element = |i: usize, j: usize| {
-        solution.derive(layout, |x| body_of(x).map(|b| b.inertia_kg_m2[(i, j)]))
-    };
+    let element = |i: usize, j: usize| derive(&|x| body_of(x).map(|b| b.inertia_kg_m2[(i, j)]));
     let mut values = [[0.0; 3]; 3];
     let mut us = [[0.0; 3]; 3];
     for i in 0..3 {

@@ -106,6 +106,8 @@ pub struct Layout {
     pub product_xz: usize,
     /// Masses of the attachments.
     pub attachment_masses: Vec<usize>,
+    /// Their positions, hull axes, from the mid-point of the suspension points, m.
+    pub attachment_positions_m: Vec<[f64; 3]>,
     /// By swing.
     pub swings: Vec<SwingIndex>,
 }
@@ -156,6 +158,7 @@ impl Layout {
             log_gyradii,
             product_xz,
             attachment_masses,
+            attachment_positions_m: session.attachments.iter().map(|a| a.position_m).collect(),
             swings,
         }
     }

@@ -17,3 +17,13 @@ pub struct SwingWork {
     /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
     pub(super) periods: Vec<(usize, Quantity)>,
 }
+
+impl SwingWork {
+    /// Takes its figures out of the estimate and out of the result; the pictures keep what was
+    /// found.
+    pub(super) fn refuse(&mut self) {
+        self.periods.clear();
+        self.result.modes.clear();
+        self.evidence = None;
+    }
+}

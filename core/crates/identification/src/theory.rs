@@ -12,6 +12,9 @@ use super::routes::attachments::{joined, remainder};
 
 /// Everything that hangs, in hull axes: mass, centre of mass from the mid-point of the suspension
 /// points, inertia about the centre of mass.
+///
+/// The hull itself is the same to port and starboard. What rides on it off its middle plane brings
+/// the products I_xy and I_yz and a centre of mass off that plane.
 pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
     let mass = x[layout.mass];
     let mut k2 = layout.log_gyradii.map(|i| (2.0 * x[i]).exp());
@@ -19,10 +22,26 @@ pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
     let mut inertia = Mat3::from_diagonal(&Vec3::from(k2)) * mass;
     inertia[(0, 2)] = x[layout.product_xz] * mass;
     inertia[(2, 0)] = inertia[(0, 2)];
+    let mut cm_m = Vec3::new(0.0, 0.0, -x[log_depth].exp());
+    // First and second moments about the suspension's mid-point: the hull has y = 0.
+    let riding = layout
+        .attachment_positions_m
+        .iter()
+        .zip(&layout.attachment_masses);
+    let (mut first, mut second) = (0.0, Vec3::zeros());
+    for (at_m, m) in riding {
+        first += x[*m] * at_m[1];
+        second += x[*m] * at_m[1] * Vec3::from(*at_m);
+    }
+    cm_m.y = first / mass;
+    for i in [0, 2] {
+        inertia[(i, 1)] = mass * cm_m[i] * cm_m.y - second[i];
+        inertia[(1, i)] = inertia[(i, 1)];
+    }
     RigidBody {
         mass_kg: mass,
         inertia_kg_m2: inertia,
-        cm_m: Vec3::new(0.0, 0.0, -x[log_depth].exp()),
+        cm_m,
     }
 }
 

@@ -9,12 +9,10 @@ use super::means::Means;
 use super::optimum::yaw_meets_in_phase_m;
 use super::predict::{PredictedSwing, has, scene, swings};
 use super::step::{PlannedSwing, Step};
+use gyradius_identification::NEAR_IN_PHASE;
 use gyradius_mechanics::Fineness;
 use gyradius_recording::{Excitation, ModeName};
 
-/// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %,
-/// Fig. 15).
-const NEAR_IN_PHASE: f64 = 0.03;
 /// Lines are watched for so many periods of the slowest motion.
 const WATCHED_PERIODS: f64 = 4.0;
 

@@ -3,6 +3,7 @@
 //! # Conventions
 //! Lines and the entries of a list count from 1: `swing[1]` is the first `[[swing]]`.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
@@ -18,6 +19,17 @@ use gyradius_base::error::{Error, Result};
 pub struct Source<'a> {
     pub file: &'a str,
     pub text: &'a str,
+    /// Figures that were read without an uncertainty.
+    pub assumed: &'a RefCell<Vec<AssumedU>>,
+}
+
+/// A figure that was stated without an uncertainty, and the usual one that it got.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AssumedU {
+    /// Its full key: `swing[1].suspension.spacing`.
+    pub path: String,
+    /// The standard uncertainty, unit of the figure.
+    pub u: f64,
 }
 
 impl Source<'_> {
@@ -76,6 +88,11 @@ impl<'a> Table<'a> {
         };
         opened.refuse_unknown()?;
         Ok(opened)
+    }
+
+    /// Figures that were read without an uncertainty so far.
+    pub fn assumed(&self) -> Vec<AssumedU> {
+        self.keys.source.assumed.borrow().clone()
     }
 
     /// The table of a whole text, its keys not yet looked at.
@@ -288,21 +305,31 @@ impl<'a> Field<'a> {
             .collect()
     }
 
-    /// A number (then u = 0) or `{ value, u }`.
+    /// A number or `{ value, u }`; without a u it gets the usual one of its kind, which is noted.
     pub fn quantity(&self, domain: Domain) -> Result<Quantity> {
         if plain_number(self.item).is_some() {
-            return self.number(domain).map(Quantity::exact);
+            return Ok(self.with_usual_u(self.number(domain)?, domain));
         }
         let what = format!("{domain}, as a number or as {{ value, u }}");
         if self.item.as_table_like().is_none() {
             return Err(self.expected(what));
         }
         let table = self.table(&["value", "u"])?;
-        let value = table
-            .require("value", &domain.to_string())?
-            .number(domain)?;
-        let u = table.number("u", Domain::UNCERTAINTY)?.unwrap_or(0.0);
-        Ok(Quantity::new(value, u))
+        let stated = table.require("value", &domain.to_string())?;
+        let value = stated.number(domain)?;
+        match table.number("u", Domain::UNCERTAINTY)? {
+            Some(u) => Ok(Quantity::new(value, u)),
+            None => Ok(stated.with_usual_u(value, domain)),
+        }
+    }
+
+    fn with_usual_u(&self, value: f64, domain: Domain) -> Quantity {
+        let u = domain.usual_u(value, &self.item.to_string());
+        if u > 0.0 {
+            let path = self.path.trim_end_matches(".value").to_owned();
+            self.source.assumed.borrow_mut().push(AssumedU { path, u });
+        }
+        Quantity::new(value, u)
     }
 
     /// Three numbers.

@@ -43,7 +43,7 @@ pub use toml_read::read_session;
 pub use toml_write::write_session;
 
 pub use domain::Domain;
-pub use keys::Table;
+pub use keys::{AssumedU, Table};
 pub use load::utf8;
 pub use replace::replace_file;
 pub use toml_read::{ROOT, session, with_root};

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::csv;
+use super::keys::AssumedU;
 use super::named_file::NamedFile;
 use super::recorded::Recorded;
 use super::samples::{PeriodList, Recording, Track};
@@ -26,6 +27,8 @@ pub struct LoadedSession {
     /// The recording of each incline test, in the order of `session.inclines`; none where the angle
     /// is stated.
     pub inclines: Vec<Option<Recording>>,
+    /// Figures that are stated without an uncertainty, and the usual one that each got.
+    pub assumed: Vec<AssumedU>,
 }
 
 /// One swing's data.
@@ -84,6 +87,7 @@ pub fn load_store(store: &Store) -> Result<LoadedSession> {
         source: store.name().into(),
         data,
         inclines,
+        assumed: parsed.assumed,
     })
 }
 

@@ -2,10 +2,12 @@
 //!
 //! The format is described in this folder's `README.md`.
 
+use std::cell::RefCell;
+
 use toml_edit::Document;
 
 use super::domain::Domain;
-use super::keys::{Field, Source, Table};
+use super::keys::{AssumedU, Field, Source, Table};
 use super::named_file::NamedFile;
 use super::session::{Attachment, Body, End, Incline, InclineAngle, Session, Site};
 use super::toml_recorded::{RECORDED, recorded};
@@ -44,6 +46,8 @@ const MAX_TEXT_BYTES: usize = 4 << 20;
 pub struct ParsedSession {
     pub session: Session,
     pub files: Vec<NamedFile>,
+    /// Figures that are stated without an uncertainty.
+    pub assumed: Vec<AssumedU>,
 }
 
 /// Reads the text of a `session.toml`; `file_name` is what messages call it.
@@ -64,9 +68,11 @@ pub fn with_root<T>(
     read: impl FnOnce(&Table<'_>) -> Result<T>,
 ) -> Result<T> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let assumed = RefCell::default();
     let source = Source {
         file: file_name,
         text,
+        assumed: &assumed,
     };
     refuse_size(source, format)?;
     let document = Document::parse(text).map_err(|error| {
@@ -137,7 +143,12 @@ pub fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Result<Par
     if session.swings.is_empty() && session.inclines.is_empty() {
         return Err(root.error("at least one [[swing]] or [[incline]]", "none"));
     }
-    Ok(ParsedSession { session, files })
+    let assumed = root.assumed();
+    Ok(ParsedSession {
+        session,
+        files,
+        assumed,
+    })
 }
 
 /// A minor version, as in `gyradius-session/1.2`, adds keys but changes none.

@@ -232,10 +232,8 @@ fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
+/// A number alone would be read with the usual uncertainty of its kind: u = 0 is written too.
 fn quantity(quantity: Quantity) -> String {
-    if quantity.u == 0.0 {
-        return number(quantity.value);
-    }
     format!(
         "{{ value = {}, u = {} }}",
         number(quantity.value),

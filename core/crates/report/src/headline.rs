@@ -4,9 +4,9 @@
 use std::collections::BTreeMap;
 
 use super::source::ReportSource;
-use gyradius_diagnosis::Status;
+use gyradius_diagnosis::{Critique, Status};
 use gyradius_identification::routes::guard::{Limit, verdict};
-use gyradius_identification::{QuantityName, QuantityResult, Verdict};
+use gyradius_identification::{Decision, QuantityName, QuantityResult, Verdict};
 use gyradius_recording::Quantity;
 
 /// The figures that head the report.
@@ -34,7 +34,14 @@ impl Headline {
             true => judged_again(old, &quantities[&old.quantity]).unwrap_or_else(|| old.clone()),
             false => old.clone(),
         };
-        let verdicts = source.measurement.verdicts.iter().map(judged).collect();
+        // Where the criticism names no one cause, the extended figures are one guess among several.
+        let is_guess = criticised(source)
+            .is_some_and(|c| matches!(c.verdict.status, Status::Ambiguous | Status::Unexplained));
+        let verdicts = source.measurement.verdicts.iter().map(|old| {
+            let new = judged(old);
+            if is_guess { agreed(old, new) } else { new }
+        });
+        let verdicts = verdicts.collect();
         Self {
             quantities,
             replaced,
@@ -43,9 +50,27 @@ impl Headline {
     }
 }
 
+fn criticised(source: &ReportSource) -> Option<&Critique> {
+    source.criticised().map(|criticism| &criticism.critique)
+}
+
+/// What two models that may both be right say together: undecided where they do not decide alike.
+/// Neither is known to be likelier, so their probabilities are averaged.
+fn agreed(base: &Verdict, extended: Verdict) -> Verdict {
+    let decision = match base.verdict == extended.verdict {
+        true => base.verdict,
+        false => Decision::Undecided,
+    };
+    let probability = 0.5 * (base.conformance_probability + extended.conformance_probability);
+    Verdict {
+        verdict: decision,
+        conformance_probability: probability,
+        ..extended
+    }
+}
+
 fn extended(source: &ReportSource) -> BTreeMap<QuantityName, QuantityResult> {
-    let critique = source.criticised().map(|criticism| &criticism.critique);
-    critique
+    criticised(source)
         .filter(|critique| critique.verdict.status != Status::Adequate)
         .map_or_else(BTreeMap::new, |critique| {
             critique.extended.quantities.clone()

@@ -50,6 +50,7 @@ pub fn criticise_periods(loaded: &LoadedSession, analysis: &Analysis) -> Result<
         extended: model_result(choice.extended()),
         gain: gain(&choice.base, choice.extended()),
         learned: None,
+        findings: Vec::new(),
         warnings: warnings_said,
     };
     Ok(Criticism {

@@ -98,6 +98,7 @@ fn conclude(
         extended,
         gain,
         learned: learned::force(found, rms(after)),
+        findings: Vec::new(),
         warnings,
     };
     Some(Criticism {

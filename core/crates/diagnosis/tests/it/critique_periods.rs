@@ -196,6 +196,7 @@ fn typed(session: Session) -> LoadedSession {
         session,
         source: "drawn".into(),
         inclines: vec![],
+        assumed: vec![],
     }
 }
 
@@ -562,6 +563,7 @@ fn bar() -> Option<LoadedSession> {
         source: "bar".into(),
         data,
         inclines: vec![],
+        assumed: vec![],
     })
 }
 

@@ -138,6 +138,7 @@ fn session(
         session,
         source: "one motion".into(),
         inclines: vec![],
+        assumed: vec![],
     }
 }
 

@@ -3,6 +3,7 @@
 #![allow(missing_docs)]
 
 mod crossings;
+mod findings;
 mod single_routes;
 mod uncertainty;
 mod vectors;

@@ -172,6 +172,7 @@ fn measured_text(swings: &str) -> Measurement {
             source: "made".into(),
             data,
             inclines: vec![],
+            assumed: vec![],
         },
         &MeasureOptions::default(),
     )

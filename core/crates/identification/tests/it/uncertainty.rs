@@ -92,6 +92,7 @@ fn session(values: &[f64]) -> LoadedSession {
         source: "drawn".into(),
         data,
         inclines: vec![],
+        assumed: vec![],
     }
 }
 

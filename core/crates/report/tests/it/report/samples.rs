@@ -332,6 +332,7 @@ pub fn keelboat() -> ReportSource {
             correlations: vec![(QuantityName::KYaw, QuantityName::KPitch, 0.31)],
             consistency: claims(),
             verdicts: verdicts(),
+            findings: vec![],
             warnings: vec![
                 "line length is stated as 3.477 ± 0.006 m; the sway period of yaw-1 implies 3.591 ± 0.004 m"
                     .into(),

@@ -1,0 +1,123 @@
+"""Inputs that once went wrong, kept beside the project: what is right of each, from independent calculations.
+
+The right values are those of the cases' own notes (closed forms, a second integrator).
+"""
+
+from __future__ import annotations
+
+import pytest
+from conftest import SHARED
+
+import gyradius
+
+CASES = SHARED / "cases"
+
+pytestmark = pytest.mark.skipif(not CASES.is_dir(), reason="no ../shared/cases beside this clone")
+
+# A figure is right within so many of its standard uncertainties: beyond chance in one of a thousand cases.
+WITHIN = 3.3
+
+
+def measured(case: str) -> gyradius.Measurement:
+    return gyradius.load(CASES / case).measure()
+
+
+def near(result: gyradius.Measurement, **expected: float) -> None:
+    for name, value in expected.items():
+        quantity = result.quantities[name]
+        assert abs(quantity.value - value) < WITHIN * quantity.u, f"{name}: {quantity}"
+
+
+def kinds(result: gyradius.Measurement, severity: str) -> set[str]:
+    return {finding.kind for finding in result.findings if finding.severity == severity}
+
+
+@pytest.mark.parametrize(
+    ("case", "kind"),
+    [
+        ("aliasing-5hz/session", "undersampled"),
+        ("saturation-33-percent/session", "saturated"),
+        ("native-header-deg/session", "unit_suspect"),
+        ("spacing-mm", "implausible_size"),
+        ("half-periods/session", "half_periods"),
+    ],
+)
+def test_what_is_not_plausible_gives_no_figure(case: str, kind: str) -> None:
+    result = measured(case)
+    assert kinds(result, "refused") == {kind}
+    assert not result.quantities
+    assert any(finding.advice for finding in result.findings)
+
+
+@pytest.mark.parametrize("case", ["tj-last-300", "tj-last-10000", "good"])
+def test_a_row_with_a_wrong_stamp_moves_nothing(case: str) -> None:
+    swing = measured(f"stamp-wrong/{case}.csv").swings[0]
+    yaw = next(mode for mode in swing.modes if mode.mode == "yaw")
+    assert yaw.period_s == pytest.approx(4.3929, abs=WITHIN * yaw.period_se_s)
+    assert yaw.period_se_s < 1e-3
+
+
+@pytest.mark.parametrize("case", ["stamp-wrong/tj-half-100000.csv", "stamp-jump-oom/half-1e6.csv"])
+def test_a_step_of_the_clock_is_cut_and_told(case: str) -> None:
+    result = measured(case)
+    assert "stamp_step" in kinds(result, "warned")
+    assert result.swings[0].span_s[1] - result.swings[0].span_s[0] < 16
+
+
+@pytest.mark.parametrize("name", ["a", "b"])
+def test_a_stamp_beyond_all_reason_is_an_error_and_no_panic(name: str) -> None:
+    with pytest.raises(gyradius.NoResultError, match="samples"):
+        measured(f"stamp-panic/{name}.csv")
+
+
+@pytest.mark.parametrize("gap_s", [8, 12, 20])
+def test_a_pause_is_no_disturbance(gap_s: int) -> None:
+    swing = measured(f"pause-called-disturbance/gap{gap_s}.csv").swings[0]
+    assert swing.span_s[1] - swing.span_s[0] > 59
+    assert not swing.warnings
+
+
+def test_another_swing_raises_no_uncertainty() -> None:
+    less, more = measured("yaw-only"), measured("yaw-and-roll")
+    for name in ("k_yaw_m", "k_pitch_m", "cm_depth_m"):
+        assert more.quantities[name].u <= 1.02 * less.quantities[name].u
+
+
+def test_the_tilt_of_the_principal_axes_counts_once() -> None:
+    # By finite differences through the program 0.152; by 100 drawn sessions 0.66 x 0.215 = 0.142.
+    assert 0.135 < measured("psi-sqrt2").quantities["psi_deg"].u < 0.16
+
+
+def test_what_yaw_does_not_show_is_not_stated() -> None:
+    result = measured("yaw-only-power-law")
+    assert "not_identifiable" in kinds(result, "refused")
+    assert {"k_pitch_m", "cm_depth_m", "principal_gyradii_m", "inertia_kg_m2"}.isdisjoint(result.quantities)
+
+
+def test_a_fast_clock_is_a_suspect_and_its_doubt_is_in_the_figures() -> None:
+    result = measured("clock1pct")
+    near(result, k_yaw_m=1.0566, k_pitch_m=1.156, cm_depth_m=0.402)
+    told = next(finding.text for finding in result.findings if finding.kind == "contradiction")
+    assert "phone clock" in told
+
+
+def test_a_phone_put_on_anew_is_told_and_moves_nothing() -> None:
+    result = measured("retape-3deg")
+    near(result, psi_deg=3.00)
+    assert [f.swing for f in result.findings if f.kind == "phone_moved"] == ["up", "dn"]
+
+
+def test_a_phone_that_is_not_an_attachment_is_told() -> None:
+    result = measured("unstated-phone")
+    finding = next(finding for finding in result.findings if finding.kind == "phone_mass_missing")
+    # With the phone stated, 0.290003 m; without, 0.308815 m.
+    assert finding.numbers["k_yaw_shift_m"] == pytest.approx(0.290003 - 0.308815, rel=0.05)
+
+
+def test_a_resonance_of_yaw_and_pitch_is_told() -> None:
+    result = measured("kane")
+    near(result, k_yaw_m=0.3030)
+    finding = next(finding for finding in result.findings if finding.kind == "near_resonance")
+    assert finding.numbers["yaw_period_s"] == pytest.approx(2.712, abs=2e-3)
+    assert finding.numbers["in_phase_period_s"] == pytest.approx(2.766, abs=4e-3)
+    assert "noise_mismatch" in kinds(result, "warned")
