@@ -199,6 +199,8 @@ pub enum RepairKind {
     LostByRecorder,
     /// A second swing: only the longest is used.
     SecondSwing,
+    /// Columns, files or sensors of an export that the import did not use.
+    NotImported,
 }
 
 /// One kind of damage of one sensor: how often, where, what was done.

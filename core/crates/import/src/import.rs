@@ -10,8 +10,9 @@ use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, ImportedRecording, Platform, import_files};
 use gyradius_recording::recorder::{SYNC, convert};
 use gyradius_recording::{
-    Body, Overwrite, Quantity, SESSION_FILE, Session, Site, Suspension, SuspensionKind, Swing,
-    SwingData, save_session, write_recording, write_session,
+    Body, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension, SuspensionKind,
+    Swing, SwingData, read_period_list, read_recording, read_track, save_session, write_recording,
+    write_session,
 };
 use gyradius_signal::gate_periods;
 
@@ -56,16 +57,20 @@ pub fn import_session(
             let id = free_id(&recording.name, &mut ids);
             let name = format!("{id}.csv");
             let (data, bytes) = contents(recording, &name, request)?;
+            let found_again = read_back(&data, &bytes, recording)?;
+            session
+                .recorded
+                .extend(recording.recorded(&name, &found_again));
+            let of = |text| match imported.recordings.len() {
+                1 => text,
+                _ => format!("{id}: {text}"),
+            };
+            notes.extend(recording.told().into_iter().map(of));
             session.swings.push(request.swing(id, data));
             files.push((name, bytes));
         }
-        notes.extend(
-            imported
-                .recordings
-                .into_iter()
-                .flat_map(|recording| recording.notes),
-        );
     }
+    let imported = session.recorded.len();
     convert_recorded(
         &recorded,
         folder,
@@ -73,12 +78,8 @@ pub fn import_session(
         &mut ids,
         &mut session,
     )?;
-    notes.extend(
-        session
-            .recorded
-            .iter()
-            .flat_map(|recorded| recorded.repairs.iter().map(|r| r.text.clone())),
-    );
+    let converted = session.recorded.iter().skip(imported);
+    notes.extend(converted.flat_map(|recorded| recorded.repairs.iter().map(|r| r.text.clone())));
     let missing = request.missing();
     if missing.is_empty() {
         save_session(folder, &session, &files, overwrite)?;
@@ -237,6 +238,23 @@ fn contents(
             ))
         }
     }
+}
+
+/// Reads what is about to be written as a later analysis will; the repairs that reading finds. A
+/// file that would be refused then is refused now, with what the import found.
+fn read_back(data: &SwingData, bytes: &[u8], from: &ImportedRecording) -> Result<Vec<Repair>> {
+    let read = match data {
+        SwingData::Recording(file) => read_recording(bytes, file).map(|read| read.repairs),
+        SwingData::Displacement { file, .. } => read_track(bytes, file).map(|read| read.repairs),
+        SwingData::Periods(file) => read_period_list(bytes, file).map(|read| read.repairs),
+        SwingData::PeriodsS(_) => return Ok(Vec::new()),
+    };
+    read.map_err(|error| Error::Malformed {
+        file: from.name.clone(),
+        line: None,
+        expected: "samples that can be analysed once they are imported".to_owned(),
+        found: [vec![error.to_string()], from.told()].concat().join("; "),
+    })
 }
 
 fn columns(header: &str, left: &[f64], right: &[f64]) -> Vec<u8> {

@@ -145,6 +145,8 @@ pub enum RepairKind {
     LostByRecorder,
     /// A second swing (hull touched or released again): only the longest is used.
     SecondSwing,
+    /// Columns, files or sensors of an export that the import did not use.
+    NotImported,
 }
 
 /// One kind of damage of one sensor: how often, where first and last, what was done.

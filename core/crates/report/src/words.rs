@@ -121,6 +121,7 @@ pub(super) fn repair(kind: RepairKind, language: Language) -> String {
         RepairKind::Pause => "pause_put_back",
         RepairKind::LostByRecorder => "lost_by_recorder",
         RepairKind::SecondSwing => "second_swing_left_out",
+        RepairKind::NotImported => "not_imported",
     };
     say(language, key, [])
 }

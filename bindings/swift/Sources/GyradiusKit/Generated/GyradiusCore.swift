@@ -15223,6 +15223,10 @@ public enum RepairKind: Equatable, Hashable {
      * A second swing: only the longest is used.
      */
     case secondSwing
+    /**
+     * Columns, files or sensors of an export that the import did not use.
+     */
+    case notImported
 
 
 
@@ -15263,6 +15267,8 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         case 9: return .lostByRecorder
         
         case 10: return .secondSwing
+        
+        case 11: return .notImported
         
         default: throw UniffiInternalError.unexpectedEnumCase
         }
@@ -15310,6 +15316,10 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         
         case .secondSwing:
             writeInt(&buf, Int32(10))
+        
+        
+        case .notImported:
+            writeInt(&buf, Int32(11))
         
         }
     }

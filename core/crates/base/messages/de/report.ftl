@@ -211,6 +211,7 @@ report-at_the_limit = Werte an der Grenze des Sensors, weggelassen
 report-pause_put_back = eine Pause, wieder eingesetzt
 report-lost_by_recorder = vom Aufnahmegerät verlorene Teile
 report-second_swing_left_out = eine zweite Schwingung, weggelassen
+report-not_imported = vom Import nicht verwendet
 report-repair_place = { $sensor }, { $from } s bis { $to } s
 report-whole_record = ganze Aufnahme, { $unit }
 report-fit_leaves = was die Anpassung übrig lässt, { $unit }

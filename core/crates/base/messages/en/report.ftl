@@ -211,6 +211,7 @@ report-at_the_limit = samples at the sensor's limit
 report-pause_put_back = a pause, put back
 report-lost_by_recorder = parts lost by the recorder
 report-second_swing_left_out = a second swing, left out
+report-not_imported = not used by the import
 report-repair_place = { $sensor }, { $from } s to { $to } s
 report-whole_record = whole record, { $unit }
 report-fit_leaves = what the fit leaves, { $unit }

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::source::stem;
-use crate::samples::{GateEvents, Recording, Track};
+use crate::recorded::{Recorded, RecordedRepair};
+use crate::samples::{GateEvents, Recording, Repair, RepairKind, Sensor, Track};
 
 /// Which program wrote a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -44,8 +45,10 @@ pub struct ImportedRecording {
     pub format: Format,
     /// The data.
     pub data: ImportedData,
-    /// What a reader should know: choices made, files not used.
+    /// What a reader should know: choices made, and what looks doubtful.
     pub notes: Vec<String>,
+    /// Columns, files and sensors of the export that are not used.
+    pub not_used: Vec<String>,
 }
 
 /// The kinds of data an import can yield.
@@ -74,6 +77,88 @@ impl ImportedRecording {
             format,
             data,
             notes,
+            not_used: Vec::new(),
         }
+    }
+
+    /// What was found wrong with the samples, and what was done.
+    pub fn repairs(&self) -> &[Repair] {
+        match &self.data {
+            ImportedData::Recording(recording) => &recording.repairs,
+            ImportedData::Track(track) => &track.repairs,
+            ImportedData::GateEvents(_) => &[],
+        }
+    }
+
+    /// Sensors whose samples mostly repeat the stamp before them: a sentence for each.
+    fn packets(&self) -> impl Iterator<Item = String> {
+        let repeats = |repair: &&Repair| repair.kind == RepairKind::RepeatedStamp;
+        self.repairs().iter().filter(repeats).filter_map(|repair| {
+            let stamps = self.samples(repair.sensor).filter(|&n| n > 0)?;
+            let each = (repair.count + stamps) / stamps;
+            (repair.count >= stamps).then(|| {
+                format!(
+                    "{}: {each} samples share each time stamp on average, as when a sensor sends its \
+                     samples in packets",
+                    repair.sensor.name()
+                )
+            })
+        })
+    }
+
+    /// How many samples of a sensor are kept.
+    fn samples(&self, sensor: Sensor) -> Option<usize> {
+        let triad = match (&self.data, sensor) {
+            (ImportedData::Track(track), _) => return Some(track.t_s.len()),
+            (ImportedData::Recording(all), Sensor::Gyroscope) => all.gyroscope.as_ref(),
+            (ImportedData::Recording(all), Sensor::Accelerometer) => all.accelerometer.as_ref(),
+            (ImportedData::Recording(all), Sensor::LinearAccelerometer) => {
+                all.linear_accelerometer.as_ref()
+            }
+            _ => None,
+        };
+        triad.map(|triad| triad.t_s.len())
+    }
+
+    /// Everything that a reader should know: repairs, choices, what is not used.
+    pub fn told(&self) -> Vec<String> {
+        let repairs = self.repairs().iter().map(|repair| repair.text.clone());
+        self.packets()
+            .chain(repairs)
+            .chain(self.notes.iter().cloned())
+            .chain(self.not_used.iter().cloned())
+            .collect()
+    }
+
+    /// What a session keeps of it for `file`, so that a later analysis tells it too; `None` where
+    /// there is nothing to tell. `found_again` are the repairs that reading `file` finds by itself.
+    pub fn recorded(&self, file: &str, found_again: &[Repair]) -> Option<Recorded> {
+        let left_out = |text: &String| RecordedRepair {
+            text: text.clone(),
+            kind: Some(RepairKind::NotImported),
+            ..RecordedRepair::default()
+        };
+        let packets = self.packets().map(|text| RecordedRepair {
+            text,
+            kind: Some(RepairKind::RepeatedStamp),
+            ..RecordedRepair::default()
+        });
+        let repairs: Vec<RecordedRepair> = packets
+            .chain(
+                self.repairs()
+                    .iter()
+                    .filter(|repair| !found_again.contains(repair))
+                    .map(RecordedRepair::from),
+            )
+            .chain(self.not_used.iter().map(left_out))
+            .collect();
+        let notes = [("import".to_owned(), self.notes.join("; "))];
+        let notes = notes.into_iter().filter(|note| !note.1.is_empty());
+        (!repairs.is_empty() || !self.notes.is_empty()).then(|| Recorded {
+            file: file.to_owned(),
+            notes: notes.collect(),
+            repairs,
+            ..Recorded::default()
+        })
     }
 }

@@ -61,5 +61,6 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
         format: Format::LightGate,
         data,
         notes,
+        not_used: Vec::new(),
     })
 }

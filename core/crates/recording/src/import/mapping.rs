@@ -126,6 +126,7 @@ pub(super) fn import(
         format: Format::Mapped,
         data,
         notes: Vec::new(),
+        not_used: Vec::new(),
     })
 }
 

@@ -134,7 +134,7 @@ fn recognised(
         .map(|(name, _)| format!("`{name}` is not used"))
         .collect();
     if let Some(last) = out.last_mut() {
-        last.notes.extend(unused);
+        last.not_used.extend(unused);
     }
     Ok(out)
 }
