@@ -5,14 +5,14 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::input::{options, read_input};
+use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
-use gyradius_recording::import::{ImportedData, ImportedRecording, Platform, import_files};
+use gyradius_recording::import::{ImportedData, ImportedRecording, Input, Platform, import_inputs};
 use gyradius_recording::recorder::{SYNC, convert};
 use gyradius_recording::{
-    Body, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension, SuspensionKind,
-    Swing, SwingData, read_period_list, read_recording, read_track, save_session, write_recording,
-    write_session,
+    Body, ChannelQuantity, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension,
+    SuspensionKind, Swing, SwingData, read_period_list, read_recording, read_track, save_session,
+    write_recording, write_session,
 };
 use gyradius_signal::gate_periods;
 
@@ -52,7 +52,7 @@ pub fn import_session(
     let mut ids = BTreeSet::new();
     let mut notes = Vec::new();
     if !exported.is_empty() || recorded.is_empty() {
-        let imported = import_files(&exported, &options(&request.mapping, request.platform)?)?;
+        let imported = import_inputs(&exported, &options(&request.mapping, request.platform)?)?;
         for recording in &imported.recordings {
             let id = free_id(&recording.name, &mut ids);
             let name = format!("{id}.csv");
@@ -90,7 +90,7 @@ pub fn import_session(
 }
 
 /// Recorder's files by path, and what other programs exported by name and bytes.
-type Inputs = (Vec<PathBuf>, Vec<(String, Vec<u8>)>);
+type Inputs = (Vec<PathBuf>, Vec<Input>);
 
 /// Tells recorder's files, which may be long and are read piece by piece, from what other programs
 /// exported.
@@ -100,7 +100,7 @@ fn split(files: &[PathBuf]) -> Result<Inputs> {
         if is_recorded(file) {
             inputs.0.push(file.clone())
         } else {
-            inputs.1.push(read_input(file)?)
+            inputs.1.push(read_exported(file)?)
         }
     }
     Ok(inputs)
@@ -228,6 +228,7 @@ fn contents(
             };
             Ok((data, columns("t,y", &track.t_s, &track.y_m)))
         }
+        ImportedData::Channel(channel) => Err(single_channel(&channel.name, channel.quantity)),
         ImportedData::GateEvents(events) => {
             let wanted =
                 || Error::argument("flag_width", "the width of the flag in the beam, m", "none");
@@ -237,6 +238,20 @@ fn contents(
                 columns("t,period", &list.t_s, &list.period_s),
             ))
         }
+    }
+}
+
+/// A session cannot hold a single channel yet.
+pub(crate) fn single_channel(file: &str, quantity: ChannelQuantity) -> Error {
+    Error::Malformed {
+        file: file.to_owned(),
+        line: None,
+        expected: "samples of all three axes of a gyroscope (gx, gy, gz), or a track (y)"
+            .to_owned(),
+        found: format!(
+            "a single {}, which this version reads but cannot analyse yet",
+            quantity.name()
+        ),
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::source::stem;
 use crate::recorded::{Recorded, RecordedRepair};
-use crate::samples::{GateEvents, Recording, Repair, RepairKind, Sensor, Track};
+use crate::samples::{GateEvents, Recording, Repair, RepairKind, Sensor, SingleChannel, Track};
 
 /// Which program wrote a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -21,6 +21,8 @@ pub enum Format {
     SensorLog,
     /// A two-gate timer's event log.
     LightGate,
+    /// Gyroflow's IMU log.
+    Gcsv,
     /// Columns named by the caller.
     Mapped,
 }
@@ -62,6 +64,8 @@ pub enum ImportedData {
     Track(Track),
     /// A light gate's edges.
     GateEvents(GateEvents),
+    /// One channel of a motion of one degree of freedom.
+    Channel(SingleChannel),
 }
 
 impl ImportedRecording {
@@ -71,7 +75,11 @@ impl ImportedRecording {
         recording: Recording,
         notes: Vec<String>,
     ) -> Self {
-        let data = ImportedData::Recording(recording);
+        Self::of(file, format, ImportedData::Recording(recording), notes)
+    }
+
+    /// Data of any kind.
+    pub(super) fn of(file: &str, format: Format, data: ImportedData, notes: Vec<String>) -> Self {
         Self {
             name: stem(file).to_owned(),
             format,
@@ -81,12 +89,19 @@ impl ImportedRecording {
         }
     }
 
+    /// The same, with what of the export is not used.
+    pub(super) fn without(mut self, not_used: impl IntoIterator<Item = String>) -> Self {
+        self.not_used.extend(not_used);
+        self
+    }
+
     /// What was found wrong with the samples, and what was done.
     pub fn repairs(&self) -> &[Repair] {
         match &self.data {
             ImportedData::Recording(recording) => &recording.repairs,
             ImportedData::Track(track) => &track.repairs,
             ImportedData::GateEvents(_) => &[],
+            ImportedData::Channel(channel) => &channel.repairs,
         }
     }
 
@@ -110,6 +125,7 @@ impl ImportedRecording {
     fn samples(&self, sensor: Sensor) -> Option<usize> {
         let triad = match (&self.data, sensor) {
             (ImportedData::Track(track), _) => return Some(track.t_s.len()),
+            (ImportedData::Channel(channel), _) => return Some(channel.t_s.len()),
             (ImportedData::Recording(all), Sensor::Gyroscope) => all.gyroscope.as_ref(),
             (ImportedData::Recording(all), Sensor::Accelerometer) => all.accelerometer.as_ref(),
             (ImportedData::Recording(all), Sensor::LinearAccelerometer) => {
