@@ -21,6 +21,8 @@ use gyradius_signal::gate_periods;
 pub struct ImportRequest {
     /// Columns of a CSV that is not recognised, and their units: `gx=xGyro:deg/s`.
     pub mapping: Vec<String>,
+    /// Which of several trials in one file is meant, as the file numbers or names them.
+    pub trial: Option<String>,
     /// The phone's system, where a file's signs depend on it and the file does not say.
     pub platform: Option<Platform>,
     /// Width of the flag in a light gate's beam, m.
@@ -52,7 +54,9 @@ pub fn import_session(
     let mut ids = BTreeSet::new();
     let mut notes = Vec::new();
     if !exported.is_empty() || recorded.is_empty() {
-        let imported = import_inputs(&exported, &options(&request.mapping, request.platform)?)?;
+        let mut options = options(&request.mapping, request.platform)?;
+        options.trial.clone_from(&request.trial);
+        let imported = import_inputs(&exported, &options)?;
         for recording in &imported.recordings {
             let id = free_id(&recording.name, &mut ids);
             let name = format!("{id}.csv");
@@ -87,6 +91,26 @@ pub fn import_session(
     }
     save_draft(folder, &session, files, &missing, overwrite)?;
     Ok([notes, vec![draft_note(&missing)]].concat())
+}
+
+/// What exports hold, line by line: every recording with its format, sensors and samples, and what
+/// an import would tell. Nothing is written. Fails as reading does; a table that is not known is an
+/// error that proposes a mapping.
+pub fn describe_exports(files: &[PathBuf], request: &ImportRequest) -> Result<Vec<String>> {
+    let (recorded, exported) = split(files)?;
+    let mut lines: Vec<String> = recorded
+        .iter()
+        .map(|file| format!("{}: a recorder's file", file.display()))
+        .collect();
+    if !exported.is_empty() {
+        let mut options = options(&request.mapping, request.platform)?;
+        options.trial.clone_from(&request.trial);
+        for recording in import_inputs(&exported, &options)?.recordings {
+            lines.push(format!("{}: {}", recording.name, recording.summary()));
+            lines.extend(recording.told().into_iter().map(|text| format!("  {text}")));
+        }
+    }
+    Ok(lines)
 }
 
 /// Recorder's files by path, and what other programs exported by name and bytes.

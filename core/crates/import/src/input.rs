@@ -27,5 +27,9 @@ pub(crate) fn options(mapping: &[String], platform: Option<Platform>) -> Result<
     let mapping = (!mapping.is_empty())
         .then(|| ColumnMapping::from_entries(mapping))
         .transpose()?;
-    Ok(ImportOptions { mapping, platform })
+    Ok(ImportOptions {
+        mapping,
+        platform,
+        trial: None,
+    })
 }

@@ -12,6 +12,7 @@ use gyradius_recording::{
 pub fn request(mapping: &[&str]) -> ImportRequest {
     ImportRequest {
         mapping: mapping.iter().map(|entry| (*entry).to_owned()).collect(),
+        trial: None,
         platform: None,
         flag_width_m: None,
         title: "boat".to_owned(),

@@ -3,6 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::clock::{seconds_of_text, unwrapped};
+use super::source::base;
 use super::table::{Columns, Table, Tag, clipped};
 use crate::csv::collect;
 use crate::repair::RawSeries;
@@ -155,14 +156,14 @@ pub(super) fn columns_not_used(
         .map(|name| format!("`{}`", clipped(&name, 40)))
         .collect();
     let more = names.len().saturating_sub(LISTED);
+    let file = base(table.file());
     let listed = names.get(..names.len() - more)?.join(", ");
     match (names.len(), more) {
         (0, _) => None,
-        (1, _) => Some(format!("{}: column {listed} is not used", table.file())),
-        (_, 0) => Some(format!("{}: columns {listed} are not used", table.file())),
+        (1, _) => Some(format!("{file}: column {listed} is not used")),
+        (_, 0) => Some(format!("{file}: columns {listed} are not used")),
         _ => Some(format!(
-            "{}: columns {listed} and {more} more are not used",
-            table.file()
+            "{file}: columns {listed} and {more} more are not used"
         )),
     }
 }

@@ -27,6 +27,22 @@ pub enum Format {
     Mapped,
 }
 
+impl Format {
+    /// What a message calls it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Format::Native => "a recording of this program",
+            Format::Phyphox => "phyphox, or columns that name sensor and unit",
+            Format::SensorLogger => "Sensor Logger",
+            Format::PhysicsToolbox => "Physics Toolbox",
+            Format::SensorLog => "SensorLog",
+            Format::LightGate => "a light gate",
+            Format::Gcsv => "Gyroflow",
+            Format::Mapped => "by the mapping",
+        }
+    }
+}
+
 /// What an import yields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Imported {
@@ -134,6 +150,31 @@ impl ImportedRecording {
             _ => None,
         };
         triad.map(|triad| triad.t_s.len())
+    }
+
+    /// Format, sensors, samples and duration in one line.
+    pub fn summary(&self) -> String {
+        let series = |name: &str, t_s: &[f64]| {
+            let span = t_s
+                .last()
+                .zip(t_s.first())
+                .map_or(0.0, |(last, first)| last - first);
+            format!("{name}, {} samples in {span:.1} s", t_s.len())
+        };
+        let held: Vec<String> = match &self.data {
+            ImportedData::Recording(all) => [
+                (Sensor::Gyroscope, &all.gyroscope),
+                (Sensor::Accelerometer, &all.accelerometer),
+                (Sensor::LinearAccelerometer, &all.linear_accelerometer),
+            ]
+            .into_iter()
+            .filter_map(|(sensor, triad)| Some(series(sensor.name(), &triad.as_ref()?.t_s)))
+            .collect(),
+            ImportedData::Track(track) => vec![series("track", &track.t_s)],
+            ImportedData::GateEvents(events) => vec![series("edges of a light gate", &events.t_s)],
+            ImportedData::Channel(channel) => vec![series(channel.quantity.name(), &channel.t_s)],
+        };
+        format!("{} ({})", held.join("; "), self.format.name())
     }
 
     /// Everything that a reader should know: repairs, choices, what is not used.

@@ -55,7 +55,7 @@ impl Label {
         let axis = words
             .iter()
             .rev()
-            .find_map(|word| axis(word))
+            .find_map(|word| axis_of_word(word))
             .or_else(|| index.filter(|_| cell.ends_with(']')));
         words.retain(|word| axis_of_word(word).is_none() && word != "axis");
         Self { words, axis, unit }
@@ -155,10 +155,6 @@ fn axis_of_word(word: &str) -> Option<usize> {
     ["x", "y", "z"].iter().position(|axis| *axis == word)
 }
 
-fn axis(word: &String) -> Option<usize> {
-    axis_of_word(word)
-}
-
 /// A sensor of which some axes have been met: column and factor of each.
 struct Met {
     sensor: Sensor,
@@ -246,12 +242,17 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
             fields.push((field, column));
         }
     }
+    if let Some(entries) = tagged(table, &rows, &labels) {
+        return Some(format!(
+            "{} {entries}",
+            entry_of("t", &table.name_of(time), time_unit)
+        ));
+    }
     if fields.is_empty() {
         fields = by_order(table, &rows, time);
     }
-    let entry = |field: &str, column: usize, unit: &str| {
-        format!("--map \"{field}={}:{unit}\"", table.name_of(column))
-    };
+    let entry =
+        |field: &str, column: usize, unit: &str| entry_of(field, &table.name_of(column), unit);
     let mut entries = vec![entry("t", time, time_unit)];
     for (field, column) in &fields {
         let kind = field.get(..1).unwrap_or_default();
@@ -264,6 +265,37 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
         entries.push(entry(field, *column, unit));
     }
     (entries.len() > 1).then(|| entries.join(" "))
+}
+
+fn entry_of(field: &str, column: &str, unit: &str) -> String {
+    format!("--map \"{field}={column}:{unit}\"")
+}
+
+/// The entries for a table whose rows are tagged by sensor.
+fn tagged(table: &Table, rows: &[Vec<String>], labels: &[Label]) -> Option<String> {
+    let axes = (0..3).map(|axis| {
+        let is_it = |label: &Label| label.axis == Some(axis) && label.words.is_empty();
+        labels.iter().position(is_it)
+    });
+    let axes: Vec<usize> = axes.collect::<Option<_>>()?;
+    let tag = |known: &[&str]| {
+        let cells = rows.iter().flatten();
+        let is_it = |cell: &&String| {
+            words(cell)
+                .iter()
+                .any(|word| known.contains(&word.as_str()))
+        };
+        cells.into_iter().find(is_it)
+    };
+    let mut entries = Vec::new();
+    for (known, prefix, unit) in [(GYROSCOPE, "g", "rad/s"), (ACCELEROMETER, "a", "m/s2")] {
+        let Some(tag) = tag(known) else { continue };
+        for (axis, column) in ["x", "y", "z"].iter().zip(&axes) {
+            let column = format!("{}@{tag}", table.name_of(*column));
+            entries.push(entry_of(&format!("{prefix}{axis}"), &column, unit));
+        }
+    }
+    (!entries.is_empty()).then(|| entries.join(" "))
 }
 
 /// Columns of numbers that nothing names: the gyroscope first, then the accelerometer.

@@ -181,17 +181,19 @@ fn before(lines: &[Line], at: usize) -> Vec<String> {
     above.map(|line| line.text.to_owned()).collect()
 }
 
-/// The first lines that are not blank.
+/// The first lines that are not blank; separators alone are blank too.
 fn lines(text: &str) -> Vec<Line<'_>> {
     let mut at = 0;
     let mut lines = Vec::new();
-    for piece in text.split_inclusive(['\n', '\r']).take(2 * SCANNED_LINES) {
+    for piece in text.split_inclusive(['\n', '\r']) {
         let end = at + piece.len();
-        let bare = piece.trim_matches(['\n', '\r']);
         // A separator at the start of a row is an empty cell.
-        let text = bare.trim_matches(' ');
-        if !text.trim().is_empty() {
+        let text = piece.trim_matches(['\n', '\r', ' ']);
+        if !text.trim_matches(['\t', ',', ';', '|', ' ']).is_empty() {
             lines.push(Line { at, end, text });
+        }
+        if lines.len() == SCANNED_LINES {
+            break;
         }
         at = end;
     }

@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::columns::{
-    Clock, SensorColumns, assemble, columns_not_used, from_first_stamp, gravity_doubt,
+    Clock, SensorColumns, add_repair, assemble, columns_not_used, from_first_stamp, gravity_doubt,
 };
+use super::file_not_used;
 use super::imported::{Format, ImportedData, ImportedRecording};
+use super::phyphox::Pauses;
 use super::source::{Source, stem};
 use super::table::{Table, Tag};
 use super::units::{Dimension, Unit};
@@ -319,7 +321,7 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
     let mut not_used: Vec<String> = source
         .ignored
         .iter()
-        .map(|name| format!("`{name}` is not used"))
+        .map(|name| file_not_used(name))
         .collect();
     // Of the table with the most columns, which is the one that the mapping is likely to mean.
     let mut worst: Option<(usize, Error)> = None;
@@ -328,12 +330,17 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
             worst = Some((columns, error));
         }
     };
+    let mut pauses = Pauses::default();
     for (name, bytes) in source.members() {
+        if let Some(found) = Pauses::of_file(bytes, name)? {
+            pauses = found;
+            continue;
+        }
         let table = match Table::open(bytes, name) {
             Ok(table) => table,
             Err(error) => {
                 failed(0, error);
-                not_used.push(format!("`{name}` is not used"));
+                not_used.push(file_not_used(name));
                 continue;
             }
         };
@@ -348,7 +355,7 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
             }
         }
         if columns.iter().all(Option::is_none) {
-            not_used.push(format!("`{name}` is not used"));
+            not_used.push(file_not_used(name));
         } else {
             holdings.push(Holding { table, columns });
         }
@@ -358,9 +365,9 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
     if holdings.iter().any(complete) {
         for holding in holdings {
             if complete(&holding) {
-                recordings.push(read(holding.table.file(), &wanted, &[&holding])?);
+                recordings.push(read(holding.table.file(), &wanted, &[&holding], &pauses)?);
             } else {
-                not_used.push(format!("`{}` is not used", holding.table.file()));
+                not_used.push(file_not_used(holding.table.file()));
             }
         }
     } else {
@@ -392,7 +399,12 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
             (None, Some(first)) => first.table.file(),
             _ => source.name.as_str(),
         };
-        recordings.push(read(name, &wanted, &holdings.iter().collect::<Vec<_>>())?);
+        recordings.push(read(
+            name,
+            &wanted,
+            &holdings.iter().collect::<Vec<_>>(),
+            &pauses,
+        )?);
     }
     if let Some(last) = recordings.last_mut() {
         last.not_used.extend(not_used);
@@ -400,12 +412,19 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
     Ok(recordings)
 }
 
-fn read(name: &str, wanted: &[Wanted], holdings: &[&Holding]) -> Result<ImportedRecording> {
+fn read(
+    name: &str,
+    wanted: &[Wanted],
+    holdings: &[&Holding],
+    pauses: &Pauses,
+) -> Result<ImportedRecording> {
     let mut series = Vec::new();
     let mut left = Vec::new();
     for (place, holding) in holdings.iter().enumerate() {
         for columns in holding.columns.iter().flatten() {
-            series.push((place, columns.read(&holding.table)?));
+            let mut raw = columns.read(&holding.table)?;
+            raw.t_s.iter_mut().for_each(|t| *t = pauses.wall_s(*t));
+            series.push((place, raw));
         }
         let used = holding
             .columns
@@ -422,7 +441,10 @@ fn read(name: &str, wanted: &[Wanted], holdings: &[&Holding]) -> Result<Imported
         }
         (_, last) => {
             series.extend(last);
-            let recording = assemble(name, series)?;
+            let mut recording = assemble(name, series)?;
+            if let Some(repair) = pauses.repair() {
+                add_repair(&mut recording, &repair);
+            }
             if let (Some(doubt), Some(holding)) = (gravity_doubt(&recording), holdings.first()) {
                 let expected = "accelerations in the stated unit";
                 return Err(holding.table.malformed(None, expected, &doubt));

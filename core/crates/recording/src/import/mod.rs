@@ -23,6 +23,7 @@ mod sensor_logger;
 mod sensorlog;
 mod source;
 pub(crate) mod table;
+mod trials;
 mod units;
 
 use std::collections::BTreeMap;
@@ -56,12 +57,28 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
     let mut recordings = Vec::new();
     let mut fruitful: Vec<Option<String>> = Vec::new();
     let mut barren = Vec::new();
-    for source in source::sources(inputs)? {
+    let mut sources = source::sources(inputs)?;
+    if let Some(trial) = &options.trial
+        && !source::keep_trial(&mut sources, trial)?
+    {
+        return Err(Error::argument(
+            "trial",
+            "a file with several trials",
+            "none",
+        ));
+    }
+    for source in sources {
         let found = match &options.mapping {
             Some(mapping) => mapping::import(&source, mapping),
             None => recognised(&source, options, &mut device),
         };
-        let found = found?;
+        let mut found = found?;
+        if let (None, Some(first)) = (&options.trial, found.first_mut()) {
+            let notes = source
+                .members()
+                .filter_map(|(name, bytes)| trials::note(bytes, name));
+            first.notes.extend(notes);
+        }
         if found.is_empty() {
             barren.push(source);
         } else {
@@ -85,6 +102,12 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
         device,
         source,
     })
+}
+
+/// A file by the name that it has in the session's folder or the archive: paths of this machine
+/// stay out of sessions.
+pub(crate) fn file_not_used(name: &str) -> String {
+    format!("`{}` is not used", source::base(name))
 }
 
 fn recognised(
@@ -165,7 +188,7 @@ fn recognised(
         .iter()
         .map(|(name, _)| *name)
         .chain(source.ignored.iter().map(String::as_str))
-        .map(|name| format!("`{name}` is not used"))
+        .map(file_not_used)
         .collect();
     if let Some(last) = out.last_mut() {
         last.not_used.extend(unused);

@@ -13,7 +13,7 @@ use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
 use gyradius_base::Result;
-use pauses::Pauses;
+pub(super) use pauses::Pauses;
 
 type File<'a> = (&'a str, &'a [u8]);
 

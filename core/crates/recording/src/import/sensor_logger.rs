@@ -9,10 +9,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::columns::{Clock, SensorColumns, assemble, gravity_doubt, mean_length, sum, xyz};
+use super::columns::{
+    Clock, SensorColumns, assemble, columns_not_used, gravity_doubt, mean_length, sum, xyz,
+};
+use super::file_not_used;
 use super::imported::{Format, ImportedRecording};
 use super::options::{ImportOptions, Platform};
-use super::source::{Source, stem};
+use super::source::{Source, base, stem};
 use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
@@ -152,7 +155,23 @@ impl<'a> Files<'a> {
 
     /// The file as the user knows it.
     fn file(&self, name: &str) -> &'a str {
-        self.by_name.get(name).map_or("", |file| file.0)
+        self.by_name.get(name).map_or("", |file| base(file.0))
+    }
+
+    /// Columns of the watch's table that are left, quaternions for example.
+    fn columns_left(&self) -> Option<String> {
+        let file = self
+            .by_name
+            .get(MOTION)
+            .filter(|_| self.used.contains(MOTION))?;
+        let table = Table::open(file.1, file.0).ok()?;
+        let known = ["time", "seconds_elapsed"];
+        let prefixes = ["rotationrate", "gravity", "acceleration"];
+        let used = (0..table.header().len()).filter(|column| {
+            let name = table.name_of(*column).to_lowercase();
+            known.contains(&name.as_str()) || prefixes.iter().any(|start| name.starts_with(start))
+        });
+        columns_not_used(&table, used)
     }
 
     /// What is left unused, as sentences.
@@ -161,8 +180,9 @@ impl<'a> Files<'a> {
             .by_name
             .iter()
             .filter(|(name, _)| !self.used.contains(*name));
-        let left = left.map(|(_, file)| format!("`{}` is not used", file.0));
+        let left = left.map(|(_, file)| file_not_used(file.0));
         left.chain(self.not_used.iter().cloned())
+            .chain(self.columns_left())
     }
 }
 
@@ -233,8 +253,10 @@ fn acceleration(
         let factor = sign * unit_of(&gravity, notes);
         scale(&mut user, factor);
         scale(&mut gravity, factor);
-        let (total, _) = together(user, &gravity, (name, name), notes);
-        return Ok(Some(total));
+        notes.push(format!(
+            "accelerometer: gravity plus acceleration of `{name}`"
+        ));
+        return Ok(Some(sum(&user, &gravity)));
     }
     Ok(None)
 }

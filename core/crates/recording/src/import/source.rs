@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::json;
+use super::{json, trials};
 use crate::store::Store;
 use gyradius_base::{Error, Result};
 
@@ -172,6 +172,18 @@ fn folder(name: &str) -> String {
         folders = &folders[..folders.len() - 1];
     }
     folders.join("/")
+}
+
+/// Keeps the rows of one trial in every table that holds several; false where none does.
+pub(super) fn keep_trial(sources: &mut [Source], trial: &str) -> Result<bool> {
+    let mut any = false;
+    for (name, bytes) in sources.iter_mut().flat_map(|source| &mut source.files) {
+        if let Some(chosen) = trials::choose(bytes, name, trial)? {
+            *bytes = chosen;
+            any = true;
+        }
+    }
+    Ok(any)
 }
 
 /// File name without folders.

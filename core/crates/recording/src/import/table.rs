@@ -214,6 +214,25 @@ impl<'a> Table<'a> {
         Ok(cells)
     }
 
+    /// The file with the rows that are not wanted left blank, so that lines keep their numbers.
+    pub(super) fn with_rows(&self, wanted: impl Fn(usize) -> bool) -> Result<Vec<u8>> {
+        let mut starts = Vec::new();
+        self.each_row(None, |row, offset, _| {
+            starts.push((row, offset));
+            Ok(())
+        })?;
+        let mut bytes = self.bytes.to_vec();
+        let ends = starts.iter().skip(1).map(|(_, offset)| *offset);
+        let ends = ends.chain([bytes.len()]).collect::<Vec<_>>();
+        for ((row, start), end) in starts.into_iter().zip(ends) {
+            if let Some(text) = bytes.get_mut(start..end).filter(|_| !wanted(row)) {
+                let rewritten = text.iter_mut().filter(|b| !matches!(**b, b'\n' | b'\r'));
+                rewritten.for_each(|b| *b = self.separator);
+            }
+        }
+        Ok(bytes)
+    }
+
     fn each_row(
         &self,
         tag: Option<&Tag>,

@@ -312,7 +312,7 @@ fn a_mapping_reaches_the_tables_of_an_archive() {
     assert_degrees(recording(&imported), 0.0);
     let not_used = imported.not_used.join("; ");
     assert!(
-        not_used.contains("meta/device.csv") && not_used.contains("meta/photo.png"),
+        not_used.contains("`device.csv`") && not_used.contains("`photo.png`"),
         "{not_used}"
     );
     let wrong = mapping(&["t=Uhr (s):s", "gx=P:deg/s", "gy=q:deg/s", "gz=r:deg/s"]);
@@ -576,7 +576,15 @@ fn angles_and_single_axes_are_channels_and_no_axis_is_made_up() {
 
 #[test]
 fn unknown_tables_are_described_and_a_mapping_is_proposed() {
-    let cases: [(&str, String, &str); 4] = [
+    let cases: [(&str, String, &str); 5] = [
+        (
+            "tagged.csv",
+            format!(
+                "Type,Stamp,x,y,z\n{}",
+                rows(|i| format!("Gyro,{},1,2,3\nAccel,{},1,2,3", 10 * i, 10 * i + 3))
+            ),
+            "--map \"t=Stamp:ms\" --map \"gx=x@Gyro:rad/s\" --map \"gy=y@Gyro:rad/s\" --map \"gz=z@Gyro:rad/s\" --map \"ax=x@Accel:m/s2\"",
+        ),
         (
             "comm.csv",
             format!(
@@ -621,6 +629,67 @@ fn unknown_tables_are_described_and_a_mapping_is_proposed() {
             .to_string();
         assert!(error.contains(expected), "{error}");
     }
+}
+
+#[test]
+fn one_of_several_trials_is_chosen() {
+    // Trials 7 and 9 in turn, by a column; and 20 rows each of a clock that starts again.
+    let column = rows(|i| format!("{},{},{i},2,-3", if i < 10 { 7 } else { 9 }, 10 * i));
+    let column = format!("Trial,ms,x,y,z\n{column}");
+    let entries = ["t=ms:ms", "gx=x:deg/s", "gy=y:deg/s", "gz=z:deg/s"];
+    let mut options = mapping(&entries);
+    let all = only(files(&[("a.csv", &column)], &options).unwrap());
+    let note =
+        "`a.csv` holds 2 trials, column `Trial`: 7 (10 rows), 9 (10 rows); choose one with --trial";
+    assert_eq!(all.notes, [note]);
+    options.trial = Some("9".to_owned());
+    let one = only(files(&[("a.csv", &column)], &options).unwrap());
+    let gyroscope = recording(&one).gyroscope.as_ref().unwrap();
+    assert_eq!((gyroscope.t_s.len(), gyroscope.t_s[0]), (10, 0.1));
+    options.trial = Some("8".to_owned());
+    let text = files(&[("a.csv", &column)], &options)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        text.contains("trial `8`") && text.contains("7 (10 rows)"),
+        "{text}"
+    );
+
+    let header = "Time (s),Gyroscope x (rad/s),Gyroscope y (rad/s),Gyroscope z (rad/s)\n";
+    let part = |x: f64| rows(|i| format!("{},{x},{i},1", 0.01 * i as f64));
+    let clock = format!("{header}{}{}{}", part(1.0), part(2.0), part(3.0));
+    let options = ImportOptions {
+        trial: Some("2".to_owned()),
+        ..ImportOptions::default()
+    };
+    let one = only(files(&[("b.csv", &clock)], &options).unwrap());
+    assert_eq!(
+        recording(&one).gyroscope.as_ref().unwrap().axes[0],
+        [2.0; ROWS]
+    );
+    assert_eq!(recording(&one).repairs, []);
+    let none = files(&[("c.csv", &format!("{header}{}", part(1.0)))], &options);
+    assert!(none.unwrap_err().to_string().contains("several trials"));
+}
+
+#[test]
+fn a_mapped_archive_of_phyphox_has_its_pauses_put_back() {
+    let text = format!(
+        "Uhr (s),p,q,r\n{}",
+        rows(|i| format!("{},{i},2,-3", 0.01 * i as f64))
+    );
+    let time = "event,experiment time,system time,system time text\nSTART,0,100,x\nPAUSE,0.095,101,x\nSTART,0.095,103,x\n";
+    let bytes = zip(&[("Set.csv", &text), ("meta/time.csv", time)]);
+    let options = mapping(&["t=Uhr (s):s", "gx=p:deg/s", "gy=q:deg/s", "gz=r:deg/s"]);
+    let imported = only(import_files(&[("puck.zip".to_owned(), bytes)], &options).unwrap());
+    let t_s = &recording(&imported).gyroscope.as_ref().unwrap().t_s;
+    assert!((t_s[9] - 0.09).abs() < 1e-12 && (t_s[10] - 2.1).abs() < 1e-12);
+    assert!(
+        imported
+            .told()
+            .iter()
+            .any(|text| text.contains("paused once, 2.000 s"))
+    );
 }
 
 #[test]
