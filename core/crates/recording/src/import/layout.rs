@@ -62,6 +62,21 @@ pub(super) fn find(bytes: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Option<Layout>) {
         Some(rewritten) => Cow::Owned(rewritten),
         None => bytes,
     };
+    let (bytes, labels) = match unlabelled(&bytes) {
+        Some((rewritten, labels)) => (Cow::Owned(rewritten), Some(labels)),
+        None => (bytes, None),
+    };
+    let (bytes, layout) = without_labels(bytes);
+    let named = |mut layout: Layout| {
+        if let Some(labels) = labels.filter(|labels| labels.len() == layout.header.len()) {
+            (layout.header, layout.named) = (labels, true);
+        }
+        layout
+    };
+    (bytes, layout.map(named))
+}
+
+fn without_labels(bytes: Cow<'_, [u8]>) -> (Cow<'_, [u8]>, Option<Layout>) {
     let text = String::from_utf8_lossy(&bytes);
     // Another encoding: positions in the text are not those in the file, so the bytes are replaced.
     let replaced = matches!(text, Cow::Owned(_)).then(|| text.clone().into_owned().into_bytes());
@@ -220,7 +235,7 @@ fn separator_of_row(line: &str, stated: Option<u8>) -> Option<u8> {
     });
     let single = || is_value(line.trim_matches('"')).then_some(b',');
     let blanks = || (by_blanks.len() > 2 && is_row(&by_blanks)).then_some(b' ');
-    found.or_else(single).or_else(blanks)
+    found.or_else(blanks).or_else(single)
 }
 
 /// The separator of a header without rows of numbers. TAB, `;` and `|` never stand in a name.
@@ -241,7 +256,8 @@ fn is_row(cells: &[String]) -> bool {
 }
 
 fn is_value(cell: &str) -> bool {
-    is_number(cell) || cell.eq_ignore_ascii_case("nan") || seconds_of_text(cell).is_some()
+    let is_time = cell.starts_with(|c: char| c.is_ascii_digit()) && seconds_of_text(cell).is_some();
+    is_number(cell) || cell.eq_ignore_ascii_case("nan") || is_time
 }
 
 fn is_number(cell: &str) -> bool {
@@ -300,6 +316,62 @@ fn single_blanks(bytes: &[u8]) -> Vec<u8> {
     out
 }
 
+/// Rows whose cells name themselves, as for a serial plotter (`gx:0.6,gy:1.2`): the rows without the
+/// names, and the names. A cell without a name keeps its number for one.
+fn unlabelled(bytes: &[u8]) -> Option<(Vec<u8>, Vec<String>)> {
+    let start = String::from_utf8_lossy(bytes.get(..bytes.len().min(4096))?).into_owned();
+    let mut rows = start.lines().filter(|line| !line.trim().is_empty());
+    let (first, second) = (rows.next()?, rows.next()?);
+    let separator = label_separator(first)?;
+    let names = |line: &str| -> Vec<Option<String>> {
+        let cells = cells(line, separator);
+        cells
+            .iter()
+            .map(|cell| label(cell).map(str::to_owned))
+            .collect()
+    };
+    let labels = names(first);
+    if labels.iter().all(Option::is_none) || labels != names(second) {
+        return None;
+    }
+    let mut out = Vec::with_capacity(bytes.len());
+    for line in String::from_utf8_lossy(bytes).split_inclusive('\n') {
+        let bare = line.trim_end_matches(['\n', '\r']);
+        let values = cells(bare, separator)
+            .into_iter()
+            .map(|cell| match label(&cell) {
+                Some(label) => cell[label.len()..]
+                    .trim_start_matches([':', '=', ' '])
+                    .to_owned(),
+                None => cell,
+            });
+        let row = values
+            .collect::<Vec<_>>()
+            .join(&char::from(separator).to_string());
+        out.extend(row.as_bytes());
+        out.extend(&line.as_bytes()[bare.len()..]);
+    }
+    let names = labels.into_iter().zip(1..);
+    let names = names.map(|(label, number): (_, usize)| label.unwrap_or(number.to_string()));
+    Some((out, names.collect()))
+}
+
+/// What separates cells that name themselves; some may be values alone.
+fn label_separator(line: &str) -> Option<u8> {
+    [b'\t', b';', b',', b' '].into_iter().find(|separator| {
+        let cells = cells(line, *separator);
+        let told = |cell: &String| label(cell).is_some() || is_value(cell);
+        cells.len() > 1 && cells.iter().all(told)
+    })
+}
+
+/// The name in `gx:0.6` or `gx = 0.6`.
+fn label(cell: &str) -> Option<&str> {
+    let (name, value) = cell.split_once([':', '='])?;
+    let is_name = name.starts_with(char::is_alphabetic);
+    (is_name && is_number(value.trim())).then(|| name.trim_end())
+}
+
 /// A serial monitor's `10:00:00.000 -> 1,2,3`: the arrow becomes what separates the cells.
 fn arrows(bytes: &[u8]) -> Option<Vec<u8>> {
     const ARROW: &str = " -> ";
@@ -307,7 +379,7 @@ fn arrows(bytes: &[u8]) -> Option<Vec<u8>> {
     let separator = start.lines().find_map(|line| {
         let (time, row) = line.split_once(ARROW)?;
         seconds_of_text(time)?;
-        separator_of_row(row.trim(), None)
+        separator_of_row(row.trim(), None).or_else(|| label_separator(row.trim()))
     })?;
     let mut out = Vec::with_capacity(bytes.len());
     let arrow = ARROW.as_bytes();

@@ -11,6 +11,8 @@ use gyradius_recording::import::{
     import_files, import_inputs,
 };
 use gyradius_recording::{ChannelQuantity, Recording, Store};
+use gyradius_test_support::cases;
+use proptest::prelude::*;
 
 const ROWS: usize = 20;
 
@@ -215,6 +217,20 @@ fn times_of_day_and_dates_are_clocks() {
     );
     let text = no_time.unwrap_err().to_string();
     assert!(text.contains("a time of day in column `a`"), "{text}");
+}
+
+#[test]
+fn cells_that_name_themselves_are_columns() {
+    let plotter = rows(|i| format!("ms:{},rx:{i},ry: 2,rz:-3", 10 * i));
+    assert_degrees(
+        recording(&map_degrees(&plotter, "t=ms:ms", ["rx", "ry", "rz"])),
+        0.0,
+    );
+    let monitor = rows(|i| format!("10:00:00.{:02}0 -> rx={i} ry=2 rz=-3", i));
+    assert_degrees(
+        recording(&map_degrees(&monitor, "t=1:clock", ["rx", "ry", "rz"])),
+        36_000.0,
+    );
 }
 
 #[test]
@@ -705,5 +721,22 @@ fn other_kinds_of_files_are_refused_with_the_way_out() {
         );
         let text = error.unwrap_err().to_string();
         assert!(text.contains(name) && text.contains("CSV"), "{text}");
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    #[test]
+    fn no_table_makes_the_reader_panic(
+        text in "([0-9.,;|\t \"#%:=>\\-a-zµ\\[{}]{0,12}[\n\r,;\t]){0,40}",
+        trial in proptest::option::of("[0-9]"),
+    ) {
+        for entries in [&["t=1:ms", "angle=2:deg"][..], &["t=#1:clock", "rate=#2@a:deg/s"], &["t=row:5Hz", "y=1:m"]] {
+            let options = ImportOptions { trial: trial.clone(), ..mapping(entries) };
+            let _ = files(&[("a.csv", &text), ("b.csv", &text)], &options);
+        }
+        let options = ImportOptions { trial, ..ImportOptions::default() };
+        let _ = files(&[("Gyroscope.csv", &text)], &options);
     }
 }
