@@ -17,7 +17,7 @@ from .arrays import routes as catalogue
 from .critique import FORMAT as CRITIQUE
 from .critique import Critique
 from .critique_tables import show_critique
-from .imports import import_files
+from .imports import describe_exports, import_files
 from .measurement import Measurement
 from .outcome import can_be_written, reported, write_json
 from .plan_tables import show_plan
@@ -126,8 +126,12 @@ def report(
 @app.command("import")
 def import_(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Exports of phones and loggers.")],
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The session folder to write.")],
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="DIR", help="The session folder to write; without it, what is found."),
+    ] = None,
     map_: Map = None,
+    trial: Annotated[str | None, typer.Option(metavar="K", help="One of several trials in a file.")] = None,
     platform: Annotated[Platform | None, typer.Option(help="The phone's system, where a file does not say.")] = None,
     flag_width: Annotated[float | None, typer.Option(metavar="M", help="Flag in a light gate, m.")] = None,
     replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
@@ -144,12 +148,21 @@ def import_(
     axis_height: Annotated[str | None, stated("m, of the swing axis (compound)")] = None,
     json: Json = None,
 ) -> None:
-    """Write a session from phone exports."""
+    """Write a session from phone exports, or say what they hold."""
     with reported(_errors(), json):
+        if output is None:
+            system = None if platform is None else platform.value
+            found = describe_exports(files, mapping=map_ or [], trial=trial, platform=system)
+            if json is not None:
+                write_json(dumps({"found": found}, ensure_ascii=False, indent=2), json)
+            for line in [*found, "To write a session: the same command with -o DIR"]:
+                _console(json).print(line, soft_wrap=True, highlight=False, markup=False)
+            return
         notes = import_files(
             files,
             output,
             mapping=map_ or [],
+            trial=trial,
             platform=None if platform is None else platform.value,
             flag_width=flag_width,
             replace=replace,

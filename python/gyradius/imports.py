@@ -20,6 +20,7 @@ class ImportPlan:
     """What is known of the session beside its recordings; lengths in m, each with its standard uncertainty."""
 
     mapping: list[str]
+    trial: str | None
     platform: str | None
     flag_width: float | None
     replace: bool
@@ -41,6 +42,7 @@ def import_files(
     output: str | os.PathLike[str],
     *,
     mapping: Sequence[str] = (),
+    trial: str | int | None = None,
     platform: Literal["android", "ios"] | None = None,
     flag_width: float | None = None,
     replace: bool = False,
@@ -59,11 +61,13 @@ def import_files(
     """Write a session folder from phone exports, one swing for each file; returns what a reader must know.
 
     ``mapping`` says of a CSV that is not recognised which column is which, and its unit: ``"gx=xGyro:deg/s"``.
+    ``trial`` is one of several trials in a file, as the file numbers or names them.
     ``platform`` is the phone's system where a file's signs depend on it and the file does not say;
     ``flag_width`` is that of the flag in a light gate's beam.
     """
     plan = ImportPlan(
         mapping=[*mapping],
+        trial=None if trial is None else str(trial),
         platform=platform,
         flag_width=flag_width,
         replace=replace,
@@ -80,6 +84,38 @@ def import_files(
         axis_height=_pair(axis_height),
     )
     return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
+
+
+def describe_exports(
+    files: Iterable[str | os.PathLike[str]],
+    *,
+    mapping: Sequence[str] = (),
+    trial: str | int | None = None,
+    platform: Literal["android", "ios"] | None = None,
+) -> list[str]:
+    """What exports hold and what an import would tell, line by line; nothing is written.
+
+    A table that is not recognised is an error that proposes a mapping.
+    """
+    plan = ImportPlan(
+        mapping=[*mapping],
+        trial=None if trial is None else str(trial),
+        platform=platform,
+        flag_width=None,
+        replace=False,
+        title="",
+        suspension="bifilar",
+        orientation="athwartships",
+        mass=None,
+        gravity=None,
+        line_length=None,
+        spacing=None,
+        top_spacing=None,
+        hull_pitch=None,
+        points_moved=None,
+        axis_height=None,
+    )
+    return _core.describe_exports([os.fspath(file) for file in files], plan)
 
 
 def _pair(stated: Stated | None) -> Pair | None:

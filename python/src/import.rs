@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::import::{ImportRequest, import_session};
+use gyradius_core::import::{self, ImportRequest, import_session};
 use gyradius_core::recording::import::Platform;
 use gyradius_core::recording::{Orientation, Overwrite, Quantity, Suspension, SuspensionKind};
 use gyradius_core::{Error, Result};
@@ -14,6 +14,7 @@ use crate::errors::detached;
 #[derive(FromPyObject)]
 pub struct Plan {
     mapping: Vec<String>,
+    trial: Option<String>,
     platform: Option<String>,
     flag_width: Option<f64>,
     replace: bool,
@@ -51,12 +52,19 @@ pub fn import_files(
     })
 }
 
+/// What phone exports hold, line by line; nothing is written.
+#[pyfunction]
+pub fn describe_exports(py: Python<'_>, files: Vec<PathBuf>, plan: Plan) -> PyResult<Vec<String>> {
+    detached(py, || import::describe_exports(&files, &plan.request()?))
+}
+
 impl Plan {
     fn request(self) -> Result<ImportRequest> {
         Ok(ImportRequest {
             suspension: self.hanging()?,
             platform: self.platform.as_deref().map(platform).transpose()?,
             mapping: self.mapping,
+            trial: self.trial,
             flag_width_m: self.flag_width,
             title: self.title,
             mass_kg: quantity(self.mass),

@@ -31,7 +31,7 @@ mod _core {
     #[pymodule_export]
     use super::errors::{CancelledError, GyradiusError, InputError, NoResultError};
     #[pymodule_export]
-    use super::import::import_files;
+    use super::import::{describe_exports, import_files};
     #[pymodule_export]
     use super::live::Live;
     #[pymodule_export]

@@ -27,6 +27,8 @@ pub enum PhonePlatform {
 pub struct ImportRequest {
     /// Columns of a CSV that is not recognised, and their units: `gx=xGyro:deg/s`.
     pub mapping: Vec<String>,
+    /// Which of several trials in one file is meant, as the file numbers or names them.
+    pub trial: Option<String>,
     /// The phone's system.
     pub platform: Option<PhonePlatform>,
     /// Width of the flag in a light gate's beam, m.

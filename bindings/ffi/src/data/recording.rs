@@ -205,6 +205,8 @@ pub enum RepairKind {
     StampStep,
     /// A sensor with a clock of its own: dropped.
     OtherClock,
+    /// Columns, files or sensors of an export that the import did not use.
+    NotImported,
 }
 
 /// One kind of damage of one sensor: how often, where, what was done.

@@ -117,6 +117,7 @@ import Testing
   private var request: ImportRequest {
     ImportRequest(
       mapping: [],
+      trial: nil,
       platform: nil,
       flagWidthM: nil,
       title: "faces",

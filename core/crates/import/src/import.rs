@@ -5,13 +5,14 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::input::{options, read_input};
+use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
-use gyradius_recording::import::{ImportedData, ImportedRecording, Platform, import_files};
+use gyradius_recording::import::{ImportedData, ImportedRecording, Input, Platform, import_inputs};
 use gyradius_recording::recorder::{SYNC, convert};
 use gyradius_recording::{
-    Body, Overwrite, Quantity, SESSION_FILE, Session, Site, Suspension, SuspensionKind, Swing,
-    SwingData, save_session, write_recording, write_session,
+    Body, ChannelQuantity, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension,
+    SuspensionKind, Swing, SwingData, read_period_list, read_recording, read_track, save_session,
+    write_recording, write_session,
 };
 use gyradius_signal::gate_periods;
 
@@ -20,6 +21,8 @@ use gyradius_signal::gate_periods;
 pub struct ImportRequest {
     /// Columns of a CSV that is not recognised, and their units: `gx=xGyro:deg/s`.
     pub mapping: Vec<String>,
+    /// Which of several trials in one file is meant, as the file numbers or names them.
+    pub trial: Option<String>,
     /// The phone's system, where a file's signs depend on it and the file does not say.
     pub platform: Option<Platform>,
     /// Width of the flag in a light gate's beam, m.
@@ -51,21 +54,27 @@ pub fn import_session(
     let mut ids = BTreeSet::new();
     let mut notes = Vec::new();
     if !exported.is_empty() || recorded.is_empty() {
-        let imported = import_files(&exported, &options(&request.mapping, request.platform)?)?;
+        let mut options = options(&request.mapping, request.platform)?;
+        options.trial.clone_from(&request.trial);
+        let imported = import_inputs(&exported, &options)?;
         for recording in &imported.recordings {
             let id = free_id(&recording.name, &mut ids);
             let name = format!("{id}.csv");
             let (data, bytes) = contents(recording, &name, request)?;
+            let found_again = read_back(&data, &bytes, recording)?;
+            session
+                .recorded
+                .extend(recording.recorded(&name, &found_again));
+            let of = |text| match imported.recordings.len() {
+                1 => text,
+                _ => format!("{id}: {text}"),
+            };
+            notes.extend(recording.told().into_iter().map(of));
             session.swings.push(request.swing(id, data));
             files.push((name, bytes));
         }
-        notes.extend(
-            imported
-                .recordings
-                .into_iter()
-                .flat_map(|recording| recording.notes),
-        );
     }
+    let imported = session.recorded.len();
     convert_recorded(
         &recorded,
         folder,
@@ -73,12 +82,8 @@ pub fn import_session(
         &mut ids,
         &mut session,
     )?;
-    notes.extend(
-        session
-            .recorded
-            .iter()
-            .flat_map(|recorded| recorded.repairs.iter().map(|r| r.text.clone())),
-    );
+    let converted = session.recorded.iter().skip(imported);
+    notes.extend(converted.flat_map(|recorded| recorded.repairs.iter().map(|r| r.text.clone())));
     let missing = request.missing();
     if missing.is_empty() {
         save_session(folder, &session, &files, overwrite)?;
@@ -88,8 +93,28 @@ pub fn import_session(
     Ok([notes, vec![draft_note(&missing)]].concat())
 }
 
+/// What exports hold, line by line: every recording with its format, sensors and samples, and what
+/// an import would tell. Nothing is written. Fails as reading does; a table that is not known is an
+/// error that proposes a mapping.
+pub fn describe_exports(files: &[PathBuf], request: &ImportRequest) -> Result<Vec<String>> {
+    let (recorded, exported) = split(files)?;
+    let mut lines: Vec<String> = recorded
+        .iter()
+        .map(|file| format!("{}: a recorder's file", file.display()))
+        .collect();
+    if !exported.is_empty() {
+        let mut options = options(&request.mapping, request.platform)?;
+        options.trial.clone_from(&request.trial);
+        for recording in import_inputs(&exported, &options)?.recordings {
+            lines.push(format!("{}: {}", recording.name, recording.summary()));
+            lines.extend(recording.told().into_iter().map(|text| format!("  {text}")));
+        }
+    }
+    Ok(lines)
+}
+
 /// Recorder's files by path, and what other programs exported by name and bytes.
-type Inputs = (Vec<PathBuf>, Vec<(String, Vec<u8>)>);
+type Inputs = (Vec<PathBuf>, Vec<Input>);
 
 /// Tells recorder's files, which may be long and are read piece by piece, from what other programs
 /// exported.
@@ -99,7 +124,7 @@ fn split(files: &[PathBuf]) -> Result<Inputs> {
         if is_recorded(file) {
             inputs.0.push(file.clone())
         } else {
-            inputs.1.push(read_input(file)?)
+            inputs.1.push(read_exported(file)?)
         }
     }
     Ok(inputs)
@@ -227,6 +252,7 @@ fn contents(
             };
             Ok((data, columns("t,y", &track.t_s, &track.y_m)))
         }
+        ImportedData::Channel(channel) => Err(single_channel(&channel.name, channel.quantity)),
         ImportedData::GateEvents(events) => {
             let wanted =
                 || Error::argument("flag_width", "the width of the flag in the beam, m", "none");
@@ -237,6 +263,37 @@ fn contents(
             ))
         }
     }
+}
+
+/// A session cannot hold a single channel yet.
+pub(crate) fn single_channel(file: &str, quantity: ChannelQuantity) -> Error {
+    Error::Malformed {
+        file: file.to_owned(),
+        line: None,
+        expected: "samples of all three axes of a gyroscope (gx, gy, gz), or a track (y)"
+            .to_owned(),
+        found: format!(
+            "a single {}, which this version reads but cannot analyse yet",
+            quantity.name()
+        ),
+    }
+}
+
+/// Reads what is about to be written as a later analysis will; the repairs that reading finds. A
+/// file that would be refused then is refused now, with what the import found.
+fn read_back(data: &SwingData, bytes: &[u8], from: &ImportedRecording) -> Result<Vec<Repair>> {
+    let read = match data {
+        SwingData::Recording(file) => read_recording(bytes, file).map(|read| read.repairs),
+        SwingData::Displacement { file, .. } => read_track(bytes, file).map(|read| read.repairs),
+        SwingData::Periods(file) => read_period_list(bytes, file).map(|read| read.repairs),
+        SwingData::PeriodsS(_) => return Ok(Vec::new()),
+    };
+    read.map_err(|error| Error::Malformed {
+        file: from.name.clone(),
+        line: None,
+        expected: "samples that can be analysed once they are imported".to_owned(),
+        found: [vec![error.to_string()], from.told()].concat().join("; "),
+    })
 }
 
 fn columns(header: &str, left: &[f64], right: &[f64]) -> Vec<u8> {

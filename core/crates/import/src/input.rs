@@ -4,13 +4,17 @@ use std::fs;
 use std::path::Path;
 
 use gyradius_base::error::{Error, Result};
-use gyradius_recording::import::{ColumnMapping, ImportOptions, Platform};
+use gyradius_recording::Store;
+use gyradius_recording::import::{ColumnMapping, ImportOptions, Input, Platform};
 
-/// A file by the name that the user knows.
-pub(crate) fn read_input(path: &Path) -> Result<(String, Vec<u8>)> {
+/// A file or a folder by the name that the user knows.
+pub(crate) fn read_exported(path: &Path) -> Result<Input> {
     let file = path.display().to_string();
+    if path.is_dir() {
+        return Store::open(path).map(Input::Folder);
+    }
     match fs::read(path) {
-        Ok(bytes) => Ok((file, bytes)),
+        Ok(bytes) => Ok(Input::File(file, bytes)),
         Err(error) => Err(Error::Unreadable {
             file,
             reason: error.to_string(),
@@ -23,5 +27,9 @@ pub(crate) fn options(mapping: &[String], platform: Option<Platform>) -> Result<
     let mapping = (!mapping.is_empty())
         .then(|| ColumnMapping::from_entries(mapping))
         .transpose()?;
-    Ok(ImportOptions { mapping, platform })
+    Ok(ImportOptions {
+        mapping,
+        platform,
+        trial: None,
+    })
 }

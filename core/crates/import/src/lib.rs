@@ -7,5 +7,5 @@ mod import;
 mod input;
 mod loaded;
 
-pub use import::{ImportRequest, import_session};
+pub use import::{ImportRequest, describe_exports, import_session};
 pub use loaded::{Loaded, load_any};

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use super::input::{options, read_input};
+use super::import::single_channel;
+use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
-use gyradius_recording::import::{ImportedData, import_files};
+use gyradius_recording::import::{ImportedData, import_inputs};
 use gyradius_recording::{LoadedSession, Recording, SESSION_FILE, Store, load_session, load_store};
 
 /// What was loaded.
@@ -59,7 +60,16 @@ impl Loaded {
 pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
     let session = |loaded| Loaded::Session(Box::new(loaded));
     match path.extension().and_then(|ending| ending.to_str()) {
-        _ if path.is_dir() => load_session(path).map(session),
+        // A folder is a session, or what an app exported.
+        _ if path.is_dir() => {
+            let store = Store::open(path)?;
+            let is_export = |name: &String| !name.starts_with('.');
+            if store.contains(SESSION_FILE) || !store.names()?.iter().any(is_export) {
+                load_session(path).map(session)
+            } else {
+                bare(path, mapping)
+            }
+        }
         Some("toml") => load_session(path).map(session),
         // A zip is a session, or what a phone's logger exported.
         Some("zip") => {
@@ -75,13 +85,16 @@ pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
 }
 
 fn bare(path: &Path, mapping: &[String]) -> Result<Loaded> {
-    let imported = import_files(&[read_input(path)?], &options(mapping, None)?)?;
+    let imported = import_inputs(&[read_exported(path)?], &options(mapping, None)?)?;
     let mut data = imported
         .recordings
         .into_iter()
         .map(|recording| recording.data);
     match (data.next(), data.next()) {
         (Some(ImportedData::Recording(recording)), None) => Ok(Loaded::Bare(Box::new(recording))),
+        (Some(ImportedData::Channel(channel)), None) => {
+            Err(single_channel(&channel.name, channel.quantity))
+        }
         (Some(ImportedData::Track(_) | ImportedData::GateEvents(_)), None) => Err(no_phone(
             path,
             "a track or a list of events, which becomes a session with `gyradius import`",

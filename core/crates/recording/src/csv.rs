@@ -7,7 +7,9 @@
 
 use super::import::table::{Columns, Table};
 use super::repair::{self, RawSeries, Repaired, Sampling};
-use super::samples::{PeriodList, Recording, Repair, RepairKind, Sensor, Track, Triad};
+use super::samples::{
+    ChannelQuantity, PeriodList, Recording, Repair, RepairKind, Sensor, SingleChannel, Track, Triad,
+};
 use gyradius_base::{Error, Result};
 
 /// The three-axis sensors with the names of their columns.
@@ -23,15 +25,19 @@ const SLOW_ROWS: usize = 100;
 
 /// Reads a phone's recording, repairs listed.
 pub fn read_recording(bytes: &[u8], name: &str) -> Result<Recording> {
-    let table = Table::native(bytes, name)?;
+    read_table(&Table::native(bytes, name)?)
+}
+
+/// The same from a table whose header has been found already.
+pub(crate) fn read_table(table: &Table) -> Result<Recording> {
     let known: Vec<&str> = std::iter::once("t")
         .chain(TRIADS.iter().flat_map(|triad| triad.1))
         .collect();
-    check_header(&table, &known)?;
-    let time = required(&table, "t")?;
+    check_header(table, &known)?;
+    let time = required(table, "t")?;
     let mut sensors = Vec::new();
     for (sensor, axes) in TRIADS {
-        if let Some(columns) = all_or_none(&table, axes)? {
+        if let Some(columns) = all_or_none(table, axes)? {
             sensors.push((sensor, columns.to_vec()));
         }
     }
@@ -42,9 +48,9 @@ pub fn read_recording(bytes: &[u8], name: &str) -> Result<Recording> {
             &format!("`{}`", table.header_text()),
         ));
     }
-    let series = read_series(&table, time, &sensors)?;
-    check_clock(&series, &table)?;
-    recording(name, series)
+    let series = read_series(table, time, &sensors)?;
+    check_clock(&series, table)?;
+    recording(table.file(), series)
 }
 
 /// Reads a rangefinder's track `t,y`.
@@ -65,6 +71,44 @@ fn track_of(series: Vec<RawSeries>, name: &str) -> Result<Track> {
         name: name.to_owned(),
         t_s: repaired.t_s,
         y_m,
+        repairs: repaired.repairs,
+    })
+}
+
+/// Reads a single channel `t,angle` (rad) or `t,rate` (rad/s).
+pub fn read_channel(bytes: &[u8], name: &str) -> Result<SingleChannel> {
+    let table = Table::native(bytes, name)?;
+    let quantity = match table.find(|column| column == ChannelQuantity::Angle.name()) {
+        Some(_) => ChannelQuantity::Angle,
+        None => ChannelQuantity::Rate,
+    };
+    let sensor = match quantity {
+        ChannelQuantity::Angle => Sensor::Displacement,
+        ChannelQuantity::Rate => Sensor::Gyroscope,
+    };
+    let mut series = read_single(bytes, name, quantity.name(), sensor, Sampling::Regular)?;
+    match series.pop() {
+        Some(raw) => channel(name, raw, quantity),
+        None => Err(too_few(name, &[])),
+    }
+}
+
+/// Repairs a single channel that comes from another program.
+pub(crate) fn channel(
+    name: &str,
+    series: RawSeries,
+    quantity: ChannelQuantity,
+) -> Result<SingleChannel> {
+    let sensor = series.sensor.name();
+    let mut repaired = repair_single(vec![series], name, Sampling::Regular)?;
+    for repair in &mut repaired.repairs {
+        repair.text = repair.text.replacen(sensor, quantity.name(), 1);
+    }
+    Ok(SingleChannel {
+        name: name.to_owned(),
+        quantity,
+        t_s: repaired.t_s,
+        values: repaired.channels.pop().unwrap_or_default(),
         repairs: repaired.repairs,
     })
 }
@@ -249,6 +293,7 @@ pub(crate) fn collect(
 ) -> Result<RawSeries> {
     let mut raw = RawSeries::new(sensor, places.len());
     for (row, &offset) in numbers.offset.iter().enumerate() {
+        let number = numbers.row.get(row).copied().unwrap_or(row);
         let cells = || places.iter().map(|&place| numbers.cells[place][row]);
         if cells().all(|cell| cell.is_none()) {
             continue;
@@ -256,7 +301,7 @@ pub(crate) fn collect(
         let Some(t_s) = numbers.cells[0][row] else {
             return Err(table.malformed(Some(offset), "a time stamp", "an empty cell"));
         };
-        raw.push(row, t_s, cells().map(|cell| cell.unwrap_or(f64::NAN)));
+        raw.push(number, t_s, cells().map(|cell| cell.unwrap_or(f64::NAN)));
     }
     Ok(raw)
 }

@@ -26,13 +26,16 @@ mod toml_swing;
 mod toml_write;
 mod unzip;
 
-pub use csv::{read_period_list, read_recording, read_track};
+pub use csv::{read_channel, read_period_list, read_recording, read_track};
 pub use csv_write::write_recording;
 pub use load::{LoadedData, LoadedSession, LoadedSwing, SESSION_FILE, load_session, load_store};
 pub use quantity::Quantity;
 pub use recorded::{DISTURBED, Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
 pub use repair::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE};
-pub use samples::{GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, Track, Triad};
+pub use samples::{
+    ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, SingleChannel,
+    Track, Triad,
+};
 pub use save::{Overwrite, save_session, save_session_zip, session_zip_bytes};
 pub use session::{
     AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,

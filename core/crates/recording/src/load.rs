@@ -6,7 +6,7 @@ use super::csv;
 use super::keys::AssumedU;
 use super::named_file::NamedFile;
 use super::recorded::Recorded;
-use super::samples::{PeriodList, Recording, Track};
+use super::samples::{PeriodList, Recording, Repair, Track};
 use super::session::{InclineAngle, Session, SwingData};
 use super::store::Store;
 use super::toml_read::parse_session;
@@ -125,17 +125,16 @@ fn refuse_missing(store: &Store, session_file: &str, named: &NamedFile) -> Resul
 /// disturbed.
 fn phone_recording(store: &Store, session: &Session, file: &str) -> Result<Recording> {
     let mut recording = csv::read_recording(&store.read(file)?, &store.describe(file))?;
-    let told = || {
-        session
-            .recorded
-            .iter()
-            .filter(|recorded| recorded.file == file)
-    };
-    recording
-        .repairs
-        .splice(0..0, told().flat_map(Recorded::as_repairs));
-    recording.disturbed_s = told().flat_map(Recorded::disturbed_s).collect();
+    add_told(session, file, &mut recording.repairs);
+    let of_file = session.recorded.iter().filter(|told| told.file == file);
+    recording.disturbed_s = of_file.flat_map(Recorded::disturbed_s).collect();
     Ok(recording)
+}
+
+/// What the session tells of a file, ahead of what the file itself shows.
+fn add_told(session: &Session, file: &str, repairs: &mut Vec<Repair>) {
+    let of_file = session.recorded.iter().filter(|told| told.file == file);
+    repairs.splice(0..0, of_file.flat_map(Recorded::as_repairs));
 }
 
 fn swing_data(store: &Store, session: &Session, data: &SwingData) -> Result<LoadedData> {
@@ -144,11 +143,14 @@ fn swing_data(store: &Store, session: &Session, data: &SwingData) -> Result<Load
             phone_recording(store, session, file).map(LoadedData::Recording)
         }
         SwingData::Displacement { file, .. } => {
-            csv::read_track(&store.read(file)?, &store.describe(file)).map(LoadedData::Track)
+            let mut track = csv::read_track(&store.read(file)?, &store.describe(file))?;
+            add_told(session, file, &mut track.repairs);
+            Ok(LoadedData::Track(track))
         }
         SwingData::Periods(file) => {
-            csv::read_period_list(&store.read(file)?, &store.describe(file))
-                .map(LoadedData::Periods)
+            let mut list = csv::read_period_list(&store.read(file)?, &store.describe(file))?;
+            add_told(session, file, &mut list.repairs);
+            Ok(LoadedData::Periods(list))
         }
         SwingData::PeriodsS(_) => Ok(LoadedData::Typed),
     }

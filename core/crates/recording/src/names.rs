@@ -1,5 +1,6 @@
 //! The names of suspensions, orientations and motions in files.
 
+use super::samples::{RepairKind, Sensor};
 use super::session::{Excitation, ModeName, Orientation, SuspensionKind};
 
 pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
@@ -26,6 +27,26 @@ pub(crate) const MODES: &[(&str, ModeName)] = &[
     ("roll_out_of_phase", ModeName::RollOutOfPhase),
     ("compound", ModeName::Compound),
     ("other", ModeName::Other),
+];
+pub(crate) const SENSORS: &[(&str, Sensor)] = &[
+    ("gyroscope", Sensor::Gyroscope),
+    ("accelerometer", Sensor::Accelerometer),
+    ("linear_accelerometer", Sensor::LinearAccelerometer),
+    ("displacement", Sensor::Displacement),
+    ("timer", Sensor::Timer),
+];
+pub(crate) const REPAIR_KINDS: &[(&str, RepairKind)] = &[
+    ("jitter", RepairKind::Jitter),
+    ("repeated_stamp", RepairKind::RepeatedStamp),
+    ("backward_stamp", RepairKind::BackwardStamp),
+    ("missing_rows", RepairKind::MissingRows),
+    ("stall", RepairKind::Stall),
+    ("not_a_number", RepairKind::NotANumber),
+    ("saturation", RepairKind::Saturation),
+    ("pause", RepairKind::Pause),
+    ("lost_by_recorder", RepairKind::LostByRecorder),
+    ("second_swing", RepairKind::SecondSwing),
+    ("not_imported", RepairKind::NotImported),
 ];
 
 impl Excitation {

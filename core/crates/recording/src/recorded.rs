@@ -1,5 +1,5 @@
-//! What the recorder says of a recording that it made: the clock, the phone, the marks, what was
-//! lost.
+//! What is known of how a recording came about: the clock, the phone, the marks, what was lost, and
+//! what an import left out.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::samples::{Repair, RepairKind, Sensor};
 pub struct Recorded {
     /// The recording: file name in the session.
     pub file: String,
-    /// Stamp of t = 0, ns of the phone's clock.
+    /// Stamp of t = 0, ns of the phone's clock; 0 where it is not known.
     pub origin_ns: i64,
     /// Model of the phone; empty where it is not known.
     pub phone: String,
@@ -25,7 +25,7 @@ pub struct Recorded {
     pub notes: BTreeMap<String, String>,
     /// Marks, in file order.
     pub events: Vec<RecordedEvent>,
-    /// What the recorder's file had lost.
+    /// What the recorder's file had lost, or the import left out.
     pub repairs: Vec<RecordedRepair>,
 }
 
@@ -52,7 +52,7 @@ pub struct RecordedEvent {
     pub key: String,
 }
 
-/// Something that the recorder's file had lost.
+/// Something that the recorder's file had lost, or that an import left out.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct RecordedRepair {
     /// Last sample before it, s of the recording.
@@ -61,6 +61,25 @@ pub struct RecordedRepair {
     pub to_s: Option<f64>,
     /// What was found and what was done.
     pub text: String,
+    /// Kind; absent where the recorder lost it.
+    pub kind: Option<RepairKind>,
+    /// Sensor, where it is one sensor's.
+    pub sensor: Option<Sensor>,
+    /// How many samples or gaps, where they were counted.
+    pub count: Option<usize>,
+}
+
+impl From<&Repair> for RecordedRepair {
+    fn from(repair: &Repair) -> Self {
+        Self {
+            from_s: Some(repair.first_s),
+            to_s: Some(repair.last_s),
+            text: repair.text.clone(),
+            kind: Some(repair.kind),
+            sensor: Some(repair.sensor),
+            count: Some(repair.count),
+        }
+    }
 }
 
 impl Recorded {
@@ -72,14 +91,15 @@ impl Recorded {
             .map(|event| event.t_s)
     }
 
-    /// What was lost, as repairs of the recording; what was lost may be of either sensor.
+    /// What was lost or left out, as repairs of the recording; what the recorder lost may be of
+    /// either sensor.
     pub(super) fn as_repairs(&self) -> Vec<Repair> {
         let repair = |repair: &RecordedRepair| {
             let first_s = repair.from_s.or(repair.to_s).unwrap_or_default();
             Repair {
-                kind: RepairKind::LostByRecorder,
-                sensor: Sensor::Gyroscope,
-                count: 1,
+                kind: repair.kind.unwrap_or(RepairKind::LostByRecorder),
+                sensor: repair.sensor.unwrap_or(Sensor::Gyroscope),
+                count: repair.count.unwrap_or(1),
                 first_s,
                 last_s: repair.to_s.unwrap_or(first_s),
                 text: repair.text.clone(),

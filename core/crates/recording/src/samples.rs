@@ -87,6 +87,41 @@ pub struct Track {
     pub repairs: Vec<Repair>,
 }
 
+/// What a single channel holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ChannelQuantity {
+    /// Angle about the axis of the motion, rad.
+    Angle,
+    /// Rotation rate about the axis of the motion, rad/s.
+    Rate,
+}
+
+impl ChannelQuantity {
+    /// What a report, and the column of a file, call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ChannelQuantity::Angle => "angle",
+            ChannelQuantity::Rate => "rate",
+        }
+    }
+}
+
+/// One channel of a motion of one degree of freedom: an encoder, a video tracker, one axis of a
+/// gyroscope. The other axes are missing, not zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SingleChannel {
+    /// File name as the user knows it.
+    pub name: String,
+    /// What it measured.
+    pub quantity: ChannelQuantity,
+    /// Time, s, strictly increasing.
+    pub t_s: Vec<f64>,
+    /// Values, rad or rad/s.
+    pub values: Vec<f64>,
+    /// Repairs.
+    pub repairs: Vec<Repair>,
+}
+
 /// A list of periods in time order.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct PeriodList {
@@ -157,6 +192,8 @@ pub enum RepairKind {
     /// A sensor's stamps lie outside those of the others, as with a clock of its own: the sensor is
     /// dropped.
     OtherClock,
+    /// Columns, files or sensors of an export that the import did not use.
+    NotImported,
 }
 
 /// One kind of damage of one sensor: how often, where first and last, what was done.

@@ -1,8 +1,9 @@
 //! The `[[recorded]]` tables of `session.toml`.
 
 use super::domain::Domain;
-use super::keys::Table;
+use super::keys::{Field, Table};
 use super::named_file::NamedFile;
+use super::names::{REPAIR_KINDS, SENSORS};
 use super::recorded::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
 use gyradius_base::error::Result;
 
@@ -18,7 +19,7 @@ pub(crate) const RECORDED: &[&str] = &[
 ];
 const SENSOR: &[&str] = &["stream", "name", "full_scale"];
 const EVENT: &[&str] = &["t", "key"];
-const REPAIR: &[&str] = &["from", "to", "text"];
+const REPAIR: &[&str] = &["from", "to", "text", "kind", "sensor", "count"];
 
 pub(crate) fn recorded(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<Recorded> {
     let named = table.require("file", "the recording that is meant")?;
@@ -29,9 +30,9 @@ pub(crate) fn recorded(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<
         phone: table.text_or_empty("phone")?,
         ..Recorded::default()
     };
-    recorded.origin_ns = table
-        .require("origin_ns", "stamp of t = 0, ns of the phone's clock")?
-        .whole()?;
+    if let Some(origin) = table.get("origin_ns") {
+        recorded.origin_ns = origin.whole()?;
+    }
     if let Some(bias) = table.get("bias") {
         let file = bias.file_name()?;
         files.push(NamedFile::new(&bias, &file));
@@ -77,7 +78,15 @@ fn event(table: &Table<'_>) -> Result<RecordedEvent> {
 }
 
 fn repair(table: &Table<'_>) -> Result<RecordedRepair> {
+    let choice = |key| table.get(key);
     Ok(RecordedRepair {
+        kind: choice("kind")
+            .map(|field| field.choice(REPAIR_KINDS))
+            .transpose()?,
+        sensor: choice("sensor")
+            .map(|field| field.choice(SENSORS))
+            .transpose()?,
+        count: choice("count").map(|field| count(&field)).transpose()?,
         from_s: table.number("from", Domain::TIME)?,
         to_s: table.number("to", Domain::TIME)?,
         text: table
@@ -85,4 +94,9 @@ fn repair(table: &Table<'_>) -> Result<RecordedRepair> {
             .text()?
             .to_owned(),
     })
+}
+
+fn count(field: &Field<'_>) -> Result<usize> {
+    usize::try_from(field.whole()?)
+        .map_err(|_| field.error("a count, 0 or above", "a negative number"))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS, name_of};
+use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS, REPAIR_KINDS, SENSORS, name_of};
 use super::quantity::Quantity;
 use super::recorded::Recorded;
 use super::session::{
@@ -178,7 +178,9 @@ fn incline(text: &mut Lines, incline: &Incline) {
 fn recorded(text: &mut Lines, recorded: &Recorded) {
     text.header("[[recorded]]");
     text.key("file", quoted(&recorded.file));
-    text.key("origin_ns", recorded.origin_ns.to_string());
+    if recorded.origin_ns != 0 {
+        text.key("origin_ns", recorded.origin_ns.to_string());
+    }
     text.key_unless_empty("phone", &recorded.phone);
     text.key_if("bias", recorded.bias.as_deref(), quoted);
     if !recorded.notes.is_empty() {
@@ -208,7 +210,14 @@ fn recorded(text: &mut Lines, recorded: &Recorded) {
     );
     let repairs = recorded.repairs.iter().map(|repair| {
         let (from, to) = (optional("from", repair.from_s), optional("to", repair.to_s));
-        format!("{{ text = {}{from}{to} }}", quoted(&repair.text))
+        let kind = named("kind", repair.kind, REPAIR_KINDS);
+        let sensor = named("sensor", repair.sensor, SENSORS);
+        let count = repair.count.map(|count| format!(", count = {count}"));
+        format!(
+            "{{ text = {}{kind}{sensor}{}{from}{to} }}",
+            quoted(&repair.text),
+            count.unwrap_or_default()
+        )
     });
     list(text, "repairs", repairs);
 }
@@ -218,6 +227,12 @@ fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
     if !lines.is_empty() {
         text.key(key, format!("[\n{}]", lines.concat()));
     }
+}
+
+fn named<T: PartialEq>(key: &str, value: Option<T>, names: &[(&'static str, T)]) -> String {
+    value
+        .map(|value| format!(", {key} = {}", quoted(name_of(value, names))))
+        .unwrap_or_default()
 }
 
 fn optional(key: &str, value: Option<f64>) -> String {

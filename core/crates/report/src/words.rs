@@ -124,6 +124,7 @@ pub(super) fn repair(kind: RepairKind, language: Language) -> String {
         RepairKind::SharedStamps => "shared_stamps",
         RepairKind::StampStep => "stamp_step",
         RepairKind::OtherClock => "other_clock",
+        RepairKind::NotImported => "not_imported",
     };
     say(language, key, [])
 }

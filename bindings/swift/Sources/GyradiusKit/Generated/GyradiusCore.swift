@@ -5716,6 +5716,10 @@ public struct ImportRequest: Equatable, Hashable {
      */
     public let mapping: [String]
     /**
+     * Which of several trials in one file is meant, as the file numbers or names them.
+     */
+    public let trial: String?
+    /**
      * The phone's system.
      */
     public let platform: PhonePlatform?
@@ -5747,6 +5751,9 @@ public struct ImportRequest: Equatable, Hashable {
          * Columns of a CSV that is not recognised, and their units: `gx=xGyro:deg/s`.
          */mapping: [String], 
         /**
+         * Which of several trials in one file is meant, as the file numbers or names them.
+         */trial: String?, 
+        /**
          * The phone's system.
          */platform: PhonePlatform?, 
         /**
@@ -5765,6 +5772,7 @@ public struct ImportRequest: Equatable, Hashable {
          * How every swing hung.
          */suspension: Suspension) {
         self.mapping = mapping
+        self.trial = trial
         self.platform = platform
         self.flagWidthM = flagWidthM
         self.title = title
@@ -5790,6 +5798,7 @@ public struct FfiConverterTypeImportRequest: FfiConverterRustBuffer {
         return
             try ImportRequest(
                 mapping: FfiConverterSequenceString.read(from: &buf), 
+                trial: FfiConverterOptionString.read(from: &buf), 
                 platform: FfiConverterOptionTypePhonePlatform.read(from: &buf), 
                 flagWidthM: FfiConverterOptionDouble.read(from: &buf), 
                 title: FfiConverterString.read(from: &buf), 
@@ -5801,6 +5810,7 @@ public struct FfiConverterTypeImportRequest: FfiConverterRustBuffer {
 
     public static func write(_ value: ImportRequest, into buf: inout [UInt8]) {
         FfiConverterSequenceString.write(value.mapping, into: &buf)
+        FfiConverterOptionString.write(value.trial, into: &buf)
         FfiConverterOptionTypePhonePlatform.write(value.platform, into: &buf)
         FfiConverterOptionDouble.write(value.flagWidthM, into: &buf)
         FfiConverterString.write(value.title, into: &buf)
@@ -15223,6 +15233,10 @@ public enum RepairKind: Equatable, Hashable {
      * A second swing: only the longest is used.
      */
     case secondSwing
+    /**
+     * Columns, files or sensors of an export that the import did not use.
+     */
+    case notImported
 
 
 
@@ -15263,6 +15277,8 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         case 9: return .lostByRecorder
         
         case 10: return .secondSwing
+        
+        case 11: return .notImported
         
         default: throw UniffiInternalError.unexpectedEnumCase
         }
@@ -15310,6 +15326,10 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         
         case .secondSwing:
             writeInt(&buf, Int32(10))
+        
+        
+        case .notImported:
+            writeInt(&buf, Int32(11))
         
         }
     }

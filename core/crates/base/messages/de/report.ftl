@@ -214,6 +214,7 @@ report-second_swing_left_out = eine zweite Schwingung, weggelassen
 report-shared_stamps = Messwerte mit gemeinsamem Zeitstempel, verteilt
 report-stamp_step = Messwerte jenseits eines Sprungs der Uhr, weggelassen
 report-other_clock = ein Sensor mit eigener Uhr, weggelassen
+report-not_imported = vom Import nicht verwendet
 report-repair_place = { $sensor }, { $from } s bis { $to } s
 report-whole_record = ganze Aufnahme, { $unit }
 report-fit_leaves = was die Anpassung übrig lässt, { $unit }

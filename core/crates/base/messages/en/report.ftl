@@ -214,6 +214,7 @@ report-second_swing_left_out = a second swing, left out
 report-shared_stamps = samples that share a stamp, spread
 report-stamp_step = samples beyond a step of the clock, left out
 report-other_clock = a sensor with a clock of its own, left out
+report-not_imported = not used by the import
 report-repair_place = { $sensor }, { $from } s to { $to } s
 report-whole_record = whole record, { $unit }
 report-fit_leaves = what the fit leaves, { $unit }

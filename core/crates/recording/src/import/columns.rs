@@ -1,41 +1,94 @@
 //! One sensor's columns of a table, read and brought to the core's units.
 
-use super::table::Table;
+use std::collections::{BTreeSet, HashMap};
+
+use super::clock::{seconds_of_text, unwrapped};
+use super::source::base;
+use super::table::{Columns, Table, Tag, clipped};
 use crate::csv::collect;
 use crate::repair::RawSeries;
 use crate::samples::{Recording, Repair, Sensor};
 use gyradius_base::Result;
 
-/// Where a sensor's samples stand, and the factors to s and to the core's unit.
+/// Stamps above this are Unix time: no recording lasts three years.
+const UNIX_TIME_S: f64 = 1e8;
+/// Names of columns that a note lists before it counts the others.
+const LISTED: usize = 12;
+
+/// Where the time of a row comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Clock {
+    /// A column of numbers, and the factor to s.
+    Number { column: usize, factor: f64 },
+    /// A column with a clock, or a date and a clock.
+    Text { column: usize },
+    /// The rows themselves, at a rate in Hz.
+    Rows { rate_hz: f64 },
+}
+
+impl Clock {
+    /// A column in s, or in text where its first filled cell is one.
+    pub fn of_column(table: &Table, column: usize) -> Result<Self> {
+        let texts = table.texts_of(column)?;
+        let first = texts.iter().find(|text| !text.is_empty());
+        let is_text = first.is_some_and(|text| seconds_of_text(text).is_some());
+        Ok(if is_text {
+            Clock::Text { column }
+        } else {
+            Clock::Number {
+                column,
+                factor: 1.0,
+            }
+        })
+    }
+
+    fn column(self) -> Option<usize> {
+        match self {
+            Clock::Number { column, .. } | Clock::Text { column } => Some(column),
+            Clock::Rows { .. } => None,
+        }
+    }
+}
+
+/// Where a sensor's samples stand, and the factors to the core's unit.
 #[derive(Debug, Clone)]
 pub(super) struct SensorColumns {
     pub sensor: Sensor,
-    pub time: usize,
-    pub time_factor: f64,
+    pub clock: Clock,
     pub axes: Vec<usize>,
     pub factors: Vec<f64>,
+    /// The rows that are this sensor's, where they are tagged.
+    pub tag: Option<Tag>,
 }
 
 impl SensorColumns {
     /// Columns in s and in one unit on all axes.
     pub fn new(sensor: Sensor, time: usize, axes: [usize; 3], factor: f64) -> Self {
+        let clock = Clock::Number {
+            column: time,
+            factor: 1.0,
+        };
         Self {
             sensor,
-            time,
-            time_factor: 1.0,
+            clock,
             axes: axes.to_vec(),
             factors: vec![factor; 3],
+            tag: None,
         }
+    }
+
+    /// The columns that it takes.
+    pub fn used(&self) -> impl Iterator<Item = usize> {
+        let tag = self.tag.as_ref().map(|tag| tag.column);
+        let axes = self.axes.iter().copied();
+        axes.chain(self.clock.column()).chain(tag)
     }
 
     /// Reads the samples; `NaN` in every axis at the end of a column is padding to a longer one
     /// beside it.
     pub fn read(&self, table: &Table) -> Result<RawSeries> {
-        let columns: Vec<usize> = std::iter::once(self.time)
-            .chain(self.axes.iter().copied())
-            .collect();
-        let numbers = table.numbers(&columns)?;
-        let places: Vec<usize> = (1..columns.len()).collect();
+        let numbers = self.numbers(table)?;
+        let places: Vec<usize> = (1..=self.axes.len()).collect();
         let mut raw = collect(table, &numbers, self.sensor, &places)?;
         let empty = |row: usize| raw.channels.iter().all(|channel| channel[row].is_nan());
         let length = (0..raw.t_s.len())
@@ -43,11 +96,75 @@ impl SensorColumns {
             .find(|&row| !empty(row))
             .map_or(0, |last| last + 1);
         raw.truncate(length);
-        raw.t_s.iter_mut().for_each(|t| *t *= self.time_factor);
         for (channel, factor) in raw.channels.iter_mut().zip(&self.factors) {
             channel.iter_mut().for_each(|value| *value *= factor);
         }
         Ok(raw)
+    }
+
+    /// Time in s and the axes as they stand.
+    fn numbers(&self, table: &Table) -> Result<Columns> {
+        let tag = self.tag.as_ref();
+        if let Clock::Number { column, factor } = self.clock {
+            let columns: Vec<usize> = std::iter::once(column)
+                .chain(self.axes.iter().copied())
+                .collect();
+            let mut numbers = table.numbers_of(&columns, tag)?;
+            if let Some(times) = numbers.cells.first_mut() {
+                times.iter_mut().flatten().for_each(|t| *t *= factor);
+            }
+            return Ok(numbers);
+        }
+        let mut numbers = table.numbers_of(&self.axes, tag)?;
+        let times = match self.clock {
+            Clock::Rows { rate_hz } => numbers
+                .row
+                .iter()
+                .map(|&row| Some(row as f64 / rate_hz))
+                .collect(),
+            Clock::Number { column, .. } | Clock::Text { column } => {
+                let texts = table.tagged_texts(column, tag)?;
+                let times = unwrapped(&texts);
+                let wrong = |at: usize| times[at].is_none() && !texts[at].is_empty();
+                if !times.is_empty() && (0..times.len()).all(wrong) {
+                    return Err(table.malformed(
+                        numbers.offset.first().copied(),
+                        &format!("a time of day in column `{}`", table.name_of(column)),
+                        &format!("`{}`", clipped(&texts[0], 40)),
+                    ));
+                }
+                // A stamp that cannot be read is damage like a number that is none.
+                let stamp = |at: usize| times[at].or_else(|| wrong(at).then_some(f64::NAN));
+                (0..times.len()).map(stamp).collect()
+            }
+        };
+        numbers.cells.insert(0, times);
+        Ok(numbers)
+    }
+}
+
+/// Names of the columns that nothing reads, as one sentence.
+pub(super) fn columns_not_used(
+    table: &Table,
+    used: impl IntoIterator<Item = usize>,
+) -> Option<String> {
+    let used: BTreeSet<usize> = used.into_iter().collect();
+    let names: Vec<String> = (0..table.header().len())
+        .filter(|column| !used.contains(column))
+        .map(|column| table.name_of(column))
+        .filter(|name| !name.is_empty())
+        .map(|name| format!("`{}`", clipped(&name, 40)))
+        .collect();
+    let more = names.len().saturating_sub(LISTED);
+    let file = base(table.file());
+    let listed = names.get(..names.len() - more)?.join(", ");
+    match (names.len(), more) {
+        (0, _) => None,
+        (1, _) => Some(format!("{file}: column {listed} is not used")),
+        (_, 0) => Some(format!("{file}: columns {listed} are not used")),
+        _ => Some(format!(
+            "{file}: columns {listed} and {more} more are not used"
+        )),
     }
 }
 
@@ -60,12 +177,46 @@ pub(super) fn xyz(table: &Table, name: impl Fn(&str) -> String) -> Option<[usize
     Some([find("x")?, find("y")?, find("z")?])
 }
 
-/// Puts series of one or several tables together, each on its own clock.
+/// Gravity-free acceleration plus gravity at the stamps that both have.
+pub(super) fn sum(free: &RawSeries, gravity: &RawSeries) -> RawSeries {
+    let rows: HashMap<u64, usize> = gravity.t_s.iter().map(|t| t.to_bits()).zip(0..).collect();
+    let mut total = RawSeries::new(Sensor::Accelerometer, 3);
+    for (i, &t_s) in free.t_s.iter().enumerate() {
+        if let Some(&j) = rows.get(&t_s.to_bits()) {
+            let axes = 0..free.channels.len().min(gravity.channels.len());
+            total.push(
+                free.row[i],
+                t_s,
+                axes.map(|axis| free.channels[axis][i] + gravity.channels[axis][j]),
+            );
+        }
+    }
+    total
+}
+
+/// Puts series of one or several tables together, each on its own clock. Unix time is counted from
+/// the first stamp of all sensors, which keeps their clocks together.
 pub(super) fn assemble(name: &str, mut series: Vec<(usize, RawSeries)>) -> Result<Recording> {
     for (table, raw) in &mut series {
         raw.table = *table;
     }
-    crate::csv::recording(name, series.into_iter().map(|(_, raw)| raw).collect())
+    let mut series: Vec<RawSeries> = series.into_iter().map(|(_, raw)| raw).collect();
+    from_first_stamp(&mut series);
+    crate::csv::recording(name, series)
+}
+
+/// Counts Unix time from the first stamp.
+pub(super) fn from_first_stamp(series: &mut [RawSeries]) {
+    let first = series
+        .iter()
+        .filter_map(|raw| raw.t_s.iter().copied().find(|t| t.is_finite()))
+        .fold(f64::INFINITY, f64::min);
+    if first > UNIX_TIME_S && first.is_finite() {
+        series
+            .iter_mut()
+            .flat_map(|raw| &mut raw.t_s)
+            .for_each(|t| *t -= first);
+    }
 }
 
 /// A repair that holds for every sensor of a recording.
@@ -105,11 +256,12 @@ pub(super) fn gravity_doubt(recording: &Recording) -> Option<String> {
 
 fn mean_size(recording: &Recording) -> Option<f64> {
     let triad = recording.accelerometer.as_ref()?;
-    let [x, y, z] = &triad.axes;
-    let sizes = x
-        .iter()
-        .zip(y)
-        .zip(z)
-        .map(|((x, y), z)| (x * x + y * y + z * z).sqrt());
-    Some(sizes.sum::<f64>() / triad.t_s.len() as f64)
+    Some(mean_length(&triad.axes))
+}
+
+/// The mean size of vectors by axis.
+pub(super) fn mean_length(axes: &[Vec<f64>]) -> f64 {
+    let samples = axes.first().map_or(0, Vec::len);
+    let size = |i: usize| axes.iter().map(|axis| axis[i].powi(2)).sum::<f64>().sqrt();
+    (0..samples).map(size).sum::<f64>() / samples as f64
 }

@@ -1,8 +1,9 @@
 //! Which program wrote a table, told by its header.
 
-use super::phyphox;
+use super::labels;
 use super::source::Source;
 use super::table::Table;
+use super::{gcsv, phyphox, sensor_logger};
 use gyradius_base::{Error, Result};
 
 /// What one file holds.
@@ -17,6 +18,9 @@ pub(super) enum Content {
     PhysicsToolbox,
     SensorLog,
     LightGate,
+    Gcsv,
+    Track,
+    Channel,
     Unknown,
 }
 
@@ -44,15 +48,23 @@ fn content(table: &Table, name: &str) -> Content {
         .collect();
     let has = |wanted: &str| header.iter().any(|name| name == wanted);
     let starts = |wanted: &str| header.iter().any(|name| name.starts_with(wanted));
-    if has("t") {
+    let only = |names: [&str; 2]| header.len() == 2 && names.into_iter().all(has);
+    let axes = crate::csv::TRIADS.iter().flat_map(|triad| triad.1);
+    if gcsv::recognises(table) {
+        Content::Gcsv
+    } else if has("t") && axes.into_iter().any(has) {
         Content::Native
+    } else if only(["t", "y"]) {
+        Content::Track
+    } else if only(["t", "angle"]) || only(["t", "rate"]) {
+        Content::Channel
     } else if has("event time") && has("state at a") {
         Content::LightGate
     } else if has("event") && has("experiment time") {
         Content::PhyphoxTime
     } else if has("property") && has("value") {
         Content::PhyphoxDevice
-    } else if has("seconds_elapsed") {
+    } else if sensor_logger::recognises(table, name) {
         Content::SensorLogger
     } else if has("platform") && (has("standardisation") || has("device name")) {
         Content::SensorLoggerMetadata
@@ -70,21 +82,42 @@ fn content(table: &Table, name: &str) -> Content {
     }
 }
 
-/// The error for a source in which nothing was recognised.
+/// The error for a source in which nothing was recognised: what it holds, and the mapping that it
+/// suggests.
 pub(super) fn unknown(source: &Source) -> Result<Error> {
     let contents = contents(source)?;
-    let headers = contents.iter().filter_map(|(name, bytes, _)| {
-        let table = Table::open(bytes, name).ok()?;
-        Some(format!("`{}`", table.header_text()))
-    });
-    let found = headers.take(3).collect::<Vec<_>>().join(", ");
+    let tables = contents
+        .iter()
+        .filter_map(|(name, bytes, _)| Table::open(bytes, name).ok());
+    let mut found = Vec::new();
+    let mut proposed = None;
+    for table in tables.take(3) {
+        found.push(if table.is_named() {
+            format!("the header `{}`", table.header_text())
+        } else {
+            format!("{} columns without a header", table.header().len())
+        });
+        proposed = proposed.or_else(|| labels::proposal(&table));
+    }
+    let way_out = match proposed {
+        Some(entries) => format!(
+            "a column mapping that names its columns, for example (check columns and units): {entries}"
+        ),
+        None => {
+            "a column mapping that names its columns (--map t=…:s --map gx=…:rad/s …)".to_owned()
+        }
+    };
     Ok(Error::Malformed {
         file: source.name.clone(),
         line: None,
-        expected:
-            "an export of phyphox, Sensor Logger, Physics Toolbox, SensorLog or a light gate, or a column \
-                   mapping that names its columns"
-                .to_owned(),
-        found: if found.is_empty() { "no CSV file".to_owned() } else { format!("the header {found}") },
+        expected: format!(
+            "an export of phyphox, Sensor Logger, Physics Toolbox, SensorLog, Gyroflow or a light \
+             gate, or {way_out}"
+        ),
+        found: if found.is_empty() {
+            "no table".to_owned()
+        } else {
+            found.join(", ")
+        },
     })
 }

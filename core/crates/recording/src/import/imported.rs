@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::source::stem;
-use crate::samples::{GateEvents, Recording, Track};
+use crate::recorded::{Recorded, RecordedRepair};
+use crate::samples::{GateEvents, Recording, Repair, RepairKind, Sensor, SingleChannel, Track};
 
 /// Which program wrote a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -20,8 +21,26 @@ pub enum Format {
     SensorLog,
     /// A two-gate timer's event log.
     LightGate,
+    /// Gyroflow's IMU log.
+    Gcsv,
     /// Columns named by the caller.
     Mapped,
+}
+
+impl Format {
+    /// What a message calls it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Format::Native => "a recording of this program",
+            Format::Phyphox => "phyphox, or columns that name sensor and unit",
+            Format::SensorLogger => "Sensor Logger",
+            Format::PhysicsToolbox => "Physics Toolbox",
+            Format::SensorLog => "SensorLog",
+            Format::LightGate => "a light gate",
+            Format::Gcsv => "Gyroflow",
+            Format::Mapped => "by the mapping",
+        }
+    }
 }
 
 /// What an import yields.
@@ -44,8 +63,10 @@ pub struct ImportedRecording {
     pub format: Format,
     /// The data.
     pub data: ImportedData,
-    /// What a reader should know: choices made, files not used.
+    /// What a reader should know: choices made, and what looks doubtful.
     pub notes: Vec<String>,
+    /// Columns, files and sensors of the export that are not used.
+    pub not_used: Vec<String>,
 }
 
 /// The kinds of data an import can yield.
@@ -59,6 +80,8 @@ pub enum ImportedData {
     Track(Track),
     /// A light gate's edges.
     GateEvents(GateEvents),
+    /// One channel of a motion of one degree of freedom.
+    Channel(SingleChannel),
 }
 
 impl ImportedRecording {
@@ -68,12 +91,131 @@ impl ImportedRecording {
         recording: Recording,
         notes: Vec<String>,
     ) -> Self {
-        let data = ImportedData::Recording(recording);
+        Self::of(file, format, ImportedData::Recording(recording), notes)
+    }
+
+    /// Data of any kind.
+    pub(super) fn of(file: &str, format: Format, data: ImportedData, notes: Vec<String>) -> Self {
         Self {
             name: stem(file).to_owned(),
             format,
             data,
             notes,
+            not_used: Vec::new(),
         }
+    }
+
+    /// The same, with what of the export is not used.
+    pub(super) fn without(mut self, not_used: impl IntoIterator<Item = String>) -> Self {
+        self.not_used.extend(not_used);
+        self
+    }
+
+    /// What was found wrong with the samples, and what was done.
+    pub fn repairs(&self) -> &[Repair] {
+        match &self.data {
+            ImportedData::Recording(recording) => &recording.repairs,
+            ImportedData::Track(track) => &track.repairs,
+            ImportedData::GateEvents(_) => &[],
+            ImportedData::Channel(channel) => &channel.repairs,
+        }
+    }
+
+    /// Sensors whose samples mostly repeat the stamp before them: a sentence for each.
+    fn packets(&self) -> impl Iterator<Item = String> {
+        let repeats = |repair: &&Repair| repair.kind == RepairKind::RepeatedStamp;
+        self.repairs().iter().filter(repeats).filter_map(|repair| {
+            let stamps = self.samples(repair.sensor).filter(|&n| n > 0)?;
+            let each = (repair.count + stamps) / stamps;
+            (repair.count >= stamps).then(|| {
+                format!(
+                    "{}: {each} samples share each time stamp on average, as when a sensor sends its \
+                     samples in packets",
+                    repair.sensor.name()
+                )
+            })
+        })
+    }
+
+    /// How many samples of a sensor are kept.
+    fn samples(&self, sensor: Sensor) -> Option<usize> {
+        let triad = match (&self.data, sensor) {
+            (ImportedData::Track(track), _) => return Some(track.t_s.len()),
+            (ImportedData::Channel(channel), _) => return Some(channel.t_s.len()),
+            (ImportedData::Recording(all), Sensor::Gyroscope) => all.gyroscope.as_ref(),
+            (ImportedData::Recording(all), Sensor::Accelerometer) => all.accelerometer.as_ref(),
+            (ImportedData::Recording(all), Sensor::LinearAccelerometer) => {
+                all.linear_accelerometer.as_ref()
+            }
+            _ => None,
+        };
+        triad.map(|triad| triad.t_s.len())
+    }
+
+    /// Format, sensors, samples and duration in one line.
+    pub fn summary(&self) -> String {
+        let series = |name: &str, t_s: &[f64]| {
+            let span = t_s
+                .last()
+                .zip(t_s.first())
+                .map_or(0.0, |(last, first)| last - first);
+            format!("{name}, {} samples in {span:.1} s", t_s.len())
+        };
+        let held: Vec<String> = match &self.data {
+            ImportedData::Recording(all) => [
+                (Sensor::Gyroscope, &all.gyroscope),
+                (Sensor::Accelerometer, &all.accelerometer),
+                (Sensor::LinearAccelerometer, &all.linear_accelerometer),
+            ]
+            .into_iter()
+            .filter_map(|(sensor, triad)| Some(series(sensor.name(), &triad.as_ref()?.t_s)))
+            .collect(),
+            ImportedData::Track(track) => vec![series("track", &track.t_s)],
+            ImportedData::GateEvents(events) => vec![series("edges of a light gate", &events.t_s)],
+            ImportedData::Channel(channel) => vec![series(channel.quantity.name(), &channel.t_s)],
+        };
+        format!("{} ({})", held.join("; "), self.format.name())
+    }
+
+    /// Everything that a reader should know: repairs, choices, what is not used.
+    pub fn told(&self) -> Vec<String> {
+        let repairs = self.repairs().iter().map(|repair| repair.text.clone());
+        self.packets()
+            .chain(repairs)
+            .chain(self.notes.iter().cloned())
+            .chain(self.not_used.iter().cloned())
+            .collect()
+    }
+
+    /// What a session keeps of it for `file`, so that a later analysis tells it too; `None` where
+    /// there is nothing to tell. `found_again` are the repairs that reading `file` finds by itself.
+    pub fn recorded(&self, file: &str, found_again: &[Repair]) -> Option<Recorded> {
+        let left_out = |text: &String| RecordedRepair {
+            text: text.clone(),
+            kind: Some(RepairKind::NotImported),
+            ..RecordedRepair::default()
+        };
+        let packets = self.packets().map(|text| RecordedRepair {
+            text,
+            kind: Some(RepairKind::RepeatedStamp),
+            ..RecordedRepair::default()
+        });
+        let repairs: Vec<RecordedRepair> = packets
+            .chain(
+                self.repairs()
+                    .iter()
+                    .filter(|repair| !found_again.contains(repair))
+                    .map(RecordedRepair::from),
+            )
+            .chain(self.not_used.iter().map(left_out))
+            .collect();
+        let notes = [("import".to_owned(), self.notes.join("; "))];
+        let notes = notes.into_iter().filter(|note| !note.1.is_empty());
+        (!repairs.is_empty() || !self.notes.is_empty()).then(|| Recorded {
+            file: file.to_owned(),
+            notes: notes.collect(),
+            repairs,
+            ..Recorded::default()
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! The event log of a two-gate timer: one row per beam edge.
 
+use super::columns::columns_not_used;
 use super::imported::{Format, ImportedData, ImportedRecording};
-use super::source::stem;
 use super::table::Table;
 use crate::samples::GateEvents;
 use gyradius_base::Result;
@@ -24,8 +24,7 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
         .ok_or_else(|| missing("Time"))?;
     let a = find("State at A").ok_or_else(|| missing("State at A"))?;
     let b = find("State at B").ok_or_else(|| missing("State at B"))?;
-    let units = usize::from(table.row_after_header_is_text(time)?);
-    let numbers = table.numbers_after(&[time, a, b], units)?;
+    let numbers = table.numbers(&[time, a, b])?;
     let mut events = GateEvents::default();
     let mut dropped = 0;
     for (row, &offset) in numbers.offset.iter().enumerate() {
@@ -55,11 +54,9 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
             "{dropped} edges step back in time and are left out"
         ));
     }
+    // `Event Time` is `Time` with fewer digits.
+    let events_time = find("Event Time");
+    let left = columns_not_used(&table, [time, a, b].into_iter().chain(events_time));
     let data = ImportedData::GateEvents(events);
-    Ok(ImportedRecording {
-        name: stem(name).to_owned(),
-        format: Format::LightGate,
-        data,
-        notes,
-    })
+    Ok(ImportedRecording::of(name, Format::LightGate, data, notes).without(left))
 }

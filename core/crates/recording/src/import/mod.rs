@@ -6,9 +6,14 @@
 //! Columns are found by header name, never by position. Results are in s, rad/s and m/s² with
 //! Android's sign (at rest, screen up: z = +9.8). Time stamps are the file's own.
 
+mod clock;
 mod columns;
 mod detect;
+mod gcsv;
 mod imported;
+mod json;
+mod labels;
+mod layout;
 mod light_gate;
 mod mapping;
 mod options;
@@ -18,6 +23,7 @@ mod sensor_logger;
 mod sensorlog;
 mod source;
 pub(crate) mod table;
+mod trials;
 mod units;
 
 use std::collections::BTreeMap;
@@ -27,24 +33,52 @@ use gyradius_base::{Error, Result};
 pub use imported::{Format, Imported, ImportedData, ImportedRecording};
 pub use mapping::{ColumnMapping, MappedColumn};
 pub use options::{ImportOptions, Platform};
+pub use source::Input;
 pub use units::{Dimension, Unit, from_core_motion, stamp_from_core_motion};
 
 use detect::Content;
 use source::Source;
+use table::Table;
 
 /// Imports exports by content. `inputs` are names and bytes; each folder of a `.zip` is one
 /// recording, and loose files of one folder that hold different sensors of one phone are one
 /// recording too.
 pub fn import_files(inputs: &[(String, Vec<u8>)], options: &ImportOptions) -> Result<Imported> {
+    let inputs: Vec<Input> = inputs
+        .iter()
+        .map(|(name, bytes)| Input::File(name.clone(), bytes.clone()))
+        .collect();
+    import_inputs(&inputs, options)
+}
+
+/// The same from files and folders; a folder is read as the archive that it was.
+pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Imported> {
     let mut device = BTreeMap::new();
     let mut recordings = Vec::new();
     let mut fruitful: Vec<Option<String>> = Vec::new();
     let mut barren = Vec::new();
-    for source in source::sources(inputs)? {
+    let mut sources = source::sources(inputs)?;
+    if let Some(trial) = &options.trial
+        && !source::keep_trial(&mut sources, trial)?
+    {
+        return Err(Error::argument(
+            "trial",
+            "a file with several trials",
+            "none",
+        ));
+    }
+    for source in sources {
         let found = match &options.mapping {
-            Some(mapping) => mapped(&source, mapping)?,
-            None => recognised(&source, options, &mut device)?,
+            Some(mapping) => mapping::import(&source, mapping),
+            None => recognised(&source, options, &mut device),
         };
+        let mut found = found?;
+        if let (None, Some(first)) = (&options.trial, found.first_mut()) {
+            let notes = source
+                .members()
+                .filter_map(|(name, bytes)| trials::note(bytes, name));
+            first.notes.extend(notes);
+        }
         if found.is_empty() {
             barren.push(source);
         } else {
@@ -70,11 +104,10 @@ pub fn import_files(inputs: &[(String, Vec<u8>)], options: &ImportOptions) -> Re
     })
 }
 
-fn mapped(source: &Source, mapping: &ColumnMapping) -> Result<Vec<ImportedRecording>> {
-    source
-        .members()
-        .map(|(name, bytes)| mapping::import(bytes, name, mapping))
-        .collect()
+/// A file by the name that it has in the session's folder or the archive: paths of this machine
+/// stay out of sessions.
+pub(crate) fn file_not_used(name: &str) -> String {
+    format!("`{}` is not used", source::base(name))
 }
 
 fn recognised(
@@ -92,13 +125,35 @@ fn recognised(
     };
     let mut out = Vec::new();
     for (name, bytes) in of(Content::Native) {
-        let recording = super::csv::read_recording(bytes, name)?;
+        // With a preamble, another separator or a decimal comma it is read all the same.
+        let recording = super::csv::read_table(&Table::open(bytes, name)?)?;
         out.push(ImportedRecording::new(
             name,
             Format::Native,
             recording,
             Vec::new(),
         ));
+    }
+    for (name, bytes) in of(Content::Track) {
+        let data = ImportedData::Track(super::csv::read_track(bytes, name)?);
+        out.push(ImportedRecording::of(
+            name,
+            Format::Native,
+            data,
+            Vec::new(),
+        ));
+    }
+    for (name, bytes) in of(Content::Channel) {
+        let data = ImportedData::Channel(super::csv::read_channel(bytes, name)?);
+        out.push(ImportedRecording::of(
+            name,
+            Format::Native,
+            data,
+            Vec::new(),
+        ));
+    }
+    for (name, bytes) in of(Content::Gcsv) {
+        out.push(gcsv::import(bytes, name)?);
     }
     for (name, bytes) in of(Content::LightGate) {
         out.push(light_gate::import(bytes, name)?);
@@ -131,10 +186,12 @@ fn recognised(
     out.sort_by_key(place);
     let unused: Vec<String> = of(Content::Unknown)
         .iter()
-        .map(|(name, _)| format!("`{name}` is not used"))
+        .map(|(name, _)| *name)
+        .chain(source.ignored.iter().map(String::as_str))
+        .map(file_not_used)
         .collect();
     if let Some(last) = out.last_mut() {
-        last.notes.extend(unused);
+        last.not_used.extend(unused);
     }
     Ok(out)
 }

@@ -17,6 +17,8 @@ pub struct ImportOptions {
     /// Columns and units of a file of no known format. Where it is given, it is used for every
     /// file.
     pub mapping: Option<ColumnMapping>,
+    /// Which of several trials in one file is meant, as the file numbers or names them.
+    pub trial: Option<String>,
     /// The phone's system, for Sensor Logger files that come without their metadata.
     pub platform: Option<Platform>,
 }

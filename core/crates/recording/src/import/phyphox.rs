@@ -1,23 +1,23 @@
-//! phyphox: one table per set of sensors, and `meta/` with the phone and the pauses.
+//! phyphox, and every table whose header tells sensors, axes and units: one table per set of
+//! sensors; phyphox adds `meta/` with the phone and the pauses.
 
-mod header;
 mod pauses;
 
 use std::collections::BTreeMap;
 
-use super::columns::{SensorColumns, add_repair, assemble, gravity_doubt};
+use super::columns::{add_repair, assemble, columns_not_used, gravity_doubt};
 use super::imported::{Format, ImportedRecording};
+use super::labels::sensors;
 use super::source::{Source, stem};
 use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
 use gyradius_base::Result;
-use header::sensors;
-use pauses::Pauses;
+pub(super) use pauses::Pauses;
 
 type File<'a> = (&'a str, &'a [u8]);
 
-/// True for a header with a phyphox time column and a sensor with three axes.
+/// True for a header with a time column and a sensor with three axes, units told.
 pub(super) fn recognises(table: &Table, name: &str) -> bool {
     !sensors(table, stem(name)).is_empty()
 }
@@ -40,12 +40,11 @@ pub(super) fn import(
         None => Pauses::default(),
     };
     let mut all = Vec::new();
+    let mut not_used = Vec::new();
     for (place, (name, bytes)) in sets.iter().enumerate() {
-        all.extend(
-            read_set(bytes, name, &stated)?
-                .into_iter()
-                .map(|raw| (place, raw)),
-        );
+        let (series, left) = read_set(bytes, name, &stated)?;
+        all.extend(series.into_iter().map(|raw| (place, raw)));
+        not_used.push(left);
     }
     device.extend(stated);
     if repeats_a_sensor(&all) && source.archive.is_none() {
@@ -58,7 +57,8 @@ pub(super) fn import(
         return sets
             .iter()
             .enumerate()
-            .map(|(place, set)| finish(set.0, of(place), &pauses))
+            .zip(not_used)
+            .map(|((place, set), left)| finish(set.0, of(place), &pauses, left))
             .collect();
     }
     if all.is_empty() {
@@ -69,15 +69,20 @@ pub(super) fn import(
     } else {
         sets[0].0
     };
-    finish(name, all, &pauses).map(|recording| vec![recording])
+    let left = not_used.into_iter().flatten();
+    finish(name, all, &pauses, left).map(|recording| vec![recording])
 }
 
 fn finish(
     name: &str,
     mut series: Vec<(usize, RawSeries)>,
     pauses: &Pauses,
+    left: impl IntoIterator<Item = String>,
 ) -> Result<ImportedRecording> {
-    let mut notes = keep_first_of_each(&mut series);
+    let not_used: Vec<String> = left
+        .into_iter()
+        .chain(keep_first_of_each(&mut series))
+        .collect();
     for (_, raw) in &mut series {
         raw.t_s.iter_mut().for_each(|t| *t = pauses.wall_s(*t));
     }
@@ -85,24 +90,31 @@ fn finish(
     if let Some(repair) = pauses.repair() {
         add_repair(&mut recording, &repair);
     }
-    notes.extend(gravity_doubt(&recording));
-    Ok(ImportedRecording::new(
-        name,
-        Format::Phyphox,
-        recording,
-        notes,
-    ))
+    let notes = gravity_doubt(&recording).into_iter().collect();
+    let imported = ImportedRecording::new(name, Format::Phyphox, recording, notes);
+    Ok(imported.without(not_used))
 }
 
-fn read_set(bytes: &[u8], name: &str, device: &BTreeMap<String, String>) -> Result<Vec<RawSeries>> {
+/// The sensors of a set, and a sentence on the columns that are not used.
+fn read_set(
+    bytes: &[u8],
+    name: &str,
+    device: &BTreeMap<String, String>,
+) -> Result<(Vec<RawSeries>, Option<String>)> {
     let table = Table::open(bytes, name)?;
-    let columns: Vec<SensorColumns> = sensors(&table, stem(name));
-    let read = |columns: SensorColumns| {
-        let mut raw = columns.read(&table)?;
-        raw.limit = range(device, columns.sensor);
-        Ok(raw)
-    };
-    columns.into_iter().map(read).collect()
+    let columns = sensors(&table, stem(name));
+    let mut series = Vec::new();
+    for one in &columns {
+        let mut raw = one.read(&table)?;
+        raw.limit = range(device, one.sensor);
+        series.push(raw);
+    }
+    // phyphox computes `Absolute (rad/s)` from the axes: nothing is lost.
+    let computed = |column: &usize| table.name_of(*column).starts_with("Absolute");
+    let computed = (0..table.header().len()).filter(computed);
+    let used = columns.iter().flat_map(|one| one.used()).chain(computed);
+    let left = columns_not_used(&table, used);
+    Ok((series, left))
 }
 
 fn repeats_a_sensor(series: &[(usize, RawSeries)]) -> bool {

@@ -3,24 +3,45 @@
 //! # Conventions
 //! `GyroscopeUncalibrated` is preferred to `Gyroscope`, whose bias the phone re-calibrates in
 //! mid-record in steps; the analysis fits a bias itself. The accelerometer is `TotalAcceleration`,
-//! or else `Accelerometer` (gravity-free) plus `Gravity`. On iOS accelerations carry the opposite
+//! or else `Accelerometer` (gravity-free) plus `Gravity`, or else `AccelerometerUncalibrated`; a
+//! watch's `WristMotion` holds all in one table. On iOS accelerations carry the opposite
 //! sign unless the metadata say `standardisation=true`.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::columns::{SensorColumns, assemble, gravity_doubt, xyz};
+use super::columns::{
+    Clock, SensorColumns, assemble, columns_not_used, gravity_doubt, mean_length, sum, xyz,
+};
+use super::file_not_used;
 use super::imported::{Format, ImportedRecording};
 use super::options::{ImportOptions, Platform};
-use super::source::{Source, stem};
+use super::source::{Source, base, stem};
 use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
 use gyradius_base::Result;
+use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 
 type File<'a> = (&'a str, &'a [u8]);
 
-/// Stamps above this are Unix time: no recording lasts three years.
-const UNIX_TIME_S: f64 = 1e8;
+/// The file of a watch: rotation rate, gravity and the acceleration without it, in one table.
+const MOTION: &str = "wristmotion";
+/// Files without `seconds_elapsed` are known by their names.
+const SENSORS: [&str; 6] = [
+    "gyroscope",
+    "gyroscopeuncalibrated",
+    "accelerometer",
+    "accelerometeruncalibrated",
+    "totalacceleration",
+    "gravity",
+];
+
+/// True for a sensor's file by its columns, and by its name where it tells no elapsed time.
+pub(super) fn recognises(table: &Table, name: &str) -> bool {
+    let has = |wanted: &str| table.find(|column| column == wanted).is_some();
+    let named = SENSORS.contains(&stem(name).to_lowercase().as_str());
+    has("seconds_elapsed") || named && ["time", "z", "y", "x"].into_iter().all(has)
+}
 
 /// One recording from the sensor files of a source.
 pub(super) fn import(
@@ -34,18 +55,17 @@ pub(super) fn import(
     for (name, bytes) in metadata {
         stated.extend(read_metadata(bytes, name)?);
     }
-    let (sign, mut notes) = acceleration_sign(&stated, options);
-    let by_name: BTreeMap<String, File> = files
+    let watch = files
         .iter()
-        .map(|file| (stem(file.0).to_lowercase(), *file))
-        .collect();
+        .any(|file| stem(file.0).eq_ignore_ascii_case(MOTION));
+    let (sign, mut notes) = acceleration_sign(&stated, options, watch);
+    let mut files_of = Files::new(files);
     let mut series: Vec<RawSeries> = Vec::new();
-    series.extend(gyroscope(&by_name, &mut notes)?);
-    series.extend(acceleration(&by_name, sign, &mut notes)?);
+    series.extend(gyroscope(&mut files_of, &mut notes)?);
+    series.extend(acceleration(&mut files_of, sign, &mut notes)?);
     if series.is_empty() {
         return Ok(None);
     }
-    from_first_stamp(&mut series);
     let name = if source.archive.is_some() {
         source.name.as_str()
     } else {
@@ -54,12 +74,8 @@ pub(super) fn import(
     let recording = assemble(name, series.into_iter().enumerate().collect())?;
     notes.extend(gravity_doubt(&recording));
     device.extend(stated);
-    Ok(Some(ImportedRecording::new(
-        name,
-        Format::SensorLogger,
-        recording,
-        notes,
-    )))
+    let imported = ImportedRecording::new(name, Format::SensorLogger, recording, notes);
+    Ok(Some(imported.without(files_of.left())))
 }
 
 fn read_metadata(bytes: &[u8], name: &str) -> Result<BTreeMap<String, String>> {
@@ -72,6 +88,7 @@ fn read_metadata(bytes: &[u8], name: &str) -> Result<BTreeMap<String, String>> {
 fn acceleration_sign(
     stated: &BTreeMap<String, String>,
     options: &ImportOptions,
+    watch: bool,
 ) -> (f64, Vec<String>) {
     let says = |key: &str, value: &str| {
         stated
@@ -83,7 +100,9 @@ fn acceleration_sign(
         (_, true) => Some(Platform::Android),
         _ => None,
     };
-    match stated.or(options.platform) {
+    // A watch that writes this file is Apple's.
+    let watch = watch.then_some(Platform::Ios);
+    match stated.or(options.platform).or(watch) {
         Some(Platform::Ios) if says("standardisation", "true") => (1.0, Vec::new()),
         Some(Platform::Ios) => (
             -1.0,
@@ -97,68 +116,185 @@ fn acceleration_sign(
     }
 }
 
-fn gyroscope(files: &BTreeMap<String, File>, notes: &mut Vec<String>) -> Result<Option<RawSeries>> {
-    for name in ["gyroscopeuncalibrated", "gyroscope"] {
-        if let Some(file) = files.get(name) {
-            let raw = read(file, Sensor::Gyroscope, 1.0)?;
+/// The sensor files of one recording, and which of them have been used.
+struct Files<'a> {
+    by_name: BTreeMap<String, File<'a>>,
+    used: BTreeSet<String>,
+    not_used: Vec<String>,
+}
+
+impl<'a> Files<'a> {
+    fn new(files: &[File<'a>]) -> Self {
+        Self {
+            by_name: files
+                .iter()
+                .map(|file| (stem(file.0).to_lowercase(), *file))
+                .collect(),
+            used: BTreeSet::new(),
+            not_used: Vec::new(),
+        }
+    }
+
+    /// The three columns of a file, if it is there, in the unit in which it has them.
+    fn read(
+        &mut self,
+        name: &str,
+        columns: impl Fn(&str) -> String,
+        sensor: Sensor,
+    ) -> Result<Option<RawSeries>> {
+        let Some(file) = self.by_name.get(name) else {
+            return Ok(None);
+        };
+        self.used.insert(name.to_owned());
+        read(file, columns, sensor).map(Some)
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.by_name.contains_key(name)
+    }
+
+    /// The file as the user knows it.
+    fn file(&self, name: &str) -> &'a str {
+        self.by_name.get(name).map_or("", |file| base(file.0))
+    }
+
+    /// Columns of the watch's table that are left, quaternions for example.
+    fn columns_left(&self) -> Option<String> {
+        let file = self
+            .by_name
+            .get(MOTION)
+            .filter(|_| self.used.contains(MOTION))?;
+        let table = Table::open(file.1, file.0).ok()?;
+        let known = ["time", "seconds_elapsed"];
+        let prefixes = ["rotationrate", "gravity", "acceleration"];
+        let used = (0..table.header().len()).filter(|column| {
+            let name = table.name_of(*column).to_lowercase();
+            known.contains(&name.as_str()) || prefixes.iter().any(|start| name.starts_with(start))
+        });
+        columns_not_used(&table, used)
+    }
+
+    /// What is left unused, as sentences.
+    fn left(&self) -> impl Iterator<Item = String> {
+        let left = self
+            .by_name
+            .iter()
+            .filter(|(name, _)| !self.used.contains(*name));
+        let left = left.map(|(_, file)| file_not_used(file.0));
+        left.chain(self.not_used.iter().cloned())
+            .chain(self.columns_left())
+    }
+}
+
+fn gyroscope(files: &mut Files, notes: &mut Vec<String>) -> Result<Option<RawSeries>> {
+    for name in ["gyroscopeuncalibrated", "gyroscope", MOTION] {
+        let columns = |axis: &str| match name {
+            MOTION => format!("rotationRate{axis}"),
+            _ => axis.to_owned(),
+        };
+        if let Some(raw) = files.read(name, columns, Sensor::Gyroscope)? {
             if raw.t_s.len() >= 2 {
-                notes.push(format!("gyroscope: `{}`", file.0));
+                notes.push(format!("gyroscope: `{}`", files.file(name)));
                 return Ok(Some(raw));
             }
+            files.used.remove(name);
         }
     }
     Ok(None)
 }
 
 fn acceleration(
-    files: &BTreeMap<String, File>,
+    files: &mut Files,
     sign: f64,
     notes: &mut Vec<String>,
 ) -> Result<Option<RawSeries>> {
-    if let Some(file) = files.get("totalacceleration") {
-        notes.push(format!("accelerometer: `{}`", file.0));
-        return read(file, Sensor::Accelerometer, sign).map(Some);
+    let plain = |axis: &str| axis.to_owned();
+    let parts = files.has("accelerometer") && files.has("gravity");
+    let mut whole = None;
+    for name in ["totalacceleration", "accelerometeruncalibrated"] {
+        if whole.is_none() && (name == "totalacceleration" || !parts) {
+            whole = files.read(name, plain, Sensor::Accelerometer)?;
+            if whole.is_some() {
+                notes.push(format!("accelerometer: `{}`", files.file(name)));
+            }
+        }
     }
-    let Some(file) = files.get("accelerometer") else {
-        return Ok(None);
-    };
-    let free = read(file, Sensor::LinearAccelerometer, sign)?;
-    let Some(gravity) = files.get("gravity") else {
-        return Ok(Some(free));
-    };
-    let total = sum(&free, &read(gravity, Sensor::Accelerometer, sign)?);
-    // Where the two are not sampled together there is nothing to add without resampling.
-    if 2 * total.t_s.len() < free.t_s.len() {
+    if let Some(mut total) = whole {
+        let unit = unit_of(&total, notes);
+        scale(&mut total, sign * unit);
+        return Ok(Some(total));
+    }
+    if files.has("accelerometer") {
+        let Some(mut free) = files.read("accelerometer", plain, Sensor::LinearAccelerometer)?
+        else {
+            return Ok(None);
+        };
+        scale(&mut free, sign);
+        let Some(mut gravity) = files.read("gravity", plain, Sensor::Accelerometer)? else {
+            return Ok(Some(free));
+        };
+        scale(&mut gravity, sign);
+        let names = (files.file("accelerometer"), files.file("gravity"));
+        let (total, used) = together(free, &gravity, names, notes);
+        if !used {
+            let left = format!("`{}` has stamps of its own and is not used", names.1);
+            files.not_used.push(left);
+        }
+        return Ok(Some(total));
+    }
+    let name = files.file(MOTION);
+    let user = files.read(
+        MOTION,
+        |a| format!("acceleration{a}"),
+        Sensor::LinearAccelerometer,
+    );
+    let gravity = files.read(MOTION, |a| format!("gravity{a}"), Sensor::Accelerometer);
+    if let (Ok(Some(mut user)), Ok(Some(mut gravity))) = (user, gravity) {
+        let factor = sign * unit_of(&gravity, notes);
+        scale(&mut user, factor);
+        scale(&mut gravity, factor);
         notes.push(format!(
-            "`{}` has stamps of its own and is not used",
-            gravity.0
+            "accelerometer: gravity plus acceleration of `{name}`"
         ));
-        return Ok(Some(free));
+        return Ok(Some(sum(&user, &gravity)));
+    }
+    Ok(None)
+}
+
+/// Gravity-free acceleration with gravity put back, if the two are sampled together; there is
+/// nothing to add without resampling where they are not.
+fn together(
+    free: RawSeries,
+    gravity: &RawSeries,
+    names: (&str, &str),
+    notes: &mut Vec<String>,
+) -> (RawSeries, bool) {
+    let total = sum(&free, gravity);
+    if 2 * total.t_s.len() < free.t_s.len() {
+        return (free, false);
     }
     notes.push(format!(
         "accelerometer: `{}` plus `{}` where their stamps agree",
-        file.0, gravity.0
+        names.0, names.1
     ));
-    Ok(Some(total))
+    (total, true)
 }
 
-/// Gravity-free acceleration plus gravity at the stamps that both have.
-fn sum(free: &RawSeries, gravity: &RawSeries) -> RawSeries {
-    let rows: HashMap<u64, usize> = gravity.t_s.iter().map(|t| t.to_bits()).zip(0..).collect();
-    let mut total = RawSeries::new(Sensor::Accelerometer, 3);
-    for (i, &t_s) in free.t_s.iter().enumerate() {
-        if let Some(&j) = rows.get(&t_s.to_bits()) {
-            total.push(
-                i,
-                t_s,
-                (0..3).map(|axis| free.channels[axis][i] + gravity.channels[axis][j]),
-            );
-        }
+/// Factor to m/s²: some files of iOS are in g, which the size of gravity tells.
+fn unit_of(gravity: &RawSeries, notes: &mut Vec<String>) -> f64 {
+    let in_g = (0.7..=1.3).contains(&mean_length(&gravity.channels));
+    if in_g {
+        notes.push("accelerations are in g, by the size of gravity".to_owned());
     }
-    total
+    if in_g { STANDARD_GRAVITY_M_S2 } else { 1.0 }
 }
 
-fn read(file: &File, sensor: Sensor, factor: f64) -> Result<RawSeries> {
+fn scale(raw: &mut RawSeries, factor: f64) {
+    let values = raw.channels.iter_mut().flatten();
+    values.for_each(|value| *value *= factor);
+}
+
+fn read(file: &File, columns: impl Fn(&str) -> String, sensor: Sensor) -> Result<RawSeries> {
     let table = Table::open(file.1, file.0)?;
     let missing = |what: &str| {
         table.malformed(
@@ -167,30 +303,19 @@ fn read(file: &File, sensor: Sensor, factor: f64) -> Result<RawSeries> {
             &format!("`{}`", table.header_text()),
         )
     };
-    let axes = xyz(&table, str::to_owned).ok_or_else(|| missing("x, y and z"))?;
+    let wanted = format!("{}, {} and {}", columns("x"), columns("y"), columns("z"));
+    let axes = xyz(&table, columns).ok_or_else(|| missing(&wanted))?;
     let find = |wanted: &str| table.find(|column| column == wanted);
     let elapsed = find("seconds_elapsed");
     let time = elapsed
         .or_else(|| find("time"))
         .ok_or_else(|| missing("`seconds_elapsed` or `time`"))?;
-    let mut columns = SensorColumns::new(sensor, time, axes, factor);
-    if elapsed.is_none() {
-        // `time` is in nanoseconds since 1970.
-        columns.time_factor = 1e-9;
-    }
+    let mut columns = SensorColumns::new(sensor, time, axes, 1.0);
+    // `time` is in nanoseconds since 1970.
+    let factor = if elapsed.is_none() { 1e-9 } else { 1.0 };
+    columns.clock = Clock::Number {
+        column: time,
+        factor,
+    };
     columns.read(&table)
-}
-
-/// Unix time is counted from the first stamp of all sensors, which keeps their clocks together.
-fn from_first_stamp(series: &mut [RawSeries]) {
-    let first = series
-        .iter()
-        .flat_map(|raw| raw.t_s.first().copied())
-        .fold(f64::INFINITY, f64::min);
-    if first > UNIX_TIME_S && first.is_finite() {
-        series
-            .iter_mut()
-            .flat_map(|raw| &mut raw.t_s)
-            .for_each(|t| *t -= first);
-    }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::{json, trials};
 use crate::store::Store;
 use gyradius_base::{Error, Result};
 
@@ -12,6 +13,17 @@ pub(super) struct Source {
     /// The archive it is part of. A folder of an archive is one recording, whatever it holds.
     pub archive: Option<String>,
     files: Vec<(String, Vec<u8>)>,
+    /// Members of the archive that are no tables.
+    pub ignored: Vec<String>,
+}
+
+/// What is handed over to be imported.
+#[derive(Debug, Clone)]
+pub enum Input {
+    /// A file by name and bytes.
+    File(String, Vec<u8>),
+    /// A folder as an app exported it, or an unpacked archive.
+    Folder(Store),
 }
 
 impl Source {
@@ -24,10 +36,26 @@ impl Source {
 }
 
 /// Archives by themselves; loose files together with those of the same folder.
-pub(super) fn sources(inputs: &[(String, Vec<u8>)]) -> Result<Vec<Source>> {
+pub(super) fn sources(inputs: &[Input]) -> Result<Vec<Source>> {
     let mut sources: Vec<Source> = Vec::new();
     let mut folders: BTreeMap<String, usize> = BTreeMap::new();
-    for (name, bytes) in inputs {
+    for input in inputs {
+        let (name, bytes) = match input {
+            Input::File(name, bytes) => (name, bytes),
+            Input::Folder(store) => {
+                sources.extend(stored(store)?);
+                continue;
+            }
+        };
+        if json::looks_like_json(bytes) {
+            sources.push(Source {
+                name: name.clone(),
+                archive: Some(name.clone()),
+                files: json::tables(bytes, name)?,
+                ignored: Vec::new(),
+            });
+            continue;
+        }
         if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
             sources.extend(archive(name, bytes)?);
             continue;
@@ -37,6 +65,7 @@ pub(super) fn sources(inputs: &[(String, Vec<u8>)]) -> Result<Vec<Source>> {
                 name: name.clone(),
                 archive: None,
                 files: Vec::new(),
+                ignored: Vec::new(),
             });
             sources.len() - 1
         });
@@ -54,7 +83,12 @@ pub(super) fn sources(inputs: &[(String, Vec<u8>)]) -> Result<Vec<Source>> {
 
 /// An archive by folders: some programs put several recordings into one.
 fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
-    let store = Store::from_zip_bytes(name, bytes)?;
+    stored(&Store::from_zip_bytes(name, bytes)?)
+}
+
+/// An archive or a folder by its folders.
+fn stored(store: &Store) -> Result<Vec<Source>> {
+    let name = store.name();
     let names = store.names()?;
     let refused = |found: &str| {
         Err(Error::Malformed {
@@ -74,17 +108,34 @@ fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
         return refused("a session, which needs no import");
     }
     let mut folders: BTreeMap<String, Vec<(String, Vec<u8>)>> = BTreeMap::new();
-    for member in names.iter().filter(|member| is_csv(member)) {
-        folders
-            .entry(folder(member))
-            .or_default()
-            .push((member.clone(), store.read(member)?));
+    let mut ignored: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for member in &names {
+        let shadow = base(member).starts_with("._") || base(member) == ".DS_Store";
+        if is_table(member) {
+            let bytes = store.read(member)?;
+            let files = folders.entry(folder(member)).or_default();
+            if !json::looks_like_json(&bytes) {
+                files.push((member.clone(), bytes));
+            } else if let Ok(tables) = json::tables(&bytes, &store.describe(member)) {
+                files.extend(tables);
+            } else {
+                ignored
+                    .entry(folder(member))
+                    .or_default()
+                    .push(member.clone());
+            }
+        } else if !shadow {
+            ignored
+                .entry(folder(member))
+                .or_default()
+                .push(member.clone());
+        }
     }
     if folders.is_empty() {
         return refused("no CSV file");
     }
     let several = folders.len() > 1;
-    let source = |(folder, files): (String, Vec<(String, Vec<u8>)>)| {
+    let mut source = |(folder, files): (String, Vec<(String, Vec<u8>)>)| {
         let name = if several && !folder.is_empty() {
             format!("{name}/{folder}")
         } else {
@@ -94,16 +145,23 @@ fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
             name,
             archive: Some(store.name().to_owned()),
             files,
+            ignored: ignored.remove(&folder).unwrap_or_default(),
         }
     };
-    Ok(folders.into_iter().map(source).collect())
+    let mut sources: Vec<Source> = folders.into_iter().map(&mut source).collect();
+    // Folders without a table.
+    if let Some(last) = sources.last_mut() {
+        last.ignored.extend(ignored.into_values().flatten());
+    }
+    Ok(sources)
 }
 
 /// Text tables; the resource forks that macOS puts beside them are none.
-fn is_csv(member: &str) -> bool {
+fn is_table(member: &str) -> bool {
     let base = base(member);
     let ending = base.rsplit('.').next().unwrap_or_default().to_lowercase();
-    matches!(ending.as_str(), "csv" | "txt" | "tsv") && !base.starts_with("._")
+    let known = ["csv", "txt", "tsv", "json", "gcsv", "log", "dat"];
+    known.contains(&ending.as_str()) && !base.starts_with("._")
 }
 
 /// The folder of a loose file; phyphox's `meta` belongs to the folder around it.
@@ -114,6 +172,18 @@ fn folder(name: &str) -> String {
         folders = &folders[..folders.len() - 1];
     }
     folders.join("/")
+}
+
+/// Keeps the rows of one trial in every table that holds several; false where none does.
+pub(super) fn keep_trial(sources: &mut [Source], trial: &str) -> Result<bool> {
+    let mut any = false;
+    for (name, bytes) in sources.iter_mut().flat_map(|source| &mut source.files) {
+        if let Some(chosen) = trials::choose(bytes, name, trial)? {
+            *bytes = chosen;
+            any = true;
+        }
+    }
+    Ok(any)
 }
 
 /// File name without folders.

@@ -4,57 +4,70 @@
 //! An empty cell is `None` (no sample); `NaN` and `inf` are `Some` and left to the repairs. Lines
 //! count from 1 in the file as it stands, blank lines included.
 
+use std::borrow::Cow;
+
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
+use super::layout;
 use gyradius_base::{Error, Result};
 
 /// A file whose header has been read and whose rows are read column by column on demand.
 pub struct Table<'a> {
     file: &'a str,
-    bytes: &'a [u8],
+    bytes: Cow<'a, [u8]>,
     separator: u8,
+    comment: Option<u8>,
     mark: Option<u8>,
     header: Vec<String>,
+    units: Vec<String>,
+    preamble: Vec<String>,
+    named: bool,
+    header_at: usize,
+    rows_at: usize,
 }
 
-/// The chosen columns of all rows.
+/// The chosen columns of the chosen rows.
 pub(crate) struct Columns {
+    /// Number of each row in the table.
+    pub row: Vec<usize>,
     /// Byte offset of each row, from which an error finds its line.
     pub offset: Vec<usize>,
     /// `cells[column][row]`.
     pub cells: Vec<Vec<Option<f64>>>,
 }
 
+/// Rows whose cell in a column has a certain text.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tag {
+    pub column: usize,
+    pub text: String,
+}
+
 impl<'a> Table<'a> {
-    /// A table with `,` and `.`, as the project's own recordings are.
+    /// A table with `,` and `.` and its header in the first line, as the project's own recordings
+    /// are.
     pub fn native(bytes: &'a [u8], file: &'a str) -> Result<Self> {
-        Self::with_separator(bytes, file, b',', Some(b'.'))
-    }
-
-    /// A table whose separator is read off its header and whose decimal mark off its first number
-    /// that has one.
-    pub fn open(bytes: &'a [u8], file: &'a str) -> Result<Self> {
-        Self::with_separator(bytes, file, separator_of(bytes), None)
-    }
-
-    fn with_separator(
-        bytes: &'a [u8],
-        file: &'a str,
-        separator: u8,
-        mark: Option<u8>,
-    ) -> Result<Self> {
-        let bytes = text_bytes(bytes, file)?;
         let mut table = Self {
             file,
-            bytes,
-            separator,
-            mark,
+            bytes: text_bytes(bytes, file)?,
+            separator: b',',
+            comment: None,
+            mark: Some(b'.'),
             header: Vec::new(),
+            units: Vec::new(),
+            preamble: Vec::new(),
+            named: true,
+            header_at: 0,
+            rows_at: 0,
         };
+        let mut reader = table.reader();
         let mut record = ByteRecord::new();
-        if !table.next(&mut table.reader(), &mut record)? {
-            return Err(table.malformed(None, "a header and rows", "an empty file"));
+        if !table.next(&mut reader, &mut record)? {
+            return Err(table.empty());
         }
+        let rows_at = reader.position().byte() as usize;
+        drop(reader);
+        table.rows_at = rows_at;
         table.header = record
             .iter()
             .map(|cell| String::from_utf8_lossy(cell).trim().to_owned())
@@ -63,6 +76,48 @@ impl<'a> Table<'a> {
             table.header.pop();
         }
         Ok(table)
+    }
+
+    /// A table as people have it ([`layout`]): header and rows are found below a preamble, the
+    /// separator is read off the rows, the decimal mark off the first number that has one.
+    pub fn open(bytes: &'a [u8], file: &'a str) -> Result<Self> {
+        let (bytes, layout) = layout::find(text_bytes(bytes, file)?);
+        let found = layout.is_some();
+        let layout = layout.unwrap_or_default();
+        let table = Self {
+            file,
+            bytes,
+            separator: layout.separator,
+            comment: layout.comment,
+            mark: None,
+            header: layout.header,
+            units: layout.units,
+            preamble: layout.preamble,
+            named: layout.named,
+            header_at: layout.header_at,
+            rows_at: layout.rows_at,
+        };
+        if found { Ok(table) } else { Err(table.empty()) }
+    }
+
+    fn empty(&self) -> Error {
+        self.malformed(None, "a header and rows", "an empty file")
+    }
+
+    /// Lines above the header.
+    pub fn preamble(&self) -> &[String] {
+        &self.preamble
+    }
+
+    /// False where the columns have numbers instead of names.
+    pub fn is_named(&self) -> bool {
+        self.named
+    }
+
+    /// The unit of a column by the row of units below the header.
+    pub fn unit(&self, column: usize) -> Option<&str> {
+        let unit = self.units.get(column)?.trim_matches(['(', ')', '[', ']']);
+        (!unit.is_empty()).then_some(unit)
     }
 
     /// Column names, trimmed; nameless columns at the end are left out.
@@ -80,6 +135,11 @@ impl<'a> Table<'a> {
         self.file
     }
 
+    /// The name of a column, for messages.
+    pub fn name_of(&self, column: usize) -> String {
+        self.header.get(column).cloned().unwrap_or_default()
+    }
+
     /// Number of the first column whose name satisfies `wanted`.
     pub fn find(&self, wanted: impl Fn(&str) -> bool) -> Option<usize> {
         self.header.iter().position(|name| wanted(name))
@@ -87,19 +147,20 @@ impl<'a> Table<'a> {
 
     /// The cells of the given columns as numbers.
     pub fn numbers(&self, columns: &[usize]) -> Result<Columns> {
-        self.numbers_after(columns, 0)
+        self.numbers_of(columns, None)
     }
 
-    /// The same, with `skipped` rows between header and data (units, for example).
-    pub fn numbers_after(&self, columns: &[usize], skipped: usize) -> Result<Columns> {
+    /// The same of the rows that have a tag.
+    pub(super) fn numbers_of(&self, columns: &[usize], tag: Option<&Tag>) -> Result<Columns> {
         let mut out = Columns {
+            row: Vec::new(),
             offset: Vec::new(),
             cells: vec![Vec::new(); columns.len()],
         };
         let mut mark = self.mark;
         let needed = columns.iter().max().map_or(0, |last| last + 1);
         let mut short: Option<(usize, usize)> = None;
-        self.each_row(skipped, |offset, record| {
+        self.each_row(tag, |row, offset, record| {
             if let Some((offset, cells)) = short {
                 return Err(self.ragged(offset, cells));
             }
@@ -121,6 +182,7 @@ impl<'a> Table<'a> {
                         .map_err(|()| self.not_a_number(offset, column, cell))?,
                 );
             }
+            out.row.push(row);
             out.offset.push(offset);
             Ok(())
         })?;
@@ -130,13 +192,8 @@ impl<'a> Table<'a> {
     /// All rows as texts, for the small tables that exports carry beside their samples.
     pub fn texts(&self) -> Result<Vec<Vec<String>>> {
         let mut rows = Vec::new();
-        self.each_row(0, |_, record| {
-            rows.push(
-                record
-                    .iter()
-                    .map(|cell| String::from_utf8_lossy(cell).trim().to_owned())
-                    .collect(),
-            );
+        self.each_row(None, |_, _, record| {
+            rows.push(record.iter().map(text_of).collect());
             Ok(())
         })?;
         Ok(rows)
@@ -144,55 +201,73 @@ impl<'a> Table<'a> {
 
     /// One column of all rows as texts, row by row as [`Table::numbers`] counts them.
     pub fn texts_of(&self, column: usize) -> Result<Vec<String>> {
+        self.tagged_texts(column, None)
+    }
+
+    /// One column as texts, of the rows that have a tag.
+    pub(super) fn tagged_texts(&self, column: usize, tag: Option<&Tag>) -> Result<Vec<String>> {
         let mut cells = Vec::new();
-        self.each_row(0, |_, record| {
-            cells.push(
-                String::from_utf8_lossy(record.get(column).unwrap_or_default())
-                    .trim()
-                    .to_owned(),
-            );
+        self.each_row(tag, |_, _, record| {
+            cells.push(text_of(record.get(column).unwrap_or_default()));
             Ok(())
         })?;
         Ok(cells)
     }
 
-    /// True where the row after the header holds no number in `column`: a row of units.
-    pub fn row_after_header_is_text(&self, column: usize) -> Result<bool> {
-        let mut reader = self.reader();
-        let mut record = ByteRecord::new();
-        self.next(&mut reader, &mut record)?;
-        let there = self.next(&mut reader, &mut record)?;
-        Ok(there && number(record.get(column).unwrap_or_default(), &mut None).is_err())
+    /// The file with the rows that are not wanted left blank, so that lines keep their numbers.
+    pub(super) fn with_rows(&self, wanted: impl Fn(usize) -> bool) -> Result<Vec<u8>> {
+        let mut starts = Vec::new();
+        self.each_row(None, |row, offset, _| {
+            starts.push((row, offset));
+            Ok(())
+        })?;
+        let mut bytes = self.bytes.to_vec();
+        let ends = starts.iter().skip(1).map(|(_, offset)| *offset);
+        let ends = ends.chain([bytes.len()]).collect::<Vec<_>>();
+        for ((row, start), end) in starts.into_iter().zip(ends) {
+            if let Some(text) = bytes.get_mut(start..end).filter(|_| !wanted(row)) {
+                let rewritten = text.iter_mut().filter(|b| !matches!(**b, b'\n' | b'\r'));
+                rewritten.for_each(|b| *b = self.separator);
+            }
+        }
+        Ok(bytes)
     }
 
     fn each_row(
         &self,
-        skipped: usize,
-        mut visit: impl FnMut(usize, &ByteRecord) -> Result<()>,
+        tag: Option<&Tag>,
+        mut visit: impl FnMut(usize, usize, &ByteRecord) -> Result<()>,
     ) -> Result<()> {
         let mut reader = self.reader();
         let mut record = ByteRecord::new();
-        for _ in 0..=skipped {
-            self.next(&mut reader, &mut record)?;
-        }
+        let mut row = 0;
         while self.next(&mut reader, &mut record)? {
-            let offset = record.position().map_or(0, |at| at.byte() as usize);
-            if record.iter().any(|cell| !cell.trim_ascii().is_empty()) {
-                visit(offset, &record)?;
+            let offset = self.rows_at + record.position().map_or(0, |at| at.byte() as usize);
+            if record.iter().all(|cell| cell.trim_ascii().is_empty()) {
+                continue;
             }
+            let has = |tag: &Tag| {
+                let cell = record.get(tag.column).unwrap_or_default();
+                cell.trim_ascii() == tag.text.as_bytes()
+            };
+            if tag.is_none_or(has) {
+                visit(row, offset, &record)?;
+            }
+            row += 1;
         }
         Ok(())
     }
 
-    fn reader(&self) -> Reader<&'a [u8]> {
+    fn reader(&self) -> Reader<&[u8]> {
         ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
             .delimiter(self.separator)
-            .from_reader(self.bytes)
+            .comment(self.comment)
+            .from_reader(self.bytes.get(self.rows_at..).unwrap_or_default())
     }
 
-    fn next(&self, reader: &mut Reader<&'a [u8]>, record: &mut ByteRecord) -> Result<bool> {
+    fn next(&self, reader: &mut Reader<&[u8]>, record: &mut ByteRecord) -> Result<bool> {
         reader
             .read_byte_record(record)
             .map_err(|e| Error::Unreadable {
@@ -220,7 +295,7 @@ impl<'a> Table<'a> {
     pub fn malformed(&self, offset: Option<usize>, expected: &str, found: &str) -> Error {
         Error::Malformed {
             file: self.file.to_owned(),
-            line: offset.map(|at| self.line_at(at)),
+            line: offset.map(|at| self.line_at(at.max(self.header_at))),
             expected: expected.to_owned(),
             found: found.to_owned(),
         }
@@ -243,8 +318,13 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The bytes after a byte order mark; spreadsheets and other encodings are refused by name.
-fn text_bytes<'a>(bytes: &'a [u8], file: &str) -> Result<&'a [u8]> {
+fn text_of(cell: &[u8]) -> String {
+    String::from_utf8_lossy(cell).trim().to_owned()
+}
+
+/// The bytes after a byte order mark, as UTF-8; what is no text is refused by name, with the way
+/// out.
+fn text_bytes<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, [u8]>> {
     let refused = |found: &str| {
         Err(Error::Malformed {
             file: file.to_owned(),
@@ -253,30 +333,30 @@ fn text_bytes<'a>(bytes: &'a [u8], file: &str) -> Result<&'a [u8]> {
             found: found.to_owned(),
         })
     };
+    let wide = |rest: &[u8], unit: fn([u8; 2]) -> u16| {
+        let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        let text: String = char::decode_utf16(units)
+            .map(|one| one.unwrap_or(char::REPLACEMENT_CHARACTER))
+            .collect();
+        Ok(Cow::Owned(text.into_bytes()))
+    };
     match bytes {
         [0xD0, 0xCF, 0x11, 0xE0, ..] => refused("an Excel workbook (xls)"),
         [b'P', b'K', 3 | 5, 4 | 6, ..] => refused("a zip archive or an Excel workbook (xlsx)"),
-        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => refused("UTF-16 text; save it as UTF-8"),
-        [0xEF, 0xBB, 0xBF, rest @ ..] => Ok(rest),
-        _ => Ok(bytes),
+        [0x89, b'H', b'D', b'F', ..] => refused(
+            "an HDF5 or MATLAB v7.3 file; in MATLAB, `writetable` or `writematrix` writes CSV",
+        ),
+        _ if bytes.starts_with(b"SQLite format 3") => {
+            refused("a SQLite database; let the app export CSV or JSON instead")
+        }
+        _ if bytes.starts_with(b"MATLAB 5.0") => {
+            refused("a MATLAB file; `writetable` or `writematrix` writes CSV")
+        }
+        [0xFF, 0xFE, rest @ ..] => wide(rest, u16::from_le_bytes),
+        [0xFE, 0xFF, rest @ ..] => wide(rest, u16::from_be_bytes),
+        [0xEF, 0xBB, 0xBF, rest @ ..] => Ok(Cow::Borrowed(rest)),
+        _ => Ok(Cow::Borrowed(bytes)),
     }
-}
-
-/// The separator that the header uses outside quotes. TAB, `;` and `|` never stand in a column
-/// name.
-fn separator_of(bytes: &[u8]) -> u8 {
-    let is_end = |b: &u8| *b == b'\n' || *b == b'\r';
-    let line = bytes
-        .split(is_end)
-        .find(|line| !line.trim_ascii().is_empty())
-        .unwrap_or_default();
-    let mut quoted = false;
-    let mut bare = line.iter().copied().filter(|&b| {
-        quoted ^= b == b'"';
-        !quoted
-    });
-    bare.find(|b| matches!(b, b'\t' | b';' | b'|'))
-        .unwrap_or(b',')
 }
 
 /// A cell as a number. The first decimal mark met holds for the rest of the file.

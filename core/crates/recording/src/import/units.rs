@@ -27,13 +27,18 @@ pub fn stamp_from_core_motion(timestamp_s: f64) -> Result<i64> {
 /// 2⁵³, 104 days: up to there a float tells whole ns apart.
 const MOST_STAMP_NS: f64 = 9_007_199_254_740_992.0;
 
-/// A unit of a mapped column: `s`, `ms`, `us`, `ns`, `rad/s`, `deg/s`, `m/s2`, `g`, `m`, `mm`,
-/// `cm`. A leading minus turns the sign (`-g` for raw iOS accelerations).
+/// A unit of a mapped column: `s`, `ms`, `us`, `ns`, `100Hz` (numbers of samples or frames),
+/// `clock` (a time of day, with or without a date); `rad/s`, `deg/s`; `m/s2`, `g`, `mg`; `m`, `cm`,
+/// `mm`; `rad`, `deg`, `rev`.
+///
+/// # Conventions
+/// A leading minus turns the sign (`-g` for raw iOS accelerations). A factor stands before a `*`:
+/// `0.061*deg/s` for raw counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
     /// What the unit measures.
     pub quantity: Dimension,
-    /// Factor to s, rad/s, m/s² or m.
+    /// Factor to s, rad/s, m/s², m or rad; 1 for a clock.
     pub factor: f64,
 }
 
@@ -42,9 +47,12 @@ pub struct Unit {
 #[allow(missing_docs)]
 pub enum Dimension {
     Time,
+    /// A time of day as text.
+    Clock,
     AngularRate,
     Acceleration,
     Length,
+    Angle,
 }
 
 impl FromStr for Unit {
@@ -53,37 +61,84 @@ impl FromStr for Unit {
     fn from_str(text: &str) -> Result<Self> {
         let bare = text.strip_prefix(['-', '−']);
         let sign = if bare.is_some() { -1.0 } else { 1.0 };
-        let (quantity, factor) = match bare.unwrap_or(text) {
-            "s" => (Dimension::Time, 1.0),
-            "ms" => (Dimension::Time, 1e-3),
-            "us" | "µs" | "μs" => (Dimension::Time, 1e-6),
-            "ns" => (Dimension::Time, 1e-9),
-            "rad/s" => (Dimension::AngularRate, 1.0),
-            "deg/s" | "°/s" => (Dimension::AngularRate, 1f64.to_radians()),
-            "m/s2" | "m/s^2" | "m/s²" => (Dimension::Acceleration, 1.0),
-            "g" => (Dimension::Acceleration, STANDARD_GRAVITY_M_S2),
-            "m" => (Dimension::Length, 1.0),
-            "cm" => (Dimension::Length, 1e-2),
-            "mm" => (Dimension::Length, 1e-3),
-            _ => {
-                return Err(Error::argument(
-                    "unit",
-                    "s, ms, us, ns, rad/s, deg/s, m/s2, g, m, mm or cm",
-                    text,
-                ));
-            }
+        let bare = bare.unwrap_or(text).trim();
+        let (scale, name) = match bare.split_once('*') {
+            Some((scale, name)) => (scale.trim().parse().unwrap_or(f64::NAN), name.trim()),
+            None => (1.0, bare),
         };
+        let known = plain_unit(name).filter(|_| scale.is_finite() && scale != 0.0);
+        let (quantity, factor) = known.ok_or_else(|| {
+            Error::argument(
+                "unit",
+                "s, ms, us, ns, a rate such as 100Hz, clock, rad/s, deg/s, m/s2, g, mg, m, mm, cm, \
+                 rad, deg or rev, with a factor as in 0.061*deg/s if need be",
+                text,
+            )
+        })?;
         Ok(Self {
             quantity,
-            factor: sign * factor,
+            factor: sign * scale * factor,
         })
     }
 }
 
-/// A unit as a header writes it in brackets; programs differ in `°`, `^2` and spaces.
+fn plain_unit(name: &str) -> Option<(Dimension, f64)> {
+    Some(match name {
+        "s" => (Dimension::Time, 1.0),
+        "ms" => (Dimension::Time, 1e-3),
+        "us" | "µs" | "μs" => (Dimension::Time, 1e-6),
+        "ns" => (Dimension::Time, 1e-9),
+        "clock" | "date" => (Dimension::Clock, 1.0),
+        "rad/s" => (Dimension::AngularRate, 1.0),
+        "deg/s" | "°/s" | "dps" => (Dimension::AngularRate, 1f64.to_radians()),
+        "m/s2" | "m/s^2" | "m/s²" => (Dimension::Acceleration, 1.0),
+        "g" => (Dimension::Acceleration, STANDARD_GRAVITY_M_S2),
+        "mg" => (Dimension::Acceleration, 1e-3 * STANDARD_GRAVITY_M_S2),
+        "m" => (Dimension::Length, 1.0),
+        "cm" => (Dimension::Length, 1e-2),
+        "mm" => (Dimension::Length, 1e-3),
+        "rad" => (Dimension::Angle, 1.0),
+        "deg" | "°" => (Dimension::Angle, 1f64.to_radians()),
+        "rev" => (Dimension::Angle, std::f64::consts::TAU),
+        _ => {
+            let rate = name
+                .strip_suffix("Hz")
+                .or_else(|| name.strip_suffix("fps"))?;
+            let rate_hz: f64 = rate.trim().parse().ok()?;
+            let usable = rate_hz.is_finite() && rate_hz > 0.0;
+            return usable.then_some((Dimension::Time, 1.0 / rate_hz));
+        }
+    })
+}
+
+/// A unit as a header writes it in brackets; programs differ in `°`, `^2`, spaces and words.
 pub(super) fn unit_of_header(unit: &str) -> Option<Unit> {
-    let unit = unit.trim().to_lowercase();
     // A degree sign in another encoding than UTF-8 reads as a replacement character.
-    let plain = unit.replace('\u{fffd}', "°").replace("seconds", "s");
-    plain.parse().ok()
+    let unit = unit.trim().to_lowercase().replace('\u{fffd}', "°");
+    let plain: String = unit
+        .chars()
+        .filter(|c| !matches!(c, ' ' | '(' | ')'))
+        .collect();
+    let (above, below) = match plain.split_once('/') {
+        Some((above, below)) => (above, Some(below)),
+        None => (plain.as_str(), None),
+    };
+    let above = match above {
+        "second" | "seconds" | "sec" | "secs" => "s",
+        "millis" | "milliseconds" | "msec" => "ms",
+        "micros" | "microseconds" | "usec" | "µsec" => "us",
+        "nanos" | "nanoseconds" | "nsec" => "ns",
+        "radian" | "radians" => "rad",
+        "degree" | "degrees" | "º" => "deg",
+        other => other,
+    };
+    let below = match below {
+        Some("sec" | "second") => Some("s"),
+        Some("s/s" | "sec^2" | "s**2") => Some("s2"),
+        other => other,
+    };
+    let whole = below.map_or_else(|| above.to_owned(), |below| format!("{above}/{below}"));
+    plain_unit(&whole)
+        .filter(|(quantity, _)| *quantity != Dimension::Clock)
+        .map(|(quantity, factor)| Unit { quantity, factor })
 }

@@ -102,6 +102,7 @@ impl Contents {
             from_s: damage.after_ns.map(since),
             to_s: damage.before_ns.map(since),
             text: damage.text(),
+            ..RecordedRepair::default()
         };
         Recorded {
             file,

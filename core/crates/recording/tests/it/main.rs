@@ -8,3 +8,4 @@ mod recording_csv;
 mod session_format;
 mod session_properties;
 mod session_store;
+mod tables;

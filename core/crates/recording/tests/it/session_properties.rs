@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 
 use gyradius_recording::{
     AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
-    Quantity, Recorded, RecordedEvent, RecordedRepair, RecordedSensor, Session, Site, Store,
-    Suspension, SuspensionKind, Swing, SwingData, load_store, read_session, session_zip_bytes,
-    write_session,
+    Quantity, Recorded, RecordedEvent, RecordedRepair, RecordedSensor, RepairKind, Sensor, Session,
+    Site, Store, Suspension, SuspensionKind, Swing, SwingData, load_store, read_session,
+    session_zip_bytes, write_session,
 };
 use gyradius_test_support::cases;
 use proptest::collection::{btree_map, vec};
@@ -203,7 +203,9 @@ prop_compose! {
     {
         let sensor = |(stream, name, full_scale)| RecordedSensor { stream, name, full_scale };
         let event = |(t_s, key)| RecordedEvent { t_s, key };
-        let repair = |(from_s, to_s, text)| RecordedRepair { from_s, to_s, text };
+        let repair = |(from_s, to_s, text)| RecordedRepair {
+            from_s, to_s, text, kind: Some(RepairKind::Saturation), sensor: Some(Sensor::Gyroscope), count: Some(7),
+        };
         Recorded {
             file, origin_ns, phone, bias, notes,
             sensors: sensors.into_iter().map(sensor).collect(),

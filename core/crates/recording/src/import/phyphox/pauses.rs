@@ -6,11 +6,25 @@ use gyradius_base::Result;
 
 /// The pauses of an experiment: experiment time of each, and how long it lasted, s.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Pauses {
+pub struct Pauses {
     pauses: Vec<(f64, f64)>,
 }
 
 impl Pauses {
+    /// The pauses, if a file is phyphox's `meta/time.csv`.
+    pub fn of_file(bytes: &[u8], name: &str) -> Result<Option<Self>> {
+        let is_it = Table::open(bytes, name).is_ok_and(|table| {
+            ["event", "experiment time", "system time"]
+                .iter()
+                .all(|wanted| {
+                    table
+                        .find(|column| column.to_lowercase() == *wanted)
+                        .is_some()
+                })
+        });
+        is_it.then(|| Self::read(bytes, name)).transpose()
+    }
+
     /// Reads `meta/time.csv`: START and PAUSE rows with experiment and system time.
     pub fn read(bytes: &[u8], name: &str) -> Result<Self> {
         let table = Table::open(bytes, name)?;

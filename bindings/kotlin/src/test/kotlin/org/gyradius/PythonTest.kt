@@ -126,6 +126,7 @@ class PythonTest {
 
     private fun request() = ImportRequest(
         mapping = emptyList(),
+        trial = null,
         platform = null,
         flagWidthM = null,
         title = "faces",

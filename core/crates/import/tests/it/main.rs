@@ -1,0 +1,5 @@
+//! Integration tests of `gyradius-import`, in one program.
+
+#![allow(missing_docs)]
+
+mod told;

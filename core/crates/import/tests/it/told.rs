@@ -1,0 +1,145 @@
+//! What an import tells, and what the session that it writes still tells later.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::path::{Path, PathBuf};
+
+use gyradius_import::{ImportRequest, import_session};
+use gyradius_recording::{
+    LoadedData, Orientation, Overwrite, Quantity, Repair, RepairKind, Sensor, Suspension,
+    SuspensionKind, load_session,
+};
+
+pub fn request(mapping: &[&str]) -> ImportRequest {
+    ImportRequest {
+        mapping: mapping.iter().map(|entry| (*entry).to_owned()).collect(),
+        trial: None,
+        platform: None,
+        flag_width_m: None,
+        title: "boat".to_owned(),
+        mass_kg: None,
+        gravity_m_s2: None,
+        suspension: Suspension {
+            kind: SuspensionKind::Bifilar,
+            orientation: Orientation::Athwartships,
+            line_length_m: Some(Quantity::exact(2.0)),
+            spacing_m: Some(Quantity::exact(1.0)),
+            top_spacing_m: None,
+            hull_pitch_deg: None,
+            points_moved_m: None,
+            axis_height_m: None,
+        },
+    }
+}
+
+/// Writes a file, imports it into a session and gives the notes and the folder of the session.
+fn import(dir: &Path, name: &str, text: &str) -> (Vec<String>, PathBuf) {
+    let file = dir.join(name);
+    std::fs::write(&file, text).unwrap();
+    let folder = dir.join("session");
+    let notes = import_session(&[file], &folder, &request(&[]), Overwrite::Refuse).unwrap();
+    (notes, folder)
+}
+
+fn repairs(folder: &Path) -> Vec<Repair> {
+    match load_session(folder).unwrap().data.remove(0).data {
+        LoadedData::Recording(recording) => recording.repairs,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// phyphox rows of a gyroscope: `stamp` gives the time of a row, `z` its rate about z.
+fn phyphox(rows: usize, stamp: impl Fn(usize) -> f64, z: impl Fn(usize) -> f64) -> String {
+    let header = r#""Time (s)","Gyroscope x (rad/s)","Gyroscope y (rad/s)","Gyroscope z (rad/s)""#;
+    let row = |i: usize| format!("{},{},0.5,{}\n", stamp(i), i as f64 / 8.0, z(i));
+    format!("{header}\n{}", (0..rows).map(row).collect::<String>())
+}
+
+#[test]
+fn stamps_of_whole_seconds_are_told_and_kept() {
+    let dir = tempfile::tempdir().unwrap();
+    // Three samples share each stamp: 20 of 60 are left.
+    let text = phyphox(60, |i| (i / 3) as f64, |i| i as f64);
+    let (notes, folder) = import(dir.path(), "sec.csv", &text);
+    let repeats = "gyroscope: 40 samples repeat the stamp before; left out";
+    assert!(notes.iter().any(|note| note == repeats), "{notes:?}");
+    assert!(
+        notes
+            .iter()
+            .any(|note| note.contains("3 samples share each time stamp")),
+        "{notes:?}"
+    );
+    let kept = repairs(&folder);
+    let told = kept.iter().find(|repair| repair.text == repeats).unwrap();
+    assert_eq!(
+        (
+            told.kind,
+            told.sensor,
+            told.count,
+            told.first_s,
+            told.last_s
+        ),
+        (RepairKind::RepeatedStamp, Sensor::Gyroscope, 40, 0.0, 19.0)
+    );
+    assert!(
+        kept.iter()
+            .any(|repair| repair.text.contains("3 samples share"))
+    );
+}
+
+#[test]
+fn a_clock_that_starts_again_and_a_limit_are_told_and_kept() {
+    let dir = tempfile::tempdir().unwrap();
+    // 40 rows, then the clock starts again for 20 rows.
+    let text = phyphox(60, |i| 0.01 * (i % 40) as f64, |i| i as f64);
+    let (notes, folder) = import(dir.path(), "wrap.csv", &text);
+    let second = "gyroscope: 20 samples belong to a second recording in the same file; left out";
+    assert!(notes.iter().any(|note| note == second), "{notes:?}");
+    let kept = repairs(&folder);
+    let told: Vec<_> = kept.iter().filter(|repair| repair.text == second).collect();
+    assert_eq!((told.len(), told[0].kind), (1, RepairKind::SecondSwing));
+}
+
+#[test]
+fn gaps_that_the_written_file_shows_are_told_once() {
+    let dir = tempfile::tempdir().unwrap();
+    // Half a second is missing after row 20.
+    let text = phyphox(
+        60,
+        |i| 0.01 * i as f64 + if i > 20 { 0.5 } else { 0.0 },
+        |i| i as f64,
+    );
+    let (notes, folder) = import(dir.path(), "gap.csv", &text);
+    let stood_still = |text: &&String| text.contains("the record stood still in 1 gap");
+    assert_eq!(notes.iter().filter(stood_still).count(), 1, "{notes:?}");
+    let kept = repairs(&folder);
+    assert_eq!(
+        kept.iter()
+            .map(|repair| &repair.text)
+            .filter(stood_still)
+            .count(),
+        1
+    );
+}
+
+#[test]
+fn what_a_later_analysis_would_refuse_is_refused_at_import() {
+    let dir = tempfile::tempdir().unwrap();
+    // 150 packets, one every 2 s, of 30 samples each: what is left has no usable rate.
+    let text = phyphox(4500, |i| 2.0 * (i / 30) as f64, |i| i as f64);
+    let file = dir.path().join("packets.csv");
+    std::fs::write(&file, text).unwrap();
+    let folder = dir.path().join("session");
+    let error = import_session(&[file], &folder, &request(&[]), Overwrite::Refuse);
+    let text = error.unwrap_err().to_string();
+    assert!(text.contains("30 samples share each time stamp"), "{text}");
+    assert!(!folder.exists());
+}
+
+#[test]
+fn a_session_without_anything_to_tell_holds_nothing_more() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = phyphox(60, |i| 0.01 * i as f64, |i| i as f64);
+    let (notes, folder) = import(dir.path(), "clean.csv", &text);
+    assert_eq!(notes, Vec::<String>::new());
+    assert_eq!(load_session(&folder).unwrap().session.recorded, []);
+}

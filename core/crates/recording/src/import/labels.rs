@@ -1,0 +1,379 @@
+//! What the columns of a table are, by the words and the units of its header.
+//!
+//! Read are `Gyroscope x (rad/s)`, `Angular velocity x (rad/s)`, `Gyr X (°/s)`, `S1_Gyro_X_CAL` with
+//! `deg/s` below it, and their like. What a header only suggests goes into a proposal.
+
+use super::clock::seconds_of_text;
+use super::columns::{Clock, SensorColumns};
+use super::table::Table;
+use super::units::{Dimension, Unit, unit_of_header};
+use crate::samples::Sensor;
+
+const TIME: &[&str] = &[
+    "time",
+    "t",
+    "timestamp",
+    "stamp",
+    "elapsed",
+    "seconds",
+    "epoc",
+    "epoch",
+    "clock",
+    "datetime",
+    "millis",
+    "ms",
+    "us",
+    "ns",
+    "micros",
+];
+const GYROSCOPE: &[&str] = &["gyroscope", "gyro", "gyr", "rotation", "angular", "omega"];
+const ACCELEROMETER: &[&str] = &["acceleration", "accelerometer", "accel", "acc"];
+const FREE: &[&str] = &["linear", "user", "without"];
+const ANGLE: &[&str] = &["angle", "theta", "phi", "position"];
+
+/// A header cell taken apart: `Linear Acceleration x (m/s^2)`.
+struct Label {
+    words: Vec<String>,
+    axis: Option<usize>,
+    unit: Option<Unit>,
+}
+
+impl Label {
+    fn of(table: &Table, column: usize) -> Self {
+        let cell = table.name_of(column);
+        let (name, bracket) = match cell.rsplit_once(['(', '[']) {
+            Some((name, rest)) => (name, rest.trim().trim_end_matches([')', ']'])),
+            None => (cell.as_str(), ""),
+        };
+        // `m/(s^2)` has brackets of its own.
+        let outer = cell.split_once(['(', '[']).map_or("", |(_, rest)| rest);
+        let unit = unit_of_header(bracket)
+            .or_else(|| unit_of_header(outer))
+            .or_else(|| table.unit(column).and_then(unit_of_header));
+        let mut words = words(name);
+        let index = ["0", "1", "2"].iter().position(|index| *index == bracket);
+        let axis = words
+            .iter()
+            .rev()
+            .find_map(|word| axis_of_word(word))
+            .or_else(|| index.filter(|_| cell.ends_with(']')));
+        words.retain(|word| axis_of_word(word).is_none() && word != "axis");
+        Self { words, axis, unit }
+    }
+
+    fn has(&self, any: &[&str]) -> bool {
+        self.words.iter().any(|word| any.contains(&word.as_str()))
+    }
+
+    fn time_factor(&self) -> Option<f64> {
+        let unit = self.unit.filter(|unit| unit.quantity == Dimension::Time)?;
+        self.has(TIME).then_some(unit.factor)
+    }
+
+    /// The sensor this is an axis of; some headers name the axis alone, and the file names the
+    /// sensor.
+    fn sensor(&self, set: &str) -> Option<Sensor> {
+        let set = set.to_lowercase();
+        let free = self.has(FREE) || set.contains("linear") || set.contains("without g");
+        let named = self.has(ACCELEROMETER);
+        match self.unit?.quantity {
+            Dimension::AngularRate if self.has(GYROSCOPE) || self.words.is_empty() => {
+                Some(Sensor::Gyroscope)
+            }
+            Dimension::Acceleration if self.has(&["angular", "gravity"]) => None,
+            Dimension::Acceleration
+                if named || self.words.is_empty() && (free || set.contains("accel")) =>
+            {
+                Some(if free {
+                    Sensor::LinearAccelerometer
+                } else {
+                    Sensor::Accelerometer
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// The field of a mapping that the words alone suggest.
+    fn field(&self) -> Option<String> {
+        let axis = self.axis.map(|axis| ["x", "y", "z"][axis]);
+        let joined = self.words.join("");
+        let gyroscope = self.has(GYROSCOPE) || joined == "g" || joined == "w";
+        let accelerometer = self.has(ACCELEROMETER)
+            || joined == "a"
+            || self.words.iter().any(|word| word.starts_with("acc"))
+            || joined == "gf";
+        let gyroscope = gyroscope || self.words.iter().any(|word| word.starts_with("gyr"));
+        match axis {
+            Some(axis) if accelerometer && self.has(FREE) => Some(format!("l{axis}")),
+            Some(axis) if accelerometer => Some(format!("a{axis}")),
+            Some(axis) if gyroscope => Some(format!("g{axis}")),
+            Some(axis) if self.words.is_empty() => match self.unit?.quantity {
+                Dimension::AngularRate => Some(format!("g{axis}")),
+                Dimension::Acceleration => Some(format!("a{axis}")),
+                _ => None,
+            },
+            None if self.has(&["angular", "rate"]) && !self.has(ANGLE) => Some("rate".to_owned()),
+            None if self.has(ANGLE) => Some("angle".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+/// Lower-case words of a name: at blanks, signs, and where a capital follows a small letter.
+fn words(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut small = false;
+    for c in name.chars() {
+        if !c.is_alphanumeric() || small && c.is_uppercase() {
+            words.push(String::new());
+        }
+        if c.is_alphanumeric()
+            && let Some(word) = words.last_mut()
+        {
+            word.extend(c.to_lowercase());
+        }
+        small = c.is_lowercase();
+    }
+    words.retain(|word| !word.is_empty());
+    // `gx`, `wz`, `accx`, `gyroy`: the axis stands at the end of the word.
+    let stems = ["g", "w", "a", "gf", "acc", "accel", "gyr", "gyro"];
+    let split = words.into_iter().flat_map(|word| {
+        let axis = word.chars().last().filter(|c| matches!(c, 'x' | 'y' | 'z'));
+        let stem = word.get(..word.len() - axis.map_or(0, char::len_utf8));
+        match (axis, stem) {
+            (Some(axis), Some(stem)) if stems.contains(&stem) => {
+                vec![stem.to_owned(), axis.to_string()]
+            }
+            _ => vec![word],
+        }
+    });
+    split.collect()
+}
+
+fn axis_of_word(word: &str) -> Option<usize> {
+    ["x", "y", "z"].iter().position(|axis| *axis == word)
+}
+
+/// A sensor of which some axes have been met: column and factor of each.
+struct Met {
+    sensor: Sensor,
+    clock: Clock,
+    axes: [Option<(usize, f64)>; 3],
+}
+
+impl Met {
+    fn complete(self) -> Option<SensorColumns> {
+        let axes: Vec<(usize, f64)> = self.axes.into_iter().collect::<Option<_>>()?;
+        let (axes, factors) = axes.into_iter().unzip();
+        Some(SensorColumns {
+            sensor: self.sensor,
+            clock: self.clock,
+            axes,
+            factors,
+            tag: None,
+        })
+    }
+}
+
+/// The complete sensors of a table whose header tells units, each with the nearest time column
+/// before it; `set` is the name of the file.
+pub(super) fn sensors(table: &Table, set: &str) -> Vec<SensorColumns> {
+    let mut clock = None;
+    let mut found: Vec<Met> = Vec::new();
+    for column in 0..table.header().len() {
+        let label = Label::of(table, column);
+        if let Some(factor) = label.time_factor() {
+            clock = Some(Clock::Number { column, factor });
+            continue;
+        }
+        let (Some(sensor), Some(axis), Some(unit), Some(clock)) =
+            (label.sensor(set), label.axis, label.unit, clock)
+        else {
+            continue;
+        };
+        let place = found
+            .iter()
+            .position(|met| met.sensor == sensor)
+            .unwrap_or_else(|| {
+                found.push(Met {
+                    sensor,
+                    clock,
+                    axes: [None; 3],
+                });
+                found.len() - 1
+            });
+        found[place].axes[axis].get_or_insert((column, unit.factor));
+    }
+    found.into_iter().filter_map(Met::complete).collect()
+}
+
+/// Rows by which a proposal judges a column.
+const JUDGED_ROWS: usize = 200;
+
+/// The mapping that a table's header, or else the order of its columns, suggests.
+pub(super) fn proposal(table: &Table) -> Option<String> {
+    let rows: Vec<Vec<String>> = table.texts().ok()?.into_iter().take(JUDGED_ROWS).collect();
+    let labels: Vec<Label> = (0..table.header().len())
+        .map(|column| Label::of(table, column))
+        .collect();
+    let rising = |column: &usize| time_unit(&rows, *column).is_some();
+    let time = (0..labels.len())
+        .find(|column| labels[*column].time_factor().is_some())
+        .or_else(|| (0..labels.len()).find(|c| labels[*c].has(TIME) && rising(c)))
+        .or_else(|| (0..labels.len()).find(rising))?;
+    let stated = labels[time].time_factor().and_then(|factor| match factor {
+        1.0 => Some("s"),
+        1e-3 => Some("ms"),
+        1e-6 => Some("us"),
+        1e-9 => Some("ns"),
+        _ => None,
+    });
+    let time_unit = stated.or_else(|| time_unit(&rows, time))?;
+    let mut fields: Vec<(String, usize)> = Vec::new();
+    for (column, label) in labels
+        .iter()
+        .enumerate()
+        .filter(|(column, _)| *column != time)
+    {
+        if let Some(field) = label.field()
+            && !fields.iter().any(|(other, _)| *other == field)
+        {
+            fields.push((field, column));
+        }
+    }
+    if let Some(entries) = tagged(table, &rows, &labels) {
+        return Some(format!(
+            "{} {entries}",
+            entry_of("t", &table.name_of(time), time_unit)
+        ));
+    }
+    if fields.is_empty() {
+        fields = by_order(table, &rows, time);
+    }
+    let entry =
+        |field: &str, column: usize, unit: &str| entry_of(field, &table.name_of(column), unit);
+    let mut entries = vec![entry("t", time, time_unit)];
+    for (field, column) in &fields {
+        let kind = field.get(..1).unwrap_or_default();
+        let unit = match (labels[*column].unit, kind) {
+            (Some(unit), _) if unit_name(unit).is_some() => unit_name(unit)?,
+            (_, "a" | "l") if field.len() == 2 => acceleration_unit(&rows, &fields, kind),
+            _ if field == "angle" => "rad",
+            _ => "rad/s",
+        };
+        entries.push(entry(field, *column, unit));
+    }
+    (entries.len() > 1).then(|| entries.join(" "))
+}
+
+fn entry_of(field: &str, column: &str, unit: &str) -> String {
+    format!("--map \"{field}={column}:{unit}\"")
+}
+
+/// The entries for a table whose rows are tagged by sensor.
+fn tagged(table: &Table, rows: &[Vec<String>], labels: &[Label]) -> Option<String> {
+    let axes = (0..3).map(|axis| {
+        let is_it = |label: &Label| label.axis == Some(axis) && label.words.is_empty();
+        labels.iter().position(is_it)
+    });
+    let axes: Vec<usize> = axes.collect::<Option<_>>()?;
+    let tag = |known: &[&str]| {
+        let cells = rows.iter().flatten();
+        let is_it = |cell: &&String| {
+            words(cell)
+                .iter()
+                .any(|word| known.contains(&word.as_str()))
+        };
+        cells.into_iter().find(is_it)
+    };
+    let mut entries = Vec::new();
+    for (known, prefix, unit) in [(GYROSCOPE, "g", "rad/s"), (ACCELEROMETER, "a", "m/s2")] {
+        let Some(tag) = tag(known) else { continue };
+        for (axis, column) in ["x", "y", "z"].iter().zip(&axes) {
+            let column = format!("{}@{tag}", table.name_of(*column));
+            entries.push(entry_of(&format!("{prefix}{axis}"), &column, unit));
+        }
+    }
+    (!entries.is_empty()).then(|| entries.join(" "))
+}
+
+/// Columns of numbers that nothing names: the gyroscope first, then the accelerometer.
+fn by_order(table: &Table, rows: &[Vec<String>], time: usize) -> Vec<(String, usize)> {
+    let is_number = |column: &usize| {
+        let cells = rows.iter().filter_map(|row| row.get(*column));
+        let mut numbers = cells.map(|cell| value(cell));
+        numbers.next().flatten().is_some() && numbers.all(|number| number.is_some())
+    };
+    let columns: Vec<usize> = (0..table.header().len())
+        .filter(|column| *column != time)
+        .filter(is_number)
+        .collect();
+    let fields: &[&str] = match columns.len() {
+        0 => &[],
+        1 => &["rate"],
+        2 => &[],
+        3..6 => &["gx", "gy", "gz"],
+        _ => &["gx", "gy", "gz", "ax", "ay", "az"],
+    };
+    let pairs = fields.iter().zip(columns);
+    pairs
+        .map(|(field, column)| ((*field).to_owned(), column))
+        .collect()
+}
+
+fn value(cell: &str) -> Option<f64> {
+    cell.replacen(',', ".", 1).parse().ok()
+}
+
+/// The unit in which a column that never falls gives 2 to 2000 samples a second.
+fn time_unit(rows: &[Vec<String>], column: usize) -> Option<&'static str> {
+    let cells: Vec<&str> = rows
+        .iter()
+        .filter_map(|row| Some(row.get(column)?.as_str()))
+        .collect();
+    if cells
+        .first()
+        .is_some_and(|cell| value(cell).is_none() && seconds_of_text(cell).is_some())
+    {
+        return Some("clock");
+    }
+    let numbers: Vec<f64> = cells
+        .iter()
+        .map(|cell| value(cell))
+        .collect::<Option<_>>()?;
+    let rises = numbers.windows(2).all(|pair| pair[1] >= pair[0]);
+    let (first, last) = (*numbers.first()?, *numbers.last()?);
+    let interval = (last - first) / (numbers.len().max(2) - 1) as f64;
+    let units = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
+    let fits = |factor: f64| (5e-4..=0.5).contains(&(interval * factor));
+    let unit = units.into_iter().find(|(_, factor)| fits(*factor))?;
+    (rises && numbers.len() > 1).then_some(unit.0)
+}
+
+/// The unit by the size of gravity.
+fn acceleration_unit(rows: &[Vec<String>], fields: &[(String, usize)], kind: &str) -> &'static str {
+    let columns = fields
+        .iter()
+        .filter(|(field, _)| field.starts_with(kind) && field.len() == 2);
+    let columns: Vec<usize> = columns.map(|(_, column)| *column).collect();
+    let Some(row) = rows.first() else {
+        return "m/s2";
+    };
+    let axes = columns.iter().filter_map(|column| value(row.get(*column)?));
+    let size = axes.map(|axis| axis * axis).sum::<f64>().sqrt();
+    match size {
+        _ if kind == "a" && (0.5..=2.0).contains(&size) => "g",
+        _ if kind == "a" && (500.0..=2000.0).contains(&size) => "mg",
+        _ => "m/s2",
+    }
+}
+
+fn unit_name(unit: Unit) -> Option<&'static str> {
+    let names = [
+        "rad/s", "deg/s", "m/s2", "g", "mg", "rad", "deg", "m", "cm", "mm",
+    ];
+    names
+        .into_iter()
+        .find(|name| name.parse::<Unit>().is_ok_and(|named| named == unit))
+}
