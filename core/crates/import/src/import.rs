@@ -11,7 +11,7 @@ use gyradius_recording::import::{ImportedData, ImportedRecording, Platform, impo
 use gyradius_recording::recorder::{SYNC, convert};
 use gyradius_recording::{
     Body, Overwrite, Quantity, SESSION_FILE, Session, Site, Suspension, SuspensionKind, Swing,
-    SwingData, save_session, write_recording, write_session,
+    SwingData, save_session, write_files, write_recording, write_session,
 };
 use gyradius_signal::gate_periods;
 
@@ -168,15 +168,11 @@ fn save_draft(
         write_session(session)
     );
     files.push((SESSION_FILE.into(), text.into_bytes()));
-    fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder.display(), "", &error))?;
-    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
-    if let (Overwrite::Refuse, Some(path)) = (overwrite, paths.iter().find(|path| path.exists())) {
-        return Err(unwritable(path, "it exists already and is not overwritten"));
-    }
-    let mut pairs = paths.iter().zip(&files);
-    pairs.try_for_each(|(path, (_, bytes))| {
-        fs::write(path, bytes).map_err(|error| Error::unwritable(path.display(), "", &error))
-    })
+    let paths: Vec<(PathBuf, &[u8])> = files
+        .iter()
+        .map(|(name, bytes)| (folder.join(name), &**bytes))
+        .collect();
+    write_files(&paths, overwrite)
 }
 
 fn unwritable(path: &Path, reason: impl ToString) -> Error {

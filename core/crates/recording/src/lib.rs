@@ -33,7 +33,9 @@ pub use quantity::Quantity;
 pub use recorded::{DISTURBED, Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
 pub use repair::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE};
 pub use samples::{GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, Track, Triad};
-pub use save::{Overwrite, save_session, save_session_zip, session_zip_bytes};
+pub use save::{
+    Overwrite, save_session, save_session_with, save_session_zip, session_zip_bytes, write_files,
+};
 pub use session::{
     AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
     Session, Site, Suspension, SuspensionKind, Swing, SwingData,
