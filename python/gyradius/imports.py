@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from . import _core
+from .files import only_writer
 
 # A number, or a number with one standard uncertainty.
 Stated = float | tuple[float, float]
@@ -79,7 +80,8 @@ def import_files(
         points_moved=_pair(points_moved),
         axis_height=_pair(axis_height),
     )
-    return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
+    with only_writer(Path(output)):
+        return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
 
 
 def _pair(stated: Stated | None) -> Pair | None:
