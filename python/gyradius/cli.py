@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from json import dumps
 from pathlib import Path
@@ -463,4 +464,7 @@ def _joined(measured: dict[str, Measurement]) -> str:
 
 def run() -> None:
     """Run the command."""
+    if not os.environ.get("GYRADIUS_TRACEBACK"):
+        # A panic becomes an exception, which is told in one line.
+        _core.silence_panics()
     app(prog_name="gyradius")
