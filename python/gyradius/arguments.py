@@ -47,6 +47,12 @@ def quantity(text: str | None) -> tuple[float, float] | None:
         raise typer.BadParameter(f"expected VALUE or VALUE:U, found `{text}`") from None
 
 
+def reading(text: str | None) -> float | tuple[float, float] | None:
+    """The same of a reading, which gets the usual uncertainty of its kind where none is stated."""
+    pair = quantity(text)
+    return pair[0] if pair and text and ":" not in text else pair
+
+
 def stated(unit: str) -> Any:
     """An option that holds a quantity."""
     return typer.Option(metavar="VALUE[:U]", help=f"{unit}; standard uncertainty after a colon.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from json import dumps
 from pathlib import Path
@@ -12,14 +13,17 @@ from rich.console import Console
 from rich.table import Table
 
 from . import _core
-from .arguments import Language, Orientation, Platform, Suspension, quantity, stated
+from .arguments import Language, Orientation, Platform, Suspension, quantity, reading, stated
 from .arrays import routes as catalogue
+from .console import error_console, output_console
 from .critique import FORMAT as CRITIQUE
 from .critique import Critique
 from .critique_tables import show_critique
+from .files import can_be_written, only_writer, write_whole
 from .imports import describe_exports, import_files
+from .interrupt import heard_during
 from .measurement import Measurement
-from .outcome import can_be_written, reported, write_json
+from .outcome import end_without_result, reason_without_result, reported, with_reason, write_json
 from .plan_tables import show_plan
 from .planning import FORMAT as PLAN
 from .planning import plan as make_plan
@@ -31,7 +35,6 @@ from .simulation import read_rig, shipped_rigs
 from .tables import show
 
 app = typer.Typer(
-    help="Inertia of a hull hung on two lines, from the recordings of a phone that swings with it.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     add_completion=False,
@@ -53,6 +56,21 @@ Map = Annotated[
 ]
 
 
+def _show_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"gyradius {_core.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def every_command(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    """Inertia of a hull hung on two lines, from the recordings of a phone that swings with it."""
+
+
 @app.command()
 def demo(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where reports and JSON go.")] = Path(
@@ -64,38 +82,39 @@ def demo(
     json: Json = None,
 ) -> None:
     """Run the main job on the sessions that come with the package."""
-    with reported(_errors(), json):
+    with reported(error_console(), json):
         sessions = shipped_sessions()
         if not sessions:
             raise _core.InputError("no sessions came with this package")
         output.mkdir(parents=True, exist_ok=True)
-        console = _console(json)
+        console = output_console(json)
         measured = {name: _demo_one(console, name, path, output, critique) for name, path in sessions.items()}
         if json is not None:
             write_json(_joined(measured), json)
         console.print("Reports:")
         for name in sessions:
-            console.print(f"  {output / name}.html", soft_wrap=True, highlight=False, markup=False)
+            console.print(f"  {output / name}.html", soft_wrap=True)
 
 
 @app.command()
 def measure(session: SessionPath, json: Json = None, limit: Limits = None, map_: Map = None) -> None:
     """Periods, gyradii, centre of mass and principal axes, each with its uncertainty and budget."""
-    with reported(_errors(), json):
+    with reported(error_console(), json):
         measurement = _measured(_loaded(session, map_), limit)
-        if json is not None:
-            write_json(measurement.to_json(), json)
-        show(_console(json), measurement)
+        reason = _written(measurement, json)
+        show(output_console(json), measurement)
+        if reason is not None:
+            end_without_result(error_console(), reason)
 
 
 @app.command()
 def critique(session: SessionPath, json: Json = None) -> None:
     """What the simulation gets wrong, why, the extended model and the gain."""
-    with reported(_errors(), json, CRITIQUE):
+    with reported(error_console(), json, CRITIQUE):
         found = _criticised(_loaded(session))
         if json is not None:
             write_json(found.to_json(), json)
-        show_critique(_console(json), found)
+        show_critique(output_console(json), found)
 
 
 @app.command()
@@ -113,14 +132,15 @@ def report(
     language: Annotated[Language, typer.Option(help="The report's language: English or German.")] = Language.en,
 ) -> None:
     """Write one self-contained HTML file with pictures, or a PDF."""
-    with reported(_errors(), json):
+    with reported(error_console(), json):
         can_be_written(output)
         loaded = _loaded(session)
         measurement = _measured(loaded, limit)
         write_report(measurement, output, _critique_or_reason(loaded) if critique else None, language)
-        if json is not None:
-            write_json(measurement.to_json(), json)
-        _console(json).print(f"Report: {output}", soft_wrap=True, highlight=False, markup=False)
+        reason = _written(measurement, json)
+        output_console(json).print(f"Report: {output}", soft_wrap=True)
+        if reason is not None:
+            end_without_result(error_console(), reason)
 
 
 @app.command("import")
@@ -149,16 +169,17 @@ def import_(
     json: Json = None,
 ) -> None:
     """Write a session from phone exports, or say what they hold."""
-    with reported(_errors(), json):
+    with reported(error_console(), json):
         if output is None:
             system = None if platform is None else platform.value
-            found = describe_exports(files, mapping=map_ or [], trial=trial, platform=system)
+            found = heard_during(describe_exports, files, mapping=map_ or [], trial=trial, platform=system)
             if json is not None:
                 write_json(dumps({"found": found}, ensure_ascii=False, indent=2), json)
             for line in [*found, "To write a session: the same command with -o DIR"]:
-                _console(json).print(line, soft_wrap=True, highlight=False, markup=False)
+                output_console(json).print(line, soft_wrap=True)
             return
-        notes = import_files(
+        notes = heard_during(
+            import_files,
             files,
             output,
             mapping=map_ or [],
@@ -169,20 +190,20 @@ def import_(
             title=title,
             suspension=suspension.value,
             orientation=orientation.value,
-            mass=quantity(mass),
-            gravity=quantity(gravity),
-            line_length=quantity(line_length),
-            spacing=quantity(spacing),
-            top_spacing=quantity(top_spacing),
-            hull_pitch=quantity(hull_pitch),
-            points_moved=quantity(points_moved),
-            axis_height=quantity(axis_height),
+            mass=reading(mass),
+            gravity=reading(gravity),
+            line_length=reading(line_length),
+            spacing=reading(spacing),
+            top_spacing=reading(top_spacing),
+            hull_pitch=reading(hull_pitch),
+            points_moved=reading(points_moved),
+            axis_height=reading(axis_height),
         )
         if json is not None:
             write_json(dumps({"session": str(output), "notes": notes}, ensure_ascii=False, indent=2), json)
         for note in notes:
-            _console(json).print(f"  note: {note}", soft_wrap=True, highlight=False, markup=False)
-        _console(json).print(f"Session: {output}", soft_wrap=True, highlight=False, markup=False)
+            output_console(json).print(f"  note: {note}", soft_wrap=True)
+        output_console(json).print(f"Session: {output}", soft_wrap=True)
 
 
 @app.command()
@@ -197,15 +218,15 @@ def simulate(
     json: Json = None,
 ) -> None:
     """Write a session that was never swung, and beside it what is true."""
-    with reported(_errors(), json):
-        with working(_errors(), f"simulating {rig}"):
-            file, drawn = read_rig(rig).write(output, truth=truth, seed=seed, replace=replace)
+    with reported(error_console(), json):
+        with working(error_console(), f"simulating {rig}"):
+            file, drawn = heard_during(read_rig(rig).write, output, truth=truth, seed=seed, replace=replace)
         if json is not None:
             found = {"session": str(output), "truth": str(file), "seed": drawn}
             write_json(dumps(found, ensure_ascii=False, indent=2), json)
-        console = _console(json)
+        console = output_console(json)
         for name, value in (("Seed", drawn), ("Truth", file), ("Session", output)):
-            console.print(f"{name}: {value}", soft_wrap=True, highlight=False, markup=False)
+            console.print(f"{name}: {value}", soft_wrap=True)
 
 
 @app.command()
@@ -235,27 +256,28 @@ def practise(
     json: Json = None,
 ) -> None:
     """Practise the whole measurement on a simulated hull, from hanging it to the result."""
-    with reported(_errors(), json):
+    with reported(error_console(), json):
         if not auto and not (sys.stdin.isatty() and sys.stdout.isatty()):
             raise _core.InputError("practise: expected a terminal, or --auto, which asks nothing")
-        practice = Practice(read_rig(rig or shipped_rigs()["keelboat"]), output, seed=seed, resume=resume)
-        for one in mishap or []:
-            practice.mishap(*_mishap(one))
-        console = _console(json)
-        console.print(f"Seed: {practice.seed}", highlight=False)
-        try:
-            play(console, practice, speed=speed, auto=auto, critique=critique)
-        except Left:
-            console.print(f"Left; go on with: gyradius practise -o {output} --resume", highlight=False, markup=False)
-            raise typer.Exit(0) from None
-        if practice.state["result"] is None:
-            raise _core.NoResultError(practice.state["instruction"]["english"])
-        show_compared(console, practice)
-        if json is not None:
-            session = output / practice.state["result"]["session"]
-            found = {"session": str(session), "seed": practice.seed, "compared": practice.compared()}
-            write_json(dumps(found, ensure_ascii=False, indent=2), json)
-        console.print(f"Session: {output / 'session'}", soft_wrap=True, highlight=False, markup=False)
+        with only_writer(output):
+            practice = Practice(read_rig(rig or shipped_rigs()["keelboat"]), output, seed=seed, resume=resume)
+            for one in mishap or []:
+                practice.mishap(*_mishap(one))
+            console = output_console(json)
+            console.print(f"Seed: {practice.seed}")
+            try:
+                play(console, practice, speed=speed, auto=auto, critique=critique)
+            except Left:
+                console.print(f"Left; go on with: gyradius practise -o {output} --resume")
+                raise typer.Exit(0) from None
+            if practice.state["result"] is None:
+                raise _core.NoResultError(practice.state["instruction"]["english"])
+            show_compared(console, practice)
+            if json is not None:
+                session = output / practice.state["result"]["session"]
+                found = {"session": str(session), "seed": practice.seed, "compared": practice.compared()}
+                write_json(dumps(found, ensure_ascii=False, indent=2), json)
+            console.print(f"Session: {output / 'session'}", soft_wrap=True)
 
 
 def _mishap(text: str) -> tuple[str, int, str]:
@@ -269,7 +291,7 @@ def _mishap(text: str) -> tuple[str, int, str]:
 @app.command()
 def routes(json: Json = None) -> None:
     """List the paper's equations and what each needs."""
-    with reported(_errors(), json):
+    with reported(error_console(), json):
         found = catalogue()
         if json is not None:
             write_json(_core.routes(), json)
@@ -277,7 +299,7 @@ def routes(json: Json = None) -> None:
         for route in found:
             needs, gives = (_slots(route[key]) for key in ("inputs", "outputs"))
             table.add_row(route["name"], route["equation"], needs, gives)
-        _console(json).print(table)
+        output_console(json).print(table)
 
 
 def _slots(slots: list[dict[str, Any]]) -> str:
@@ -321,7 +343,7 @@ def plan(
     json: Json = None,
 ) -> None:
     """What to hang and swing for a wanted uncertainty, and what to expect; warns of resonances."""
-    with reported(_errors(), json, PLAN):
+    with reported(error_console(), json, PLAN):
         for file in (output, rig):
             if file is not None:
                 _can_be_made(file, replace)
@@ -334,8 +356,9 @@ def plan(
             "gravity_m_s2": _figure(gravity),
         }
         loaded = None if session is None else _loaded(session)
-        with counted(_errors(), "planning") as told:
-            found = make_plan(
+        with counted(error_console(), "planning") as told:
+            found = heard_during(
+                make_plan,
                 loaded,
                 mass=mass,
                 length=length,
@@ -352,16 +375,16 @@ def plan(
                 progress=told,
             )
         if output is not None:
-            output.write_text(found.session_toml(), encoding="utf-8")
+            write_whole(output, found.session_toml())
         if rig is not None:
-            rig.write_text(found.rig_toml(), encoding="utf-8")
+            write_whole(rig, found.rig_toml())
         if json is not None:
             write_json(found.to_json(), json)
-        console = _console(json)
+        console = output_console(json)
         show_plan(console, found)
         for name, file in (("Session to fill in", output), ("Rig", rig)):
             if file is not None:
-                console.print(f"{name}: {file}", soft_wrap=True, highlight=False, markup=False)
+                console.print(f"{name}: {file}", soft_wrap=True)
 
 
 def _figure(text: str | None) -> dict[str, float] | None:
@@ -393,33 +416,43 @@ def write_report(
     """Write a report as HTML, or as PDF where the name ends so; with a criticism, or why there is none."""
     html = measurement.to_html(critique, language.value)
     if output.suffix.lower() == ".pdf":
-        from .pdf import write_pdf
+        from .pdf import laid_out
 
-        write_pdf(html, output)
+        # Layout takes seconds, and reportlab may swallow Ctrl-C.
+        write_whole(output, heard_during(laid_out, html))
     else:
-        output.write_text(html, encoding="utf-8")
+        write_whole(output, html)
+
+
+def _written(measurement: Measurement, json: str | None) -> str | None:
+    """Write the JSON where it is wanted; answers why there is no result, where there is none."""
+    reason = reason_without_result(measurement)
+    if json is not None:
+        text = measurement.to_json()
+        write_json(text if reason is None else with_reason(text, reason), json)
+    return reason
 
 
 def _loaded(path: str, mapping: list[str] | None = None) -> Session:
-    with working(_errors(), f"reading {path}"):
-        return load(path, mapping=mapping or [])
+    with working(error_console(), f"reading {path}"):
+        return heard_during(load, path, mapping=mapping or [])
 
 
 def _measured(session: Session, limits: list[str] | None = None) -> Measurement:
-    with working(_errors(), f"measuring {session.title}"):
-        return session.measure(limits or [])
+    with working(error_console(), f"measuring {session.title}"):
+        return heard_during(session.measure, limits or [])
 
 
 def _criticised(session: Session) -> Critique:
-    with counted(_errors(), "criticising") as told:
-        return session.critique(told)
+    with counted(error_console(), "criticising") as told:
+        return heard_during(session.critique, told)
 
 
 def _critique_or_reason(session: Session) -> Critique | str:
     try:
         return _criticised(session)
     except _core.GyradiusError as error:
-        _errors().print(f"no criticism: {error}", soft_wrap=True, highlight=False, markup=False)
+        error_console().print(f"no criticism: {error}", soft_wrap=True)
         return str(error)
 
 
@@ -442,18 +475,9 @@ def _joined(measured: dict[str, Measurement]) -> str:
     return "{\n" + members + "\n}"
 
 
-def _console(json: str | None) -> Console:
-    # `--json -` leaves standard output to the JSON alone.
-    return Console(stderr=json == "-", quiet=json == "-")
-
-
-def _errors() -> Console:
-    return Console(stderr=True)
-
-
-def main() -> None:
+def run() -> None:
     """Run the command."""
-    try:
-        app(prog_name="gyradius")
-    except KeyboardInterrupt:
-        sys.exit(130)
+    if not os.environ.get("GYRADIUS_TRACEBACK"):
+        # A panic becomes an exception, which is told in one line.
+        _core.silence_panics()
+    app(prog_name="gyradius")

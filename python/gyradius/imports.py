@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ from pathlib import Path
 from typing import Literal
 
 from . import _core
+from .files import only_writer
 
 # A number, or a number with one standard uncertainty.
 Stated = float | tuple[float, float]
@@ -83,7 +85,8 @@ def import_files(
         points_moved=_pair(points_moved),
         axis_height=_pair(axis_height),
     )
-    return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
+    with only_writer(Path(output)):
+        return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
 
 
 def describe_exports(
@@ -121,4 +124,5 @@ def describe_exports(
 def _pair(stated: Stated | None) -> Pair | None:
     if stated is None:
         return None
-    return (float(stated[0]), float(stated[1])) if isinstance(stated, tuple) else (float(stated), 0.0)
+    # NaN: nobody stated one, and the session is written without.
+    return (float(stated[0]), float(stated[1])) if isinstance(stated, tuple) else (float(stated), math.nan)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from . import _core
 
 
 class Live:
-    """Period, amplitude, decay, unwanted motion and advice, from samples as they come.
+    """Period, amplitude, decay, unwanted motion and advice, from samples as they come; from several threads if need be.
 
     >>> live = Live(wanted=1e-4)
     >>> live.push_gyroscope([0, 10_000_000], [[0.0, 0.0, 0.1], [0.0, 0.0, 0.1]])
@@ -29,26 +30,36 @@ class Live:
     ) -> None:
         """``wanted``: relative standard uncertainty of the period that is enough; full scales in rad/s and m/s²."""
         self._core = _core.Live(wanted, gyroscope_full_scale, accelerometer_full_scale)
+        # Each call has the estimator to itself; another thread's waits for it.
+        self._alone = Lock()
 
     def push_gyroscope(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:
         """Samples of the gyroscope: stamps in ns of the phone's clock (N), rad/s in phone axes (N, 3)."""
-        self._core.push("gyroscope", *_batch(stamps_ns, values))
+        self._push("gyroscope", stamps_ns, values)
 
     def push_accelerometer(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:
         """Samples of the accelerometer: stamps in ns (N), m/s² of specific force in phone axes (N, 3)."""
-        self._core.push("accelerometer", *_batch(stamps_ns, values))
+        self._push("accelerometer", stamps_ns, values)
+
+    def _push(self, sensor: str, stamps_ns: ArrayLike, values: ArrayLike) -> None:
+        batch = _batch(stamps_ns, values)
+        with self._alone:
+            self._core.push(sensor, *batch)
 
     @property
     def estimate(self) -> dict[str, Any]:
         """Everything that is known now: ``now_s``, ``sensors``, ``gaps``, ``swing`` (None before
         four periods), ``advice``.
         """
-        return dict(json.loads(self._core.estimate()))
+        with self._alone:
+            text = self._core.estimate()
+        return dict(json.loads(text))
 
     @property
     def advice(self) -> list[str]:
         """What to know or do now, in English, most urgent first."""
-        return self._core.advice()
+        with self._alone:
+            return self._core.advice()
 
 
 def _batch(stamps_ns: ArrayLike, values: ArrayLike) -> tuple[Any, Any]:

@@ -1,15 +1,15 @@
 """The report on paper: the HTML report's text, tables and drawings, laid out as PDF.
 
 Only what the report uses is understood: headings, paragraphs, lists, tables, figures and inline SVG. What is hidden
-behind a click on a screen (``details``) is open on paper; scripts and styles are left out. The core's report is
-well-formed XML: the standard library parses it.
+behind a click on a screen (``details``) is open on paper; scripts and styles are left out, and JSON is attached to the
+file. The core's report is well-formed XML: the standard library parses it.
 """
 
 from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -21,10 +21,12 @@ from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle, getSampleStyleSheet
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFName, PDFStream, PDFString
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.platypus import Flowable, KeepTogether, Paragraph, SimpleDocTemplate, Spacer, Table, TableStyle
 
 from .drawings import NAMESPACE, drawn
+from .files import write_whole
 
 MARGIN = 18 * mm
 WIDTH, HEIGHT = A4[0] - 2 * MARGIN, A4[1] - 2 * MARGIN
@@ -33,6 +35,7 @@ PIXEL = 0.75
 # The standard fonts of PDF have no Greek letters, no ± in all encodings, no arrows: matplotlib brings one that has.
 FONT = "DejaVuSans"
 BOLD = "DejaVuSans-Bold"
+JSON = "application/json"
 SKIPPED = {"script", "style", "head", "nav", "template", "button"}
 INLINE = {
     "b",
@@ -77,6 +80,11 @@ GRID = TableStyle(
 
 def write_pdf(html: str, output: Path) -> None:
     """Lay the report out as PDF."""
+    write_whole(output, laid_out(html))
+
+
+def laid_out(html: str) -> bytes:
+    """The report as PDF; what it holds as JSON is attached to it."""
     _register_fonts()
     # HTML may have two characters that XML may not.
     page = ElementTree.fromstring(re.sub("[\ufffe\uffff]", "\ufffd", html))
@@ -85,8 +93,26 @@ def write_pdf(html: str, output: Path) -> None:
     buffer = io.BytesIO()
     margins = {f"{side}Margin": MARGIN for side in ("left", "right", "top", "bottom")}
     document = SimpleDocTemplate(buffer, pagesize=A4, title=title, lang=page.get("lang"), **margins)
-    document.build(story, onLaterPages=_number)
-    output.write_bytes(buffer.getvalue())
+    document.build(story, onFirstPage=_attached(page), onLaterPages=_number)
+    return buffer.getvalue()
+
+
+def _attached(page: Element) -> Callable[[Any, Any], None]:
+    """Attaches the JSON of the report, where it has any."""
+    results = {node.get("id"): node.text or "" for node in page.iter("script") if node.get("type") == JSON}
+
+    def attach(canvas: Any, _document: Any) -> None:
+        names: list[Any] = []
+        for name, text in sorted((f"{id_}.json", text) for id_, text in results.items()):
+            stream = PDFStream(PDFDictionary({"Type": PDFName("EmbeddedFile")}), text.encode())
+            file = {"Type": PDFName("Filespec"), "F": PDFString(name), "UF": PDFString(name)}
+            file["EF"] = PDFDictionary({"F": canvas._doc.Reference(stream)})
+            names += [PDFString(name), canvas._doc.Reference(PDFDictionary(file))]
+        if names:
+            embedded = PDFDictionary({"Names": PDFArray(names)})
+            canvas._doc.Catalog.Names = PDFDictionary({"EmbeddedFiles": embedded})
+
+    return attach
 
 
 def _register_fonts() -> None:

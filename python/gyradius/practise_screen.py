@@ -15,6 +15,7 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
+from .interrupt import heard_during
 from .numbers import with_u
 from .practice import Practice
 from .progress import counted
@@ -60,6 +61,10 @@ def play(console: Console, practice: Practice, *, speed: float | None, auto: boo
 def _by_itself(console: Console, practice: Practice, speed: float | None, critique: bool) -> None:
     said = ""
     while (state := practice.state)["phase"] != "done":
+        # A criticism that nobody asked for is left out before its sentence announces it.
+        if state["work"] == "critique" and not critique:
+            practice.handle("skip")
+            continue
         sentence = state["instruction"]["english"]
         if state["phase"] not in ("level", "rest", "record") and sentence != said:
             _say(console, state, sentence)
@@ -96,7 +101,7 @@ def _worked(console: Console, practice: Practice, state: dict[str, Any], critiqu
         practice.handle("skip")
         return True
     with counted(console, {"measure": "result", "critique": "criticism"}[state["work"]]) as told:
-        practice.work(told)
+        heard_during(practice.work, told)
     return True
 
 
@@ -157,7 +162,7 @@ def _panel(practice: Practice, state: dict[str, Any], speed: float) -> Renderabl
     bar = Table.grid(expand=True)
     bar.add_row(ProgressBar(total=1.0, completed=state["progress"]["share"]))
     parts.extend([Text(), bar, _offers(practice, state)])
-    return Panel(Group(*parts), title=title, subtitle=f"{speed:g} × real time", width=100)
+    return Panel(Group(*parts), title=Text(title), subtitle=f"{speed:g} × real time", width=100)
 
 
 def _figures(state: dict[str, Any]) -> Iterator[RenderableType]:

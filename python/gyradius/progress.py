@@ -26,7 +26,7 @@ SPEED_OVER_S = 3600.0
 @contextmanager
 def working(console: Console, text: str) -> Iterator[None]:
     """Show ``text``, a spinner and the time gone by, on a terminal only and only after a second."""
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
     progress = Progress(*columns, console=console, transient=True)
     progress.add_task(text, total=None)
     with _shown(progress):
@@ -36,7 +36,7 @@ def working(console: Console, text: str) -> Iterator[None]:
 @contextmanager
 def counted(console: Console, text: str) -> Iterator[Callable[[float, str], None]]:
     """Show a bar and the time left, in the same way; what is yielded takes the share done and what is being done."""
-    columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
     progress = Progress(*columns, console=console, transient=True, speed_estimate_period=SPEED_OVER_S)
     task = progress.add_task(text, total=1.0)
     with _shown(progress):

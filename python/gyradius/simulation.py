@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from .files import only_writer
 
 FORMAT = "gyradius-rig/1"
 
@@ -122,11 +123,13 @@ class Rig:
         """Simulate every swing and write the session into a folder; returns the truth file and the seed.
 
         What is true goes to ``truth``, next to the folder where nothing else is said, never into it: the session can be
-        handed over blind. Without a ``seed`` one is drawn. The same seed gives the same files.
+        handed over blind. Without a ``seed`` one is drawn. The same seed gives the same files. ``InputError`` where
+        another program is writing there.
         """
         drawn = secrets.randbits(53) if seed is None else seed
         file = Path(f"{os.path.normpath(folder)}.truth.json") if truth is None else Path(truth)
-        self._core.write(os.fspath(folder), os.fspath(file), drawn, replace)
+        with only_writer(Path(folder)):
+            self._core.write(os.fspath(folder), os.fspath(file), drawn, replace)
         return file, drawn
 
     def _one(self, swing: str | None) -> str:

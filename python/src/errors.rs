@@ -38,6 +38,12 @@ pub fn declare_places(py: Python<'_>) -> PyResult<()> {
     base.setattr("line", py.None())
 }
 
+/// Let panics print nothing by themselves: the exception that they become holds their text.
+#[pyfunction]
+pub fn silence_panics() {
+    std::panic::set_hook(Box::new(|_| {}));
+}
+
 /// The exception that an error of the core becomes.
 pub fn raise(py: Python<'_>, error: &Error) -> PyErr {
     let message = error.to_string();

@@ -29,7 +29,7 @@ mod _core {
     #[pymodule_export]
     use super::critique::Criticism;
     #[pymodule_export]
-    use super::errors::{CancelledError, GyradiusError, InputError, NoResultError};
+    use super::errors::{CancelledError, GyradiusError, InputError, NoResultError, silence_panics};
     #[pymodule_export]
     use super::import::{describe_exports, import_files};
     #[pymodule_export]

@@ -300,21 +300,22 @@ def _backwards(text: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("damage", "repairs"),
+    ("damage", "repairs", "status"),
     [
-        (_gyroscope_only, set()),
-        (_nan_run, {"not_a_number"}),
-        (_backwards, {"backward_stamp"}),
-        (_two_swings, {"second_swing"}),
+        # Its period is found; which motion it belongs to cannot be told.
+        (_gyroscope_only, set(), 1),
+        (_nan_run, {"not_a_number"}, 0),
+        (_backwards, {"backward_stamp"}, 0),
+        (_two_swings, {"second_swing"}, 0),
     ],
 )
 def test_damage_is_survived_and_reported(
-    folder: Callable[..., Path], damage: Callable[[str], str], repairs: set[str]
+    folder: Callable[..., Path], damage: Callable[[str], str], repairs: set[str], status: int
 ) -> None:
     session = folder(SWING)
     (session / "yaw-1.csv").write_text(damage(swing_csv(period_s=2.0)))
     done = run("measure", session, "--json", "-")
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == status, done.stderr
     swing = json.loads(done.stdout)["swings"][0]
     assert abs(swing["modes"][0]["period_s"] - 2.0) < 0.002
     assert repairs <= {repair["kind"] for repair in swing["repairs"]}

@@ -12,7 +12,7 @@ use gyradius_recording::recorder::{SYNC, convert};
 use gyradius_recording::{
     Body, ChannelQuantity, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension,
     SuspensionKind, Swing, SwingData, read_period_list, read_recording, read_track, save_session,
-    write_recording, write_session,
+    write_files, write_recording, write_session,
 };
 use gyradius_signal::gate_periods;
 
@@ -29,7 +29,7 @@ pub struct ImportRequest {
     pub flag_width_m: Option<f64>,
     /// Title of the session, and name of the body.
     pub title: String,
-    /// Everything that swings, kg.
+    /// Everything that swings, kg; of this and all lengths, u is NaN where nobody states it.
     pub mass_kg: Option<Quantity>,
     /// Free-fall acceleration, m/s².
     pub gravity_m_s2: Option<Quantity>,
@@ -193,15 +193,11 @@ fn save_draft(
         write_session(session)
     );
     files.push((SESSION_FILE.into(), text.into_bytes()));
-    fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder.display(), "", &error))?;
-    let paths: Vec<PathBuf> = files.iter().map(|(name, _)| folder.join(name)).collect();
-    if let (Overwrite::Refuse, Some(path)) = (overwrite, paths.iter().find(|path| path.exists())) {
-        return Err(unwritable(path, "it exists already and is not overwritten"));
-    }
-    let mut pairs = paths.iter().zip(&files);
-    pairs.try_for_each(|(path, (_, bytes))| {
-        fs::write(path, bytes).map_err(|error| Error::unwritable(path.display(), "", &error))
-    })
+    let paths: Vec<(PathBuf, &[u8])> = files
+        .iter()
+        .map(|(name, bytes)| (folder.join(name), &**bytes))
+        .collect();
+    write_files(&paths, overwrite)
 }
 
 fn unwritable(path: &Path, reason: impl ToString) -> Error {

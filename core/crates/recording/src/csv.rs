@@ -196,6 +196,41 @@ fn drop_other_clocks(out: &mut Recording) {
     }
 }
 
+/// When samples were at the limit of a sensor that an import has left out already: they are the gaps
+/// between the first and the last that it tells of.
+pub(crate) fn note_lost_at_limit(recording: &mut Recording) {
+    let mut lost_s = Vec::new();
+    for repair in &recording.repairs {
+        let triad = match repair.sensor {
+            Sensor::Gyroscope => &recording.gyroscope,
+            Sensor::Accelerometer => &recording.accelerometer,
+            _ => continue,
+        };
+        let Some(triad) = triad
+            .as_ref()
+            .filter(|_| repair.kind == RepairKind::Saturation)
+        else {
+            continue;
+        };
+        let Some(interval_s) = repair::median_interval_s(&triad.t_s) else {
+            continue;
+        };
+        for pair in triad.t_s.windows(2) {
+            let missing = ((pair[1] - pair[0]) / interval_s).round() as usize;
+            let is_told = pair[1] > repair.first_s && pair[0] < repair.last_s;
+            if is_told {
+                // No more than it tells of: a pause is no limit.
+                let count = missing.saturating_sub(1).min(repair.count);
+                lost_s.extend((1..=count).map(|k| pair[0] + k as f64 * interval_s));
+            }
+        }
+    }
+    if recording.at_limit_s.is_empty() {
+        lost_s.sort_by(f64::total_cmp);
+        recording.at_limit_s = lost_s;
+    }
+}
+
 /// One sample has no clock: a sensor needs two.
 fn triad(repaired: Repaired) -> Option<Triad> {
     let axes: [Vec<f64>; 3] = repaired.channels.try_into().ok()?;

@@ -36,7 +36,9 @@ pub use samples::{
     ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, SingleChannel,
     Track, Triad,
 };
-pub use save::{Overwrite, save_session, save_session_zip, session_zip_bytes};
+pub use save::{
+    Overwrite, save_session, save_session_with, save_session_zip, session_zip_bytes, write_files,
+};
 pub use session::{
     AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
     Session, Site, Suspension, SuspensionKind, Swing, SwingData,

@@ -1,16 +1,16 @@
 //! A session written as a folder or as a `.zip`.
 
 use std::collections::BTreeSet;
-use std::fs::{self, OpenOptions};
+use std::fs;
 use std::io::{Cursor, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::load::SESSION_FILE;
 use super::member_path::plain_member_path;
-use super::replace::replace_file;
+use super::replace::replace_files;
 use super::session::Session;
 use super::toml_read::parse_session;
 use super::toml_write::write_session;
@@ -36,16 +36,26 @@ pub fn save_session(
     recordings: &[(String, Vec<u8>)],
     overwrite: Overwrite,
 ) -> Result<()> {
+    save_session_with(dir, session, recordings, &[], overwrite)
+}
+
+/// As [`save_session`], and with it other files, by path and bytes: all of them are written, or
+/// none.
+pub fn save_session_with(
+    dir: impl AsRef<Path>,
+    session: &Session,
+    recordings: &[(String, Vec<u8>)],
+    others: &[(PathBuf, &[u8])],
+    overwrite: Overwrite,
+) -> Result<()> {
     let dir = dir.as_ref();
     let files = session_files(session, recordings, |name| dir.join(name).is_file())?;
-    if overwrite == Overwrite::Refuse {
-        files
-            .iter()
-            .try_for_each(|(name, _)| refuse_existing(&dir.join(name)))?;
-    }
-    files
+    let mut all: Vec<(PathBuf, &[u8])> = files
         .iter()
-        .try_for_each(|(name, bytes)| write_file(&dir.join(name), bytes, overwrite))
+        .map(|(name, bytes)| (dir.join(name), &**bytes))
+        .collect();
+    all.extend_from_slice(others);
+    write_files(&all, overwrite)
 }
 
 /// A session and its recordings, by name and bytes, as the bytes of a `.zip`.
@@ -72,14 +82,8 @@ pub fn save_session_zip(
     recordings: &[(String, Vec<u8>)],
     overwrite: Overwrite,
 ) -> Result<()> {
-    if overwrite == Overwrite::Refuse {
-        refuse_existing(path.as_ref())?;
-    }
-    write_file(
-        path.as_ref(),
-        &session_zip_bytes(session, recordings)?,
-        overwrite,
-    )
+    let bytes = session_zip_bytes(session, recordings)?;
+    write_files(&[(path.as_ref().to_owned(), bytes.as_slice())], overwrite)
 }
 
 /// All files of a session, the recordings first: whoever finds a `session.toml` finds all that it
@@ -135,21 +139,14 @@ fn refuse_existing(path: &Path) -> Result<()> {
     Ok(())
 }
 
-fn write_file(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<()> {
-    let shown = path.display().to_string();
-    let fail = |e: std::io::Error| Error::unwritable(&shown, "", &e);
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).map_err(fail)?;
-    }
+/// Writes all files or none: they take their places when the last one is on the disk.
+pub fn write_files(files: &[(PathBuf, &[u8])], overwrite: Overwrite) -> Result<()> {
     if overwrite == Overwrite::Refuse {
-        let mut file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(path)
-            .map_err(fail)?;
-        return file.write_all(bytes).map_err(fail);
+        files
+            .iter()
+            .try_for_each(|(path, _)| refuse_existing(path))?;
     }
-    replace_file(path, bytes).map_err(fail)
+    replace_files(files)
 }
 
 fn unwritable(file: &str, reason: impl ToString) -> Error {

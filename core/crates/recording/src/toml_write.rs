@@ -247,8 +247,12 @@ fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-/// A number alone would be read with the usual uncertainty of its kind: u = 0 is written too.
+/// A number alone is read with the usual uncertainty of its kind: it is written so where u is NaN,
+/// and u = 0 is written.
 fn quantity(quantity: Quantity) -> String {
+    if quantity.u.is_nan() {
+        return number(quantity.value);
+    }
     format!(
         "{{ value = {}, u = {} }}",
         number(quantity.value),

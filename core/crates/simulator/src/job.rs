@@ -8,7 +8,9 @@ use serde::Serialize;
 
 use gyradius_base::error::{Error, Result};
 use gyradius_mechanics::Record;
-use gyradius_recording::{Overwrite, Recording, Session, Triad, save_session, write_recording};
+use gyradius_recording::{
+    Overwrite, Recording, Session, Triad, save_session_with, write_recording,
+};
 
 use super::rig::{RigFile, RiggedSwing};
 
@@ -117,7 +119,8 @@ fn recording(name: &str, record: &Record) -> Recording {
     }
 }
 
-/// Writes the session into a folder and the truth into a file outside of it.
+/// Writes the session into a folder and the truth into a file outside of it: both or, where the
+/// disk is full, neither.
 pub fn save_practised(
     practised: &Practised,
     folder: impl AsRef<Path>,
@@ -138,7 +141,23 @@ pub fn save_practised(
     if overwrite == Overwrite::Refuse && truth_file.exists() {
         return refuse("it exists already and is not overwritten");
     }
-    save_session(folder, &practised.session, &practised.recordings, overwrite)?;
+    // A device, a pipe or a link is written to, not replaced.
+    let is_replaced = !fs::symlink_metadata(truth_file).is_ok_and(|found| !found.is_file());
+    let truth = (truth_file.to_owned(), practised.truth.as_bytes());
+    save_session_with(
+        folder,
+        &practised.session,
+        &practised.recordings,
+        if is_replaced {
+            std::slice::from_ref(&truth)
+        } else {
+            &[]
+        },
+        overwrite,
+    )?;
+    if is_replaced {
+        return Ok(());
+    }
     fs::write(truth_file, &practised.truth)
         .map_err(|e| Error::unwritable(truth_file.display(), "", &e))
 }

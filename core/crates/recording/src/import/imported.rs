@@ -121,37 +121,6 @@ impl ImportedRecording {
         }
     }
 
-    /// Sensors whose samples mostly repeat the stamp before them: a sentence for each.
-    fn packets(&self) -> impl Iterator<Item = String> {
-        let repeats = |repair: &&Repair| repair.kind == RepairKind::RepeatedStamp;
-        self.repairs().iter().filter(repeats).filter_map(|repair| {
-            let stamps = self.samples(repair.sensor).filter(|&n| n > 0)?;
-            let each = (repair.count + stamps) / stamps;
-            (repair.count >= stamps).then(|| {
-                format!(
-                    "{}: {each} samples share each time stamp on average, as when a sensor sends its \
-                     samples in packets",
-                    repair.sensor.name()
-                )
-            })
-        })
-    }
-
-    /// How many samples of a sensor are kept.
-    fn samples(&self, sensor: Sensor) -> Option<usize> {
-        let triad = match (&self.data, sensor) {
-            (ImportedData::Track(track), _) => return Some(track.t_s.len()),
-            (ImportedData::Channel(channel), _) => return Some(channel.t_s.len()),
-            (ImportedData::Recording(all), Sensor::Gyroscope) => all.gyroscope.as_ref(),
-            (ImportedData::Recording(all), Sensor::Accelerometer) => all.accelerometer.as_ref(),
-            (ImportedData::Recording(all), Sensor::LinearAccelerometer) => {
-                all.linear_accelerometer.as_ref()
-            }
-            _ => None,
-        };
-        triad.map(|triad| triad.t_s.len())
-    }
-
     /// Format, sensors, samples and duration in one line.
     pub fn summary(&self) -> String {
         let series = |name: &str, t_s: &[f64]| {
@@ -180,8 +149,7 @@ impl ImportedRecording {
     /// Everything that a reader should know: repairs, choices, what is not used.
     pub fn told(&self) -> Vec<String> {
         let repairs = self.repairs().iter().map(|repair| repair.text.clone());
-        self.packets()
-            .chain(repairs)
+        repairs
             .chain(self.notes.iter().cloned())
             .chain(self.not_used.iter().cloned())
             .collect()
@@ -195,18 +163,11 @@ impl ImportedRecording {
             kind: Some(RepairKind::NotImported),
             ..RecordedRepair::default()
         };
-        let packets = self.packets().map(|text| RecordedRepair {
-            text,
-            kind: Some(RepairKind::RepeatedStamp),
-            ..RecordedRepair::default()
-        });
-        let repairs: Vec<RecordedRepair> = packets
-            .chain(
-                self.repairs()
-                    .iter()
-                    .filter(|repair| !found_again.contains(repair))
-                    .map(RecordedRepair::from),
-            )
+        let repairs: Vec<RecordedRepair> = self
+            .repairs()
+            .iter()
+            .filter(|repair| !found_again.contains(repair))
+            .map(RecordedRepair::from)
             .chain(self.not_used.iter().map(left_out))
             .collect();
         let notes = [("import".to_owned(), self.notes.join("; "))];

@@ -1,6 +1,6 @@
 //! A recorder's file as the recordings of a session.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use super::damage::Damage;
 use super::merge::{Merge, seconds};
 use super::reader::Reader;
 use super::types::{Event, Header, Piece, Stream};
-use crate::replace::partial_of;
+use crate::replace::Partial;
 use crate::{Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
 use gyradius_base::error::{Error, Result};
 
@@ -126,13 +126,12 @@ impl Contents {
 
 /// One CSV table of some of the streams; replaced by renaming, so that nobody sees half of it.
 fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &str)]) -> Result<()> {
-    let partial = partial_of(path);
     let doing = format!("converting `{}`", file.display());
     let fail = |error: std::io::Error| Error::unwritable(path.display(), &doing, &error);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(fail)?;
     }
-    let mut out = BufWriter::new(File::create(&partial).map_err(fail)?);
+    let mut out = BufWriter::new(Partial::create(path).map_err(fail)?);
     let mut rows: String = std::iter::once("t")
         .chain(columns.iter().map(|column| column.1))
         .collect::<Vec<_>>()
@@ -153,6 +152,6 @@ fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &st
     }
     merge.finish(&mut rows);
     out.write_all(rows.as_bytes()).map_err(fail)?;
-    out.flush().map_err(fail)?;
-    fs::rename(&partial, path).map_err(fail)
+    let partial = out.into_inner().map_err(|error| fail(error.into_error()))?;
+    partial.take_place().map_err(fail)
 }

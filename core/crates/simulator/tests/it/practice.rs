@@ -76,6 +76,27 @@ fn the_session_is_what_is_stated_and_gives_nothing_away() {
 }
 
 #[test]
+fn a_truth_that_cannot_be_written_leaves_the_session_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let (session, truth) = (folder.path().join("session"), folder.path().join("truth"));
+    let saved = |seed, truth: &std::path::Path| {
+        save_practised(
+            &practise(&short(), seed).unwrap(),
+            &session,
+            truth,
+            Overwrite::Replace,
+        )
+    };
+    saved(1, &truth).unwrap();
+    let before = std::fs::read(session.join("yaw-sway.csv")).unwrap();
+    // A file stands where the truth's folder would have to be.
+    let refused = saved(2, &truth.join("truth.json")).unwrap_err();
+    assert!(refused.to_string().contains("truth.json"), "{refused}");
+    assert_eq!(std::fs::read(session.join("yaw-sway.csv")).unwrap(), before);
+    assert_eq!(std::fs::read_dir(&session).unwrap().count(), 3);
+}
+
+#[test]
 fn the_seed_decides_all_chance_and_nothing_else() {
     let (one, again, other) = (
         practise(&short(), 1).unwrap(),
