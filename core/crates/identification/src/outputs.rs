@@ -108,7 +108,7 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
     let mut left_out = Vec::new();
     for name in QuantityName::SCALARS {
         let shown = name != QuantityName::Psi || has_tilted_swings(system);
-        let averaged = spread.derive(system, |x| hull.scalar(&name, x));
+        let averaged = spread.derive(|x| hull.scalar(&name, x));
         let Some(averaged) = averaged.filter(|a| shown && is_determined(&name, &a.derived)) else {
             continue;
         };
@@ -116,7 +116,7 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
             left_out.push(name);
             continue;
         }
-        let mut lines = budget(system, spread.solution(), &averaged.derived);
+        let mut lines = budget(spread.system(), spread.solution(), &averaged.derived);
         let beyond = [
             (InputKind::UnknownTilt, averaged.by_product),
             (InputKind::Contradiction, averaged.by_doubt),
@@ -213,7 +213,7 @@ fn scalar_result(derived: &Derived) -> QuantityResult {
 /// axes are taken as principal.
 fn write_tensor(hull: &Hull, spread: &Spread, psi_known: bool, result: &mut Measurement) {
     let derive = |f: &dyn Fn(&[f64]) -> Option<f64>| {
-        let averaged = spread.derive(hull.system, f)?;
+        let averaged = spread.derive(f)?;
         Some(averaged.derived)
     };
     let body_of = |x: &[f64]| {

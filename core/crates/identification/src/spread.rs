@@ -37,18 +37,19 @@ enum Opened {
 }
 
 /// A session solved in every way that its data allow.
-pub struct Spread {
+pub struct Spread<'a> {
     /// The likeliest.
-    main: Solved,
+    main: Solved<'a>,
     /// Others, each with its weight; those of all add to 1.
-    others: Vec<(f64, Solved)>,
+    others: Vec<(f64, Solution)>,
     main_weight: f64,
     /// What was opened; empty unless the session contradicts itself.
     pub suspects: Vec<Input>,
 }
 
-/// A solution, and how it goes with the product of inertia.
-struct Solved {
+/// A solution of a system, and how it goes with the product of inertia.
+struct Solved<'a> {
+    system: System<'a>,
     solution: Solution,
     /// The same with the product of inertia held, and its values to either side by weight; none
     /// where nothing was solved.
@@ -62,36 +63,36 @@ struct Product {
     of_prior: f64,
 }
 
-impl Spread {
+impl<'a> Spread<'a> {
     /// Solves the session with its product of inertia held at several values; where it contradicts
     /// itself beyond chance, with each stated figure that would explain it set free.
-    pub fn of(system: &System, solution: &Solution) -> Self {
-        let freed = if solution.birge > 1.0 {
-            explanations(system, solution)
-        } else {
-            vec![]
+    pub fn of(system: &System<'a>, solution: &Solution) -> Self {
+        let mut freed = match solution.birge > 1.0 {
+            true => explanations(system, solution),
+            false => vec![],
         };
-        let least = freed.iter().map(|f| f.1.chi2).fold(f64::INFINITY, f64::min);
-        let weight = |solution: &Solution| (-0.5 * (solution.chi2 - least)).exp();
-        let total: f64 = freed.iter().map(|(_, solution)| weight(solution)).sum();
+        freed.sort_by(|a, b| a.solution.chi2.total_cmp(&b.solution.chi2));
         let mut suspects: Vec<Input> = Vec::new();
-        for (input, _) in &freed {
-            if !suspects.contains(input) {
-                suspects.push(input.clone());
+        for one in &freed {
+            if !suspects.contains(&one.suspect) {
+                suspects.push(one.suspect.clone());
             }
         }
-        let mut all: Vec<(f64, Solved)> = freed
-            .into_iter()
-            .map(|(_, freed)| (weight(&freed) / total, Solved::of(system, freed)))
-            .collect();
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut all = all.into_iter();
-        let (main_weight, main) = all
-            .next()
-            .unwrap_or_else(|| (1.0, Solved::of(system, solution.clone())));
+        let least = freed.first().map_or(0.0, |one| one.solution.chi2);
+        let weight = |one: &Freed| (-0.5 * (one.solution.chi2 - least)).exp();
+        let total: f64 = freed.iter().map(weight).sum();
+        let weights: Vec<f64> = freed.iter().map(|one| weight(one) / total).collect();
+        let mut all = freed.into_iter().zip(weights);
+        let (main, main_weight) = match all.next() {
+            Some((one, weight)) => (Solved::of(one.system, one.solution), weight),
+            None => {
+                let same = system.with(system.layout.clone());
+                (Solved::of(same, solution.clone()), 1.0)
+            }
+        };
         Self {
             main,
-            others: all.collect(),
+            others: all.map(|(one, weight)| (weight, one.solution)).collect(),
             main_weight,
             suspects,
         }
@@ -102,13 +103,18 @@ impl Spread {
         &self.main.solution
     }
 
+    /// The system that it is a solution of.
+    pub fn system(&self) -> &System<'a> {
+        &self.main.system
+    }
+
     /// A function of the parameters: its mean over all solutions, and what each input contributes to
     /// its uncertainty.
-    pub fn derive(&self, system: &System, f: impl Fn(&[f64]) -> Option<f64>) -> Option<Averaged> {
-        let mut main = self.main.derive(system, &f)?;
+    pub fn derive(&self, f: impl Fn(&[f64]) -> Option<f64>) -> Option<Averaged> {
+        let mut main = self.main.derive(&f)?;
         let mut values = vec![(self.main_weight, main.derived.value)];
         for (weight, other) in &self.others {
-            values.push((*weight, f(&other.solution.x)?));
+            values.push((*weight, f(&other.x)?));
         }
         let mean: f64 = values.iter().map(|(weight, value)| weight * value).sum();
         let rows = values
@@ -133,15 +139,20 @@ pub struct Averaged {
     pub by_doubt: f64,
 }
 
-impl Solved {
-    fn of(system: &System, solution: Solution) -> Self {
-        let product = Product::of(system, &solution);
-        Self { solution, product }
+impl<'a> Solved<'a> {
+    fn of(system: System<'a>, solution: Solution) -> Self {
+        let product = Product::of(&system, &solution);
+        Self {
+            system,
+            solution,
+            product,
+        }
     }
 
-    fn derive(&self, system: &System, f: &dyn Fn(&[f64]) -> Option<f64>) -> Option<Averaged> {
+    fn derive(&self, f: &dyn Fn(&[f64]) -> Option<f64>) -> Option<Averaged> {
+        let layout = &self.system.layout;
         let plain = || {
-            let derived = self.solution.derive(&system.layout, f)?;
+            let derived = self.solution.derive(layout, f)?;
             Some(Averaged {
                 derived,
                 by_product: 0.0,
@@ -151,7 +162,7 @@ impl Solved {
         let Some(product) = &self.product else {
             return plain();
         };
-        let Some(mut derived) = product.held.derive(&system.layout, f) else {
+        let Some(mut derived) = product.held.derive(layout, f) else {
             return plain();
         };
         let rows: Option<Vec<f64>> = product
@@ -215,8 +226,15 @@ impl Product {
     }
 }
 
+/// A session with one stated figure set free.
+struct Freed<'a> {
+    suspect: Input,
+    system: System<'a>,
+    solution: Solution,
+}
+
 /// The stated figures each of which, set free, makes an end of the contradiction.
-fn explanations(system: &System, solution: &Solution) -> Vec<(Input, Solution)> {
+fn explanations<'a>(system: &System<'a>, solution: &Solution) -> Vec<Freed<'a>> {
     let parameters = &system.layout.parameters;
     let freed = |i: usize| {
         let parameter = &parameters[i];
@@ -230,8 +248,13 @@ fn explanations(system: &System, solution: &Solution) -> Vec<(Input, Solution)> 
             Opened::Relative(part) => part * parameter.prior.value.abs(),
             Opened::Absolute(width) => *width,
         };
-        let opened = system.with(layout).solve(&solution.x).ok()?;
-        (opened.birge == 1.0).then(|| (parameter.name.clone(), opened))
+        let system = system.with(layout);
+        let solution = system.solve(&solution.x).ok()?;
+        (solution.birge == 1.0).then(|| Freed {
+            suspect: parameter.name.clone(),
+            system,
+            solution,
+        })
     };
     (0..parameters.len()).filter_map(freed).collect()
 }

@@ -4887,6 +4887,10 @@ public struct Critique: Equatable, Hashable {
      */
     public let learned: LearnedForce?
     /**
+     * What is not plausible in the session, and what its data cannot hold.
+     */
+    public let findings: [Finding]
+    /**
      * What a reader must know.
      */
     public let warnings: [Sentence]
@@ -4922,6 +4926,9 @@ public struct Critique: Equatable, Hashable {
          * The missing force as the data show it, where no known cause accounts for them.
          */learned: LearnedForce?, 
         /**
+         * What is not plausible in the session, and what its data cannot hold.
+         */findings: [Finding], 
+        /**
          * What a reader must know.
          */warnings: [Sentence]) {
         self.format = format
@@ -4933,6 +4940,7 @@ public struct Critique: Equatable, Hashable {
         self.extended = extended
         self.gain = gain
         self.learned = learned
+        self.findings = findings
         self.warnings = warnings
     }
 
@@ -4961,6 +4969,7 @@ public struct FfiConverterTypeCritique: FfiConverterRustBuffer {
                 extended: FfiConverterTypeModelResult.read(from: &buf), 
                 gain: FfiConverterTypeGain.read(from: &buf), 
                 learned: FfiConverterOptionTypeLearnedForce.read(from: &buf), 
+                findings: FfiConverterSequenceTypeFinding.read(from: &buf), 
                 warnings: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
@@ -4975,6 +4984,7 @@ public struct FfiConverterTypeCritique: FfiConverterRustBuffer {
         FfiConverterTypeModelResult.write(value.extended, into: &buf)
         FfiConverterTypeGain.write(value.gain, into: &buf)
         FfiConverterOptionTypeLearnedForce.write(value.learned, into: &buf)
+        FfiConverterSequenceTypeFinding.write(value.findings, into: &buf)
         FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
     }
 }
@@ -5259,6 +5269,125 @@ public func FfiConverterTypeDiscrepancy_lift(_ buf: RustBuffer) throws -> Discre
 #endif
 public func FfiConverterTypeDiscrepancy_lower(_ value: Discrepancy) -> RustBuffer {
     return FfiConverterTypeDiscrepancy.lower(value)
+}
+
+
+/**
+ * Something that is not plausible, or that the data cannot hold; `warnings` tell it too.
+ */
+public struct Finding: Equatable, Hashable {
+    /**
+     * What kind.
+     */
+    public let kind: KindOfFinding
+    /**
+     * What it does to the result.
+     */
+    public let severity: SeverityName
+    /**
+     * Of which swing; none of the session.
+     */
+    public let swing: String?
+    /**
+     * Of which channel or dimension, where it is one.
+     */
+    public let channel: String?
+    /**
+     * The numbers behind it, SI.
+     */
+    public let numbers: NumbersByName
+    /**
+     * What was found.
+     */
+    public let message: Sentence
+    /**
+     * What to do.
+     */
+    public let advice: Sentence
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * What kind.
+         */kind: KindOfFinding, 
+        /**
+         * What it does to the result.
+         */severity: SeverityName, 
+        /**
+         * Of which swing; none of the session.
+         */swing: String?, 
+        /**
+         * Of which channel or dimension, where it is one.
+         */channel: String?, 
+        /**
+         * The numbers behind it, SI.
+         */numbers: NumbersByName, 
+        /**
+         * What was found.
+         */message: Sentence, 
+        /**
+         * What to do.
+         */advice: Sentence) {
+        self.kind = kind
+        self.severity = severity
+        self.swing = swing
+        self.channel = channel
+        self.numbers = numbers
+        self.message = message
+        self.advice = advice
+    }
+
+    
+
+    
+}
+
+#if compiler(>=6)
+extension Finding: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeFinding: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> Finding {
+        return
+            try Finding(
+                kind: FfiConverterTypeKindOfFinding.read(from: &buf), 
+                severity: FfiConverterTypeSeverityName.read(from: &buf), 
+                swing: FfiConverterOptionString.read(from: &buf), 
+                channel: FfiConverterOptionString.read(from: &buf), 
+                numbers: FfiConverterTypeNumbersByName.read(from: &buf), 
+                message: FfiConverterTypeSentence.read(from: &buf), 
+                advice: FfiConverterTypeSentence.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: Finding, into buf: inout [UInt8]) {
+        FfiConverterTypeKindOfFinding.write(value.kind, into: &buf)
+        FfiConverterTypeSeverityName.write(value.severity, into: &buf)
+        FfiConverterOptionString.write(value.swing, into: &buf)
+        FfiConverterOptionString.write(value.channel, into: &buf)
+        FfiConverterTypeNumbersByName.write(value.numbers, into: &buf)
+        FfiConverterTypeSentence.write(value.message, into: &buf)
+        FfiConverterTypeSentence.write(value.advice, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeFinding_lift(_ buf: RustBuffer) throws -> Finding {
+    return try FfiConverterTypeFinding.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeFinding_lower(_ value: Finding) -> RustBuffer {
+    return FfiConverterTypeFinding.lower(value)
 }
 
 
@@ -5946,6 +6075,10 @@ public struct InertiaResult: Equatable, Hashable {
      */
     public let verdicts: [Verdict]
     /**
+     * What is not plausible in the session, and what its data cannot hold.
+     */
+    public let findings: [Finding]
+    /**
      * What a reader must know.
      */
     public let warnings: [Sentence]
@@ -5981,6 +6114,9 @@ public struct InertiaResult: Equatable, Hashable {
          * Verdicts against class limits, where asked for.
          */verdicts: [Verdict], 
         /**
+         * What is not plausible in the session, and what its data cannot hold.
+         */findings: [Finding], 
+        /**
          * What a reader must know.
          */warnings: [Sentence]) {
         self.format = format
@@ -5992,6 +6128,7 @@ public struct InertiaResult: Equatable, Hashable {
         self.correlations = correlations
         self.consistency = consistency
         self.verdicts = verdicts
+        self.findings = findings
         self.warnings = warnings
     }
 
@@ -6020,6 +6157,7 @@ public struct FfiConverterTypeInertiaResult: FfiConverterRustBuffer {
                 correlations: FfiConverterSequenceTypeCorrelationTuple.read(from: &buf), 
                 consistency: FfiConverterSequenceTypeClaim.read(from: &buf), 
                 verdicts: FfiConverterSequenceTypeVerdict.read(from: &buf), 
+                findings: FfiConverterSequenceTypeFinding.read(from: &buf), 
                 warnings: FfiConverterSequenceTypeSentence.read(from: &buf)
         )
     }
@@ -6034,6 +6172,7 @@ public struct FfiConverterTypeInertiaResult: FfiConverterRustBuffer {
         FfiConverterSequenceTypeCorrelationTuple.write(value.correlations, into: &buf)
         FfiConverterSequenceTypeClaim.write(value.consistency, into: &buf)
         FfiConverterSequenceTypeVerdict.write(value.verdicts, into: &buf)
+        FfiConverterSequenceTypeFinding.write(value.findings, into: &buf)
         FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
     }
 }
@@ -15234,6 +15373,18 @@ public enum RepairKind: Equatable, Hashable {
      */
     case secondSwing
     /**
+     * Different samples share a stamp: spread evenly from one stamp to the next.
+     */
+    case sharedStamps
+    /**
+     * The clock steps ahead: what lies beyond is dropped.
+     */
+    case stampStep
+    /**
+     * A sensor with a clock of its own: dropped.
+     */
+    case otherClock
+    /**
      * Columns, files or sensors of an export that the import did not use.
      */
     case notImported
@@ -15278,7 +15429,13 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         
         case 10: return .secondSwing
         
-        case 11: return .notImported
+        case 11: return .sharedStamps
+        
+        case 12: return .stampStep
+        
+        case 13: return .otherClock
+        
+        case 14: return .notImported
         
         default: throw UniffiInternalError.unexpectedEnumCase
         }
@@ -15328,8 +15485,20 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
             writeInt(&buf, Int32(10))
         
         
-        case .notImported:
+        case .sharedStamps:
             writeInt(&buf, Int32(11))
+        
+        
+        case .stampStep:
+            writeInt(&buf, Int32(12))
+        
+        
+        case .otherClock:
+            writeInt(&buf, Int32(13))
+        
+        
+        case .notImported:
+            writeInt(&buf, Int32(14))
         
         }
     }
@@ -17062,6 +17231,31 @@ fileprivate struct FfiConverterSequenceTypeDiscrepancy: FfiConverterRustBuffer {
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
+fileprivate struct FfiConverterSequenceTypeFinding: FfiConverterRustBuffer {
+    typealias SwiftType = [Finding]
+
+    public static func write(_ value: [Finding], into buf: inout [UInt8]) {
+        let len = Int32(value.count)
+        writeInt(&buf, len)
+        for item in value {
+            FfiConverterTypeFinding.write(item, into: &buf)
+        }
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> [Finding] {
+        let len: Int32 = try readInt(&buf)
+        var seq = [Finding]()
+        seq.reserveCapacity(Int(len))
+        for _ in 0 ..< len {
+            seq.append(try FfiConverterTypeFinding.read(from: &buf))
+        }
+        return seq
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
 fileprivate struct FfiConverterSequenceTypeHangingAdvice: FfiConverterRustBuffer {
     typealias SwiftType = [HangingAdvice]
 
@@ -18723,6 +18917,46 @@ public func FfiConverterTypeKindOfDiscrepancy_lower(_ value: KindOfDiscrepancy) 
 
 
 
+public typealias KindOfFinding = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeKindOfFinding: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> KindOfFinding {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: KindOfFinding, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> KindOfFinding {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: KindOfFinding) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeKindOfFinding_lift(_ value: RustBuffer) throws -> KindOfFinding {
+    return try FfiConverterTypeKindOfFinding.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeKindOfFinding_lower(_ value: KindOfFinding) -> RustBuffer {
+    return FfiConverterTypeKindOfFinding.lower(value)
+}
+
+
+
 public typealias MethodName = String
 
 #if swift(>=5.8)
@@ -19159,6 +19393,46 @@ public func FfiConverterTypeRoutesByName_lift(_ value: RustBuffer) throws -> Rou
 #endif
 public func FfiConverterTypeRoutesByName_lower(_ value: RoutesByName) -> RustBuffer {
     return FfiConverterTypeRoutesByName.lower(value)
+}
+
+
+
+public typealias SeverityName = String
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeSeverityName: FfiConverter {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SeverityName {
+        return try FfiConverterString.read(from: &buf)
+    }
+
+    public static func write(_ value: SeverityName, into buf: inout [UInt8]) {
+        return FfiConverterString.write(value, into: &buf)
+    }
+
+    public static func lift(_ value: RustBuffer) throws -> SeverityName {
+        return try FfiConverterString.lift(value)
+    }
+
+    public static func lower(_ value: SeverityName) -> RustBuffer {
+        return FfiConverterString.lower(value)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSeverityName_lift(_ value: RustBuffer) throws -> SeverityName {
+    return try FfiConverterTypeSeverityName.lift(value)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeSeverityName_lower(_ value: SeverityName) -> RustBuffer {
+    return FfiConverterTypeSeverityName.lower(value)
 }
 
 

@@ -70,13 +70,15 @@ pub fn sampled_enough(groups: &[ChannelGroup], mode: &FittedMode) -> Option<Samp
     let own = 1.0 / period_s;
     let misfit = |hz: f64| misfit(group, channel, TAU * hz, mode.alpha_per_s);
     let here = misfit(own)?;
-    let others = [1.0 / interval_s - own, 1.0 / interval_s + own];
-    let (other, there) = others
-        .into_iter()
-        .filter_map(|hz| Some((hz, misfit(hz)?)))
-        .min_by(|a, b| a.1.total_cmp(&b.1))?;
     // Of two fits to n samples, the logarithm of the ratio of their likelihoods.
-    let gain = 0.5 * group.t_s.len() as f64 * (there / here).ln();
+    let gain_over = |there: f64| 0.5 * group.t_s.len() as f64 * (there / here).ln();
+    let [slower, faster] = [1.0 / interval_s - own, 1.0 / interval_s + own];
+    let gains = [gain_over(misfit(slower)?), gain_over(misfit(faster)?)];
+    // What the stamps do not tell apart is the slower of the two.
+    let (other, gain) = match gains[0] - gains[1] > DECIDED {
+        true => (faster, gains[1]),
+        false => (slower, gains[0]),
+    };
     let other_s = 1.0 / other;
     Some(match gain {
         g if g > DECIDED => Sampled::Enough,

@@ -258,7 +258,7 @@ fn a_swing_at_the_sensors_limit_is_refused_or_used_from_where_it_is_clear() {
         .csv("limit");
         let result = measured(&recorded(&[&csv], 2.0 * HALF_SPACING_M));
         assert_refused(&result, FindingKind::Saturated);
-        // It decays below the limit after 20 s or so.
+        // It decays below the limit soon: up to there it is left out if much was lost.
         let csv = Yaw {
             limit,
             decay_s: 25.0,
@@ -267,7 +267,11 @@ fn a_swing_at_the_sensors_limit_is_refused_or_used_from_where_it_is_clear() {
         }
         .csv("clear");
         let result = measured(&recorded(&[&csv], 2.0 * HALF_SPACING_M));
-        assert_eq!(of_kind(&result, FindingKind::Saturated), [Severity::Warned]);
+        let told = of_kind(&result, FindingKind::Saturated);
+        assert!(
+            share > 0.8 || told == [Severity::Warned],
+            "{share}: {told:?}"
+        );
         assert_near(&result, &QuantityName::KYaw, GYRADIUS_M, 4.0);
     }
 }
@@ -423,8 +427,8 @@ fn another_swing_raises_no_uncertainty() {
     assert_near(&more, &QuantityName::KRoll, 0.625, 0.1);
 }
 
-/// All periods 1 % long: gravity or the clock is wrong. The ratio of periods knows the yaw gyradius
-/// all the same; what hangs on the clock is uncertain by as much.
+/// All periods 1 % long: gravity is wrong, or the lines are. The ratio of periods knows the yaw
+/// gyradius all the same; what hangs on the two is uncertain by as much.
 #[test]
 fn a_contradiction_widens_what_it_touches() {
     let (right, wrong) = (measured(&typed(1.0, true)), measured(&typed(1.01, true)));
