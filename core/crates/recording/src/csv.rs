@@ -23,6 +23,13 @@ pub(crate) const TRIADS: [(Sensor, [&str; 3]); 3] = [
 /// unit.
 const SLOW_ROWS: usize = 100;
 
+/// Beside a gap, so large a part of the channel's largest value is near its limit …
+const NEAR_LIMIT: f64 = 0.85;
+/// … where this share of all gaps is, …
+const MOSTLY: f64 = 0.8;
+/// … and there are so many.
+const FEWEST_CUTS: usize = 6;
+
 /// Reads a phone's recording, repairs listed.
 pub fn read_recording(bytes: &[u8], name: &str) -> Result<Recording> {
     read_table(&Table::native(bytes, name)?)
@@ -145,6 +152,14 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
         };
         *place = triad(repaired);
     }
+    if out.at_limit_s.is_empty() {
+        let sensors = [&out.gyroscope, &out.accelerometer];
+        out.at_limit_s = sensors
+            .into_iter()
+            .flatten()
+            .flat_map(left_out_at_limit)
+            .collect();
+    }
     out.at_limit_s.sort_by(f64::total_cmp);
     drop_other_clocks(&mut out);
     let usable = [
@@ -196,39 +211,35 @@ fn drop_other_clocks(out: &mut Recording) {
     }
 }
 
-/// When samples were at the limit of a sensor that an import has left out already: they are the gaps
-/// between the first and the last that it tells of.
-pub(crate) fn note_lost_at_limit(recording: &mut Recording) {
-    let mut lost_s = Vec::new();
-    for repair in &recording.repairs {
-        let triad = match repair.sensor {
-            Sensor::Gyroscope => &recording.gyroscope,
-            Sensor::Accelerometer => &recording.accelerometer,
-            _ => continue,
+/// When samples were at the limit of a sensor that whoever wrote the file has left out already: nearly
+/// all gaps begin and end near the same extreme of one channel. By chance a gap does so once in ten.
+fn left_out_at_limit(triad: &Triad) -> Vec<f64> {
+    let Some(interval_s) = repair::median_interval_s(&triad.t_s) else {
+        return vec![];
+    };
+    let t_s = &triad.t_s;
+    let gaps: Vec<usize> = (1..t_s.len())
+        .filter(|&i| t_s[i] - t_s[i - 1] > repair::MISSING_INTERVALS * interval_s)
+        .collect();
+    let is_cut = |channel: &Vec<f64>| {
+        let largest = channel.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let near = |v: f64| v.abs() > NEAR_LIMIT * largest;
+        let cut = |&&i: &&usize| {
+            let (before, after) = (channel[i - 1], channel[i]);
+            near(before) && near(after) && before * after > 0.0
         };
-        let Some(triad) = triad
-            .as_ref()
-            .filter(|_| repair.kind == RepairKind::Saturation)
-        else {
-            continue;
-        };
-        let Some(interval_s) = repair::median_interval_s(&triad.t_s) else {
-            continue;
-        };
-        for pair in triad.t_s.windows(2) {
-            let missing = ((pair[1] - pair[0]) / interval_s).round() as usize;
-            let is_told = pair[1] > repair.first_s && pair[0] < repair.last_s;
-            if is_told {
-                // No more than it tells of: a pause is no limit.
-                let count = missing.saturating_sub(1).min(repair.count);
-                lost_s.extend((1..=count).map(|k| pair[0] + k as f64 * interval_s));
-            }
-        }
+        gaps.iter().filter(cut).count() as f64 > MOSTLY * gaps.len() as f64
+    };
+    if gaps.len() < FEWEST_CUTS || !triad.axes.iter().any(is_cut) {
+        return vec![];
     }
-    if recording.at_limit_s.is_empty() {
-        lost_s.sort_by(f64::total_cmp);
-        recording.at_limit_s = lost_s;
-    }
+    let lost = |&i: &usize| {
+        let missing = ((t_s[i] - t_s[i - 1]) / interval_s).round() as usize;
+        // A pause among them is none of them.
+        let few = Some(missing).filter(|n| *n < t_s.len() / gaps.len() * FEWEST_CUTS);
+        (1..few.unwrap_or(1)).map(move |k| t_s[i - 1] + k as f64 * interval_s)
+    };
+    gaps.iter().flat_map(lost).collect()
 }
 
 /// One sample has no clock: a sensor needs two.

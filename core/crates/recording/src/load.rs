@@ -126,7 +126,6 @@ fn refuse_missing(store: &Store, session_file: &str, named: &NamedFile) -> Resul
 fn phone_recording(store: &Store, session: &Session, file: &str) -> Result<Recording> {
     let mut recording = csv::read_recording(&store.read(file)?, &store.describe(file))?;
     add_told(session, file, &mut recording.repairs);
-    csv::note_lost_at_limit(&mut recording);
     let of_file = session.recorded.iter().filter(|told| told.file == file);
     recording.disturbed_s = of_file.flat_map(Recorded::disturbed_s).collect();
     Ok(recording)

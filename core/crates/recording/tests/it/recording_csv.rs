@@ -539,3 +539,24 @@ fn the_times_at_the_limit_are_kept() {
     assert_eq!(recording.at_limit_s.len(), count);
     assert!(recording.at_limit_s.is_sorted());
 }
+
+/// Another program has left out what was at the limit, or whatever came by chance.
+#[test]
+fn gaps_at_the_extremes_of_a_channel_are_samples_at_its_limit() {
+    let rows = |is_kept: &dyn Fn(i32, f64) -> bool| {
+        let mut text = String::from("t,gx,gy,gz\n");
+        for i in 0..3000 {
+            let x = (0.02 * f64::from(i)).sin();
+            if is_kept(i, x) {
+                text += &format!("{:.2},{x},0.1,0.2\n", 0.01 * f64::from(i));
+            }
+        }
+        read(&text)
+    };
+    let cut = rows(&|_, x| x.abs() < 0.7);
+    let kept = cut.gyroscope.as_ref().unwrap().t_s.len();
+    assert_eq!(cut.at_limit_s.len(), 3000 - kept);
+    // Twenty gaps anywhere.
+    let by_chance = rows(&|i, _| i % 150 > 12);
+    assert_eq!(by_chance.at_limit_s, []);
+}
