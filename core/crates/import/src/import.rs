@@ -130,7 +130,8 @@ fn split(files: &[PathBuf]) -> Result<Inputs> {
     Ok(inputs)
 }
 
-fn is_recorded(file: &Path) -> bool {
+/// Whether a file is one that a phone's recorder wrote.
+pub(super) fn is_recorded(file: &Path) -> bool {
     let mut start = [0; SYNC.len()];
     let read = fs::File::open(file).and_then(|mut file| file.read_exact(&mut start));
     read.is_ok() && start == SYNC

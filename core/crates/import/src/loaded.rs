@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::import::single_channel;
+use super::import::{is_recorded, single_channel};
 use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, import_inputs};
@@ -85,6 +85,11 @@ pub fn load_any(path: &Path, mapping: &[String]) -> Result<Loaded> {
 }
 
 fn bare(path: &Path, mapping: &[String]) -> Result<Loaded> {
+    if is_recorded(path) {
+        let found =
+            "a file of the phone's recorder, which becomes a session with `gyradius import`";
+        return Err(no_phone(path, found));
+    }
     let imported = import_inputs(&[read_exported(path)?], &options(mapping, None)?)?;
     let mut data = imported
         .recordings
