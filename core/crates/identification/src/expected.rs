@@ -25,6 +25,10 @@ use super::theory::swing_periods;
 /// Numbers of a start: along the suspension, across it, turn about it, yaw.
 const START: usize = place::YAW + 1;
 
+/// Of a period that the samples show: no figure, they say what they say of it; it is known to be
+/// there.
+const SHOWN_U_RELATIVE: f64 = 1e-4;
+
 /// What a swing to come would bring.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Brought {
@@ -93,10 +97,12 @@ impl<'a> Prospect<'a> {
     pub fn expected(&self, brought: &[Brought]) -> Result<Expected> {
         let mut system = System::new(self.session, self.layout.clone());
         let mut periods = Vec::new();
+        let mut shown = Vec::new();
         let mut said: Vec<Vec<Statement>> = Vec::new();
         for (i, brought) in brought.iter().enumerate() {
             match brought {
                 Brought::Samples(released, recorded) => {
+                    shown.extend(self.shown(i, released));
                     said.push(self.said(i, released, recorded)?)
                 }
                 Brought::Periods(modes) => {
@@ -110,6 +116,7 @@ impl<'a> Prospect<'a> {
             }
         }
         system.state(&periods, &said, &[]);
+        system.periods = [periods, shown].concat();
         let solution = system.solve(&self.x)?;
         let mut found = Measurement::default();
         write_quantities(&system, &solution, &mut found);
@@ -130,6 +137,21 @@ impl<'a> Prospect<'a> {
         // A force of rate · mass · speed takes half the rate off the amplitude.
         own.values[place::DAMPING].fill(2.0 / released.decay_s);
         expected_statements(&setup, &self.x, &own, recorded)
+    }
+
+    /// The periods that the samples of a swing show: of what it is released in.
+    fn shown(&self, i: usize, released: &Released) -> Vec<Observation> {
+        let [along, across, turn, yaw] = released.start.map(|size| size != 0.0);
+        let is_released = |mode: ModeName| match mode {
+            ModeName::Yaw => yaw,
+            ModeName::Sway => along,
+            _ => across || turn,
+        };
+        let modes = self.periods_s[i].iter().map(|(mode, _)| *mode);
+        modes
+            .filter(|mode| is_released(*mode))
+            .filter_map(|mode| self.period(i, mode, SHOWN_U_RELATIVE))
+            .collect()
     }
 
     fn period(&self, i: usize, mode: ModeName, u_relative: f64) -> Option<Observation> {

@@ -172,8 +172,15 @@ impl<'a> Solved<'a> {
             .collect();
         let rows = rows?;
         let by_product = norm(&rows);
+        // What goes with the product itself is known by its prior alone where that decides it; what
+        // goes with its square is a correction of what was measured.
+        let odd: Vec<f64> = rows
+            .iter()
+            .zip(rows.iter().rev())
+            .map(|(ahead, back)| 0.5 * (ahead - back))
+            .collect();
         let weak =
-            derived.weak_share * derived.u * derived.u + product.of_prior * by_product * by_product;
+            derived.weak_share * derived.u * derived.u + product.of_prior * norm(&odd).powi(2);
         derived.append(&rows);
         derived.weak_share = weak / (derived.u * derived.u).max(f64::MIN_POSITIVE);
         Some(Averaged {

@@ -23,8 +23,8 @@ pub(crate) const TRIADS: [(Sensor, [&str; 3]); 3] = [
 /// unit.
 const SLOW_ROWS: usize = 100;
 
-/// Beside a gap, so large a part of the channel's largest value is near its limit …
-const NEAR_LIMIT: f64 = 0.85;
+/// Beside a gap, a value beyond this part of the channel's range is near its limit …
+const NEAR_LIMIT: f64 = 0.9;
 /// … where this share of all gaps is, …
 const MOSTLY: f64 = 0.8;
 /// … and there are so many.
@@ -212,7 +212,8 @@ fn drop_other_clocks(out: &mut Recording) {
 }
 
 /// When samples were at the limit of a sensor that whoever wrote the file has left out already: nearly
-/// all gaps begin and end near the same extreme of one channel. By chance a gap does so once in ten.
+/// all gaps begin and end near the same extreme of one channel. By chance a gap of a sinusoid does so once in
+/// three.
 fn left_out_at_limit(triad: &Triad) -> Vec<f64> {
     let Some(interval_s) = repair::median_interval_s(&triad.t_s) else {
         return vec![];
@@ -222,13 +223,18 @@ fn left_out_at_limit(triad: &Triad) -> Vec<f64> {
         .filter(|&i| t_s[i] - t_s[i - 1] > repair::MISSING_INTERVALS * interval_s)
         .collect();
     let is_cut = |channel: &Vec<f64>| {
-        let largest = channel.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-        let near = |v: f64| v.abs() > NEAR_LIMIT * largest;
+        let low = channel.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = channel.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let edge = (1.0 - NEAR_LIMIT) * (high - low);
         let cut = |&&i: &&usize| {
-            let (before, after) = (channel[i - 1], channel[i]);
-            near(before) && near(after) && before * after > 0.0
+            let (least, most) = (
+                channel[i - 1].min(channel[i]),
+                channel[i - 1].max(channel[i]),
+            );
+            least > high - edge || most < low + edge
         };
-        gaps.iter().filter(cut).count() as f64 > MOSTLY * gaps.len() as f64
+        let cuts = gaps.iter().filter(cut).count();
+        high > low && cuts as f64 > MOSTLY * gaps.len() as f64
     };
     if gaps.len() < FEWEST_CUTS || !triad.axes.iter().any(is_cut) {
         return vec![];

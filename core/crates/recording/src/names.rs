@@ -46,6 +46,9 @@ pub(crate) const REPAIR_KINDS: &[(&str, RepairKind)] = &[
     ("pause", RepairKind::Pause),
     ("lost_by_recorder", RepairKind::LostByRecorder),
     ("second_swing", RepairKind::SecondSwing),
+    ("shared_stamps", RepairKind::SharedStamps),
+    ("stamp_step", RepairKind::StampStep),
+    ("other_clock", RepairKind::OtherClock),
     ("not_imported", RepairKind::NotImported),
 ];
 

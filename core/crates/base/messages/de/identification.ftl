@@ -86,7 +86,7 @@ inertia-motion-compound_pendulum = Schwingen als physikalisches Pendel
 inertia-motion-unnamed_motion = unbenanntes Schwingen
 
 inertia-finding = { $what }. { $todo }
-inertia-finding_of = { $swing }: { $what }. { $todo }
+inertia-finding_of = In { $swing }: { $what }. { $todo }
 inertia-finding-constant_channel = Der Kanal { $channel } ändert sich nicht: Er ist durchweg { $value }
 inertia-advice-constant_channel = Die Spalte weglassen, wenn darin nichts gemessen wurde; sonst den Sensor prüfen.
 inertia-finding-shared_stamps = { $count } Messwerte haben den Zeitstempel eines anderen: Sie kamen in Paketen und sind gleichmäßig von Stempel zu Stempel verteilt

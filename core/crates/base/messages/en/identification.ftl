@@ -86,7 +86,7 @@ inertia-motion-compound_pendulum = compound pendulum
 inertia-motion-unnamed_motion = unnamed motion
 
 inertia-finding = { $what }. { $todo }
-inertia-finding_of = { $swing }: { $what }. { $todo }
+inertia-finding_of = in { $swing }: { $what }. { $todo }
 inertia-finding-constant_channel = the channel { $channel } does not change: it is { $value } throughout
 inertia-advice-constant_channel = Leave the column out if nothing was measured in it; else see whether the sensor works.
 inertia-finding-shared_stamps = { $count } samples have the time stamp of another: they came in packets, and are spread evenly from one stamp to the next

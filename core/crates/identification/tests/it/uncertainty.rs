@@ -63,7 +63,7 @@ fn session(values: &[f64]) -> LoadedSession {
     let suspension = |orientation: &str, length: &str, spacing: &str| {
         format!(
             "[swing.suspension]\nkind = \"bifilar\"\norientation = \"{orientation}\"\nline_length = {length}\n\
-             spacing = {spacing}\nhull_pitch_deg = 0.0\n"
+             spacing = {spacing}\nhull_pitch_deg = {{ value = 0.0, u = 0.0 }}\n"
         )
     };
     let text = format!(

@@ -15,6 +15,8 @@ const STRAY_ROWS: usize = 10;
 /// a gap longer than twice what was recorded, the stamps have another origin, or it is another
 /// swing. With it, time and memory follow the number of samples.
 const RECORDED_SHARE: f64 = 1.0 / 3.0;
+/// A span of so many intervals costs nothing, whatever is recorded of it.
+const CHEAP_INTERVALS: f64 = 1e4;
 /// Where more than this share of the samples have the stamp of the one before, and other values,
 /// the stamps are those of packets: of packets of two, half do.
 const SHARED: f64 = 0.4;
@@ -64,7 +66,8 @@ pub(super) fn window(raw: &RawSeries) -> Window {
 /// The part of rising stamps of which enough is recorded, without rows that stand alone at its ends;
 /// `None` where that is the whole.
 fn recorded_part(t_s: &[f64]) -> Option<Range<usize>> {
-    let far = RESTART_INTERVALS * median_interval_s(t_s)?;
+    let median_s = median_interval_s(t_s)?;
+    let far = RESTART_INTERVALS * median_s;
     let gap = |i: usize| t_s[i] - t_s[i - 1];
     let mut part = 0..t_s.len();
     loop {
@@ -73,7 +76,8 @@ fn recorded_part(t_s: &[f64]) -> Option<Range<usize>> {
         let recorded_s: f64 = steps().map(|(_, step)| step.min(far)).sum();
         let (widest, gap_s) = steps().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let span_s = t_s[part.end - 1] - t_s[part.start];
-        if recorded_s >= RECORDED_SHARE * span_s || gap_s <= far {
+        let is_short = span_s <= CHEAP_INTERVALS * median_s;
+        if is_short || recorded_s >= RECORDED_SHARE * span_s || gap_s <= far {
             return (part.len() < t_s.len()).then_some(part);
         }
         part = if widest - part.start >= part.end - widest {

@@ -70,7 +70,8 @@ fn the_example_of_the_specification_is_read_in_full() {
     };
     assert_eq!(
         (beam.name.as_str(), beam.mass_kg),
-        ("cross beam", Quantity::exact(12.0))
+        // Without u: 0.2 %.
+        ("cross beam", Quantity::new(12.0, 2e-3 * 12.0))
     );
     assert_eq!(
         (beam.position_m, beam.gyradii_m),
@@ -89,7 +90,10 @@ fn the_swings_and_inclines_of_the_example_are_read_in_full() {
         ("yaw-1", &SwingData::Recording("yaw-1.csv".into()))
     );
     assert_eq!(first.excited, [Excitation::Yaw, Excitation::Sway]);
-    assert_eq!(first.added_masses[0].mass_kg, Quantity::exact(1.2));
+    assert_eq!(
+        first.added_masses[0].mass_kg,
+        Quantity::new(1.2, 2e-3 * 1.2)
+    );
     assert_eq!(first.added_masses[1].position_m, [-2.717, 0.0, 0.0]);
     let hung = &first.suspension;
     assert_eq!(
