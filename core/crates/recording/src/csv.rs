@@ -226,15 +226,19 @@ fn left_out_at_limit(triad: &Triad) -> Vec<f64> {
         let low = channel.iter().copied().fold(f64::INFINITY, f64::min);
         let high = channel.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let edge = (1.0 - NEAR_LIMIT) * (high - low);
+        let near = |v: f64| (v > high - edge, v < low + edge);
         let cut = |&&i: &&usize| {
-            let (least, most) = (
-                channel[i - 1].min(channel[i]),
-                channel[i - 1].max(channel[i]),
-            );
-            least > high - edge || most < low + edge
+            let (before, after) = (near(channel[i - 1]), near(channel[i]));
+            (before.0 && after.0) || (before.1 && after.1)
         };
         let cuts = gaps.iter().filter(cut).count();
-        high > low && cuts as f64 > MOSTLY * gaps.len() as f64
+        // Beside one far value all others are near an extreme.
+        let anywhere = channel
+            .iter()
+            .filter(|v| near(**v) != (false, false))
+            .count();
+        let is_rare = 2 * anywhere < channel.len();
+        is_rare && cuts as f64 > MOSTLY * gaps.len() as f64
     };
     if gaps.len() < FEWEST_CUTS || !triad.axes.iter().any(is_cut) {
         return vec![];

@@ -559,4 +559,15 @@ fn gaps_at_the_extremes_of_a_channel_are_samples_at_its_limit() {
     // Twenty gaps anywhere.
     let by_chance = rows(&|i, _| i % 150 > 12);
     assert!(by_chance.at_limit_s.is_empty());
+    // The same with one value far off.
+    let mut text = String::from("t,gx,gy,gz\n");
+    for i in (0..3000).filter(|i| i % 150 > 12) {
+        let x = if i == 777 {
+            1e4
+        } else {
+            (0.02 * f64::from(i)).sin()
+        };
+        text += &format!("{:.2},{x},0.1,0.2\n", 0.01 * f64::from(i));
+    }
+    assert!(read(&text).at_limit_s.is_empty());
 }
