@@ -254,12 +254,23 @@ def test_version() -> None:
 # Ctrl-C, and failures of the core.
 
 
+def heed_ctrl_c() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def interrupted_when_told(code: str, *args: str | Path, cwd: Path) -> tuple[int, str]:
     """Status and standard error of a program that gets Ctrl-C when it says ``here``."""
     command = [sys.executable, "-c", textwrap.dedent(code), *map(str, args)]
     environment = {**os.environ, "PYTHONPATH": str(cwd)}
     with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd, env=environment
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=cwd,
+        env=environment,
+        # What a shell runs in the background ignores Ctrl-C, and all that it starts.
+        preexec_fn=heed_ctrl_c,
     ) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "here\n"
