@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from .measurement import Quantity
+from .measurement import Finding, Quantity
 from .records import record, records
 
 if TYPE_CHECKING:
@@ -143,6 +143,7 @@ class Critique:
     extended: ModelResult
     gain: Gain
     learned: LearnedForce | None
+    findings: tuple[Finding, ...]
     warnings: tuple[str, ...]
     _core: _core.Criticism
 
@@ -181,6 +182,7 @@ def view(core: _core.Criticism) -> Critique:
         extended=_model(data["extended"]),
         gain=record(Gain, data["gain"]),
         learned=record(LearnedForce, learned) if learned else None,
+        findings=records(Finding, data["findings"]),
         warnings=tuple(data["warnings"]),
         _core=core,
     )
