@@ -211,9 +211,9 @@ fn drop_other_clocks(out: &mut Recording) {
     }
 }
 
-/// When samples were at the limit of a sensor that whoever wrote the file has left out already: nearly
-/// all gaps begin and end near the same extreme of one channel. By chance a gap of a sinusoid does so once in
-/// three.
+/// When samples were at the limit of a sensor that whoever wrote the file has left out already:
+/// nearly all gaps begin and end near the same extreme of one channel. By chance a gap of a sinusoid
+/// does so once in three.
 fn left_out_at_limit(triad: &Triad) -> Vec<f64> {
     let Some(interval_s) = repair::median_interval_s(&triad.t_s) else {
         return vec![];

@@ -31,7 +31,9 @@ pub use csv_write::write_recording;
 pub use load::{LoadedData, LoadedSession, LoadedSwing, SESSION_FILE, load_session, load_store};
 pub use quantity::Quantity;
 pub use recorded::{DISTURBED, Recorded, RecordedEvent, RecordedRepair, RecordedSensor};
-pub use repair::{CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE};
+pub use repair::{
+    CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, median_interval_s,
+};
 pub use samples::{
     ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, SingleChannel,
     Track, Triad,

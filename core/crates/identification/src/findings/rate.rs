@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 
+use gyradius_recording::median_interval_s;
 use gyradius_signal::{ChannelGroup, FittedMode};
 
 /// With so many samples a period, an alias would be faster by this factor less one. Hulls have a
@@ -56,12 +57,8 @@ pub fn sampled_enough(groups: &[ChannelGroup], mode: &FittedMode) -> Option<Samp
         first += group.channels.len();
     }
     let (group, channel, _) = best?;
-    let steps = group.t_s.len().checked_sub(1).filter(|n| *n > 0)? as f64;
     // Gaps are few and long: the median step is that of the clock.
-    let mut intervals: Vec<f64> = group.t_s.windows(2).map(|t| t[1] - t[0]).collect();
-    let interval_s = *intervals
-        .select_nth_unstable_by((steps / 2.0) as usize, f64::total_cmp)
-        .1;
+    let interval_s = median_interval_s(&group.t_s)?;
     let period_s = mode.period_s();
     let a_period = period_s / interval_s;
     if a_period >= PLENTY {

@@ -1,5 +1,6 @@
 //! Time stamps that are shared, repeat, step back, start again or step ahead.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use super::series::{Fates, RawSeries};
@@ -46,6 +47,7 @@ pub(super) fn window(raw: &RawSeries) -> Window {
         return Window::default();
     };
     let rows = |range: Range<usize>| rows_of(raw, &finite, range);
+    let strays: HashSet<usize> = strays.into_iter().collect();
     let mut rising: Vec<usize> = Vec::new();
     for i in longest.clone().filter(|i| !strays.contains(i)) {
         if rising.last().is_none_or(|&last| t_s[i] > t_s[last]) {
