@@ -79,6 +79,8 @@ pub struct Attachment {
     pub mass_kg: Quantity,
     /// Centre of mass, hull axes, from the mid-point of the suspension points, m.
     pub position_m: Vector3,
+    /// Standard uncertainty of each of its coordinates, m.
+    pub position_u_m: f64,
     /// Gyradii about its own centre and hull axes, m (0 for a point).
     pub gyradii_m: Vector3,
 }

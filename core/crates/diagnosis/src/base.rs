@@ -113,7 +113,7 @@ impl<'a> Base<'a> {
             })
             .collect();
         let free = (0..layout.parameters.len())
-            .filter(|i| layout.parameters[*i].prior.u > 0.0)
+            .filter(|i| layout.parameters[*i].is_free_in_motion())
             .collect();
         let base = Self {
             session,

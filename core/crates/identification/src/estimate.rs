@@ -12,8 +12,11 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{InclineAngle, ModeName, Quantity, Session, Swing};
 
+use super::correlated::Correlated;
 use super::names::{Input, InputKind};
-use super::parameters::{Layout, Role, SwingIndex};
+use super::parameters::{
+    Layout, Reading, Role, SwingIndex, incline_parts, incline_slopes_deg, moved_key,
+};
 use super::samples::Statement;
 use super::theory::{incline_angle_deg, swing_periods};
 
@@ -144,13 +147,8 @@ impl<'a> System<'a> {
     pub fn beside_swings(&self, inclines: &[Option<Quantity>]) -> Vec<Observation> {
         let mut observations = incline_observations(self.session, inclines);
         if self.layout.level_depth().is_some() {
-            observations.extend(
-                self.session
-                    .swings
-                    .iter()
-                    .enumerate()
-                    .filter_map(moved_points),
-            );
+            let swings = 0..self.session.swings.len();
+            observations.extend(swings.filter_map(|i| moved_points(self.session, i)));
         }
         observations
     }
@@ -220,10 +218,29 @@ impl<'a> System<'a> {
             let prior = self.layout.parameters[*i].prior;
             (prior.value - x[*i]) / prior.u
         });
-        let rows: Vec<f64> = observed.chain(priors).collect();
+        let mut rows: Vec<f64> = observed.chain(priors).collect();
+        for group in self.correlated(free) {
+            group.whiten(&mut rows);
+        }
         rows.iter()
             .all(|r| r.is_finite())
             .then(|| DVector::from_vec(rows))
+    }
+
+    /// The rows that share errors of instruments.
+    pub(super) fn correlated(&self, free: &[usize]) -> Vec<Correlated> {
+        let first_prior = self.observations.len();
+        let row = |reading: &Reading| match reading {
+            Reading::Parameter(i) => {
+                let k = free.iter().position(|free| free == i)?;
+                Some((first_prior + k, self.layout.parameters[*i].prior.u))
+            }
+            Reading::Observed(what) => {
+                let k = self.observations.iter().position(|o| o.what == *what)?;
+                Some((k, self.observations[k].value.u))
+            }
+        };
+        Correlated::of(&self.layout.shared, row)
     }
 
     fn jacobian(&self, x: &[f64], free: &[usize], rows: usize) -> Option<DMatrix<f64>> {
@@ -353,8 +370,16 @@ impl Solution {
             let slope = (up - f(&moved)?) / (2.0 * step);
             by_row += self.gain.row(k).transpose() * (slope * self.birge);
         }
-        let variance = by_row.norm_squared();
         let first_prior = self.gain.ncols() - self.free.len();
+        let doubled = layout.alike.iter().map(|group| {
+            let places = group
+                .iter()
+                .filter_map(|i| self.free.iter().position(|k| k == i));
+            one_reading(places.map(|k| by_row[first_prior + k]))
+        });
+        let doubled: Vec<f64> = doubled.collect();
+        let by_row: Vec<f64> = by_row.iter().copied().chain(doubled).collect();
+        let variance: f64 = by_row.iter().map(|row| row * row).sum();
         let weak: f64 = self
             .free
             .iter()
@@ -366,7 +391,7 @@ impl Solution {
         Some(Derived {
             value,
             u: variance.sqrt(),
-            by_row: by_row.as_slice().to_vec(),
+            by_row,
             weak_share,
         })
     }
@@ -403,6 +428,15 @@ impl Derived {
     }
 }
 
+/// What readings that may be one and the same contribute beyond their squares: all of them err
+/// alike then.
+fn one_reading(contributions: impl Iterator<Item = f64>) -> f64 {
+    let (sum, squares) =
+        contributions.fold((0.0, 0.0), |(sum, squares), c| (sum + c, squares + c * c));
+    let beyond = (sum * sum - squares).max(0.0).sqrt();
+    beyond * f64::signum(sum)
+}
+
 /// The observations that stated incline angles make.
 fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) -> Vec<Observation> {
     let angle = |i: usize| match session.inclines[i].angle {
@@ -413,13 +447,14 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
         .filter_map(|i| {
             let incline = &session.inclines[i];
             let read = angle(i)?;
-            // The weight's own figures are independent of all others: they widen the angle by (20).
-            let tangent = read.value.to_radians().tan();
-            let slope = tangent / (1.0 + tangent * tangent) * (180.0 / std::f64::consts::PI);
-            let relative = (incline.mass_kg.u / incline.mass_kg.value)
-                .hypot(incline.arm_m.u / incline.arm_m.value);
-            let drop = tangent * incline.depth_m.u / incline.arm_m.value;
-            let u = read.u.hypot(slope * relative).hypot(slope * drop).max(1e-4);
+            // The weight's own figures widen the angle by (20).
+            let slopes = incline_slopes_deg(incline, read.value);
+            let weights = incline_parts(incline, i).into_iter().skip(1).zip(slopes);
+            let whole = session.reading(&format!("incline[{}].angle_deg", i + 1), read);
+            let u = weights.fold(whole.u, |u, (part, slope)| {
+                u.hypot(slope * session.reading(&part.key, part.figure).u)
+            });
+            let u = u.max(1e-4);
             Some(Observation {
                 what: Observed::Incline(i),
                 value: Quantity::new(read.value, u),
@@ -430,8 +465,9 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
         .collect()
 }
 
-fn moved_points((i, swing): (usize, &Swing)) -> Option<Observation> {
-    let moved_m = swing.suspension.points_moved_m?;
+fn moved_points(session: &Session, i: usize) -> Option<Observation> {
+    let swing = &session.swings[i];
+    let moved_m = session.reading(&moved_key(i), swing.suspension.points_moved_m?);
     Some(Observation {
         what: Observed::Moved(i),
         value: Quantity::new(moved_m.value, moved_m.u.max(LEAST_MOVED_U_M)),

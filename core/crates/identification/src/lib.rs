@@ -6,6 +6,7 @@
 mod alternatives;
 mod beats;
 pub mod by_samples;
+mod correlated;
 mod court;
 pub mod estimate;
 pub mod expected;

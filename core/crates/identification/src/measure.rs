@@ -33,7 +33,7 @@ use super::observe::{
     Evidence, hints_contradicted, names_by_period, observe_recording, observe_track, parasites,
 };
 use super::outputs::write_averaged;
-use super::parameters::{Layout, effective_gravity};
+use super::parameters::{Layout, effective_gravity, period_key};
 use super::routes::guard::{Limit, verdict};
 use super::sentences::{inputs, message, name, plain};
 use super::spread::Spread;
@@ -716,6 +716,7 @@ fn observations(
             .filter(|(m, _)| compound_like(work.result.modes[*m].mode))
         {
             let mode = &work.result.modes[*m];
+            let observed = session.reading(&period_key(i, mode.mode), *observed);
             let correction = corrections.get(i).and_then(|c| c.get(*m)).copied();
             let correction = correction.unwrap_or_else(|| Correction::unknown(mode));
             let value = observed.value * correction.factor;

@@ -238,6 +238,10 @@ named! {
         InclineBow = "incline bow",
         /// Angle by a weight at the stern.
         InclineStern = "incline stern",
+        /// The scale of an instrument, in all of its readings.
+        InstrumentScale = "scale",
+        /// The zero of an instrument, in all of its readings.
+        InstrumentZero = "zero",
         /// Length of the lines.
         LineLength = "line_length",
         /// A mass.
@@ -250,6 +254,8 @@ named! {
         PitchInPhasePeriod = "pitch in phase period",
         /// Period of the pendulum's pitch out of phase.
         PitchOutOfPhasePeriod = "pitch out of phase period",
+        /// Where something rides on the hull.
+        Position = "position",
         /// Product of inertia.
         ProductXz = "product_xz",
         /// Period of the pendulum's roll in phase.

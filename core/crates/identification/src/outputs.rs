@@ -268,8 +268,14 @@ fn write_tensor(hull: &Hull, spread: &Spread, psi_known: bool, result: &mut Meas
 pub fn budget(system: &System, solution: &Solution, derived: &Derived) -> Vec<BudgetLine> {
     let mut squares: BTreeMap<Input, f64> = BTreeMap::new();
     let mut add = |name: Input, square: f64| *squares.entry(name).or_default() += square;
+    let mut by_row = derived.by_row.clone();
+    for group in system.correlated(&solution.free) {
+        for (name, contribution) in group.by_source(&mut by_row) {
+            add(name, contribution.powi(2));
+        }
+    }
     for (row, observation) in system.observations.iter().enumerate() {
-        let square = derived.by_row[row].powi(2);
+        let square = by_row[row].powi(2);
         let by_amplitude = (observation.u_amplitude / observation.value.u)
             .powi(2)
             .min(1.0);
@@ -280,8 +286,13 @@ pub fn budget(system: &System, solution: &Solution, derived: &Derived) -> Vec<Bu
     for (k, i) in solution.free.iter().enumerate() {
         add(
             system.layout.parameters[*i].name.clone(),
-            derived.by_row[first_prior + k].powi(2),
+            by_row[first_prior + k].powi(2),
         );
+    }
+    let doubled = first_prior + solution.free.len();
+    for (group, contribution) in system.layout.alike.iter().zip(&by_row[doubled..]) {
+        let name = &system.layout.parameters[group[0]].name;
+        add(name.clone(), contribution.powi(2));
     }
     let mut lines: Vec<BudgetLine> = squares
         .into_iter()

@@ -14,8 +14,12 @@ use gyradius_base::constants::{
 };
 use gyradius_base::error::Result;
 use gyradius_base::message::Message;
-use gyradius_recording::{Quantity, Session, SwingData};
+use gyradius_recording::{
+    Attachment, Incline, InclineAngle, ModeName, Quantity, Session, Swing, SwingData,
+};
 
+use super::court::FLAG_SIGMA;
+use super::estimate::Observed;
 use super::names::{Input, InputKind};
 use super::routes::corrections::{
     NORMAL_GRAVITY_U_M_S2, buoyant_gravity_m_s2, normal_gravity_m_s2,
@@ -53,6 +57,26 @@ pub enum Role {
     Stated,
     /// An unknown of the body.
     Unknown,
+    /// A stated figure of what rides along: the hull alone depends on it, the motion hardly does.
+    Riding,
+}
+
+/// What a stated figure's error acts on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reading {
+    /// A parameter (index).
+    Parameter(usize),
+    /// A row of the observations.
+    Observed(Observed),
+}
+
+/// An error that an instrument shares among its readings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shared {
+    /// Name for budgets.
+    pub name: Input,
+    /// Change of each reading by one standard uncertainty of it, the reading's own unit.
+    pub readings: Vec<(Reading, f64)>,
 }
 
 /// One parameter.
@@ -66,6 +90,13 @@ pub struct Parameter {
     pub prior: Quantity,
     /// Step for numerical derivatives, its own unit.
     pub step: f64,
+}
+
+impl Parameter {
+    /// Whether a swing's motion may move it.
+    pub fn is_free_in_motion(&self) -> bool {
+        self.prior.u > 0.0 && self.role != Role::Riding
+    }
 }
 
 /// Indices of one swing's parameters.
@@ -86,6 +117,8 @@ pub struct SwingIndex {
     /// Relative error of the phone's clock in this swing beyond that in all; none where no phone
     /// told the time.
     pub clock: Option<usize>,
+    /// Its added masses (index into [`Layout::added_masses`]).
+    pub added_masses: usize,
 }
 
 /// All parameters and where to find them.
@@ -107,9 +140,16 @@ pub struct Layout {
     /// Masses of the attachments.
     pub attachment_masses: Vec<usize>,
     /// Their positions, hull axes, from the mid-point of the suspension points, m.
-    pub attachment_positions_m: Vec<[f64; 3]>,
+    pub attachment_positions: Vec<[usize; 3]>,
+    /// Masses added for a swing, by swing.
+    pub added_masses: Vec<Vec<usize>>,
     /// By swing.
     pub swings: Vec<SwingIndex>,
+    /// What instruments share among their readings.
+    pub shared: Vec<Shared>,
+    /// Parameters that may be one reading written down twice: figures for the same thing, without an
+    /// instrument, that agree within what chance allows.
+    pub alike: Vec<Vec<usize>>,
 }
 
 impl Layout {
@@ -122,14 +162,12 @@ impl Layout {
         pitch_deg: &[Option<Quantity>],
         yaw_periods_s: &[Option<f64>],
     ) -> Self {
-        let mut builder = Builder::default();
+        let mut builder = Builder::of(session);
         let gravity = builder.stated(InputKind::Gravity, gravity);
         let clock = Quantity::new(0.0, PHONE_CLOCK_U_RELATIVE);
         let clock = builder.stated_with_step(InputKind::PhoneClock, clock, CLOCK_STEP);
-        let mass = builder.stated(
-            InputKind::Mass,
-            session.body.mass_kg.unwrap_or(Quantity::exact(1.0)),
-        );
+        let mass = session.body.mass_kg.unwrap_or(Quantity::exact(1.0));
+        let mass = builder.read("body.mass", InputKind::Mass, mass);
         let scale_m = length_scale_m(session, builder.value(gravity), yaw_periods_s);
         let log_roll_share =
             builder.unknown(InputKind::Gyradius, ROLL_SHARE.ln(), ROLL_SHARE_LOG_U, 1e-6);
@@ -142,15 +180,21 @@ impl Layout {
             WEAK_PRODUCT * scale_m * scale_m,
             1e-6 * scale_m * scale_m,
         );
-        let attachment_masses = session
-            .attachments
-            .iter()
-            .map(|a| builder.stated(Input::of(InputKind::Mass, &a.name), a.mass_kg))
-            .collect();
-        let swings = (0..session.swings.len())
-            .map(|i| builder.swing(session, i, pitch_deg.get(i).copied().flatten(), scale_m))
-            .collect();
+        let riding = session.attachments.iter().enumerate();
+        let (attachment_masses, attachment_positions) =
+            riding.map(|(i, one)| builder.riding(i, one)).unzip();
+        let mut added_masses = Vec::new();
+        let mut swings = Vec::new();
+        for i in 0..session.swings.len() {
+            let phone_pitch = pitch_deg.get(i).copied().flatten();
+            swings.push(builder.swing(session, i, phone_pitch, scale_m));
+            added_masses.push(builder.added(i, &session.swings[i]));
+        }
+        builder.read_beside(session);
+        let alike = builder.alike();
         Layout {
+            shared: builder.shared,
+            alike,
             parameters: builder.parameters,
             gravity,
             clock,
@@ -158,7 +202,8 @@ impl Layout {
             log_gyradii,
             product_xz,
             attachment_masses,
-            attachment_positions_m: session.attachments.iter().map(|a| a.position_m).collect(),
+            attachment_positions,
+            added_masses,
             swings,
         }
     }
@@ -180,13 +225,148 @@ impl Layout {
     }
 }
 
-#[derive(Default)]
-struct Builder {
+struct Builder<'a> {
+    session: &'a Session,
     parameters: Vec<Parameter>,
     hangings: Vec<(f64, usize)>,
+    shared: Vec<Shared>,
 }
 
-impl Builder {
+impl<'a> Builder<'a> {
+    fn of(session: &'a Session) -> Self {
+        Self {
+            session,
+            parameters: vec![],
+            hangings: vec![],
+            shared: vec![],
+        }
+    }
+
+    /// A stated figure by its key in the session. Read with an instrument, it has an error of its
+    /// own; without one, the same figure stated for the same thing is one reading.
+    fn read(&mut self, key: &str, name: impl Into<Input>, figure: Quantity) -> usize {
+        self.read_with_step(key, name, figure, usual_step(figure))
+    }
+
+    fn read_with_step(
+        &mut self,
+        key: &str,
+        name: impl Into<Input>,
+        figure: Quantity,
+        step: f64,
+    ) -> usize {
+        let whole = self.session.reading(key, figure);
+        if self.session.instrument(key).is_none() {
+            return self.stated_with_step(name, whole, step);
+        }
+        let place = self.push(name.into(), Role::Stated, whole, step);
+        self.share(key, Reading::Parameter(place), figure.value, 1.0);
+        place
+    }
+
+    /// Notes what a reading shares with others of its instrument; `slope` is the change of the row
+    /// by that of the reading.
+    fn share(&mut self, key: &str, reading: Reading, value: f64, slope: f64) {
+        let Some(instrument) = self.session.instrument(key) else {
+            return;
+        };
+        let errors = [
+            (InputKind::InstrumentScale, instrument.scale_u * value),
+            (InputKind::InstrumentZero, instrument.zero_u),
+        ];
+        for (kind, change) in errors.into_iter().filter(|(_, change)| *change != 0.0) {
+            let name = Input::of(kind, &instrument.id);
+            let entry = (reading, slope * change);
+            match self.shared.iter_mut().find(|one| one.name == name) {
+                Some(known) => known.readings.push(entry),
+                None => self.shared.push(Shared {
+                    name,
+                    readings: vec![entry],
+                }),
+            }
+        }
+    }
+
+    /// What rides along: its mass and place.
+    fn riding(&mut self, i: usize, one: &Attachment) -> (usize, [usize; 3]) {
+        let first = self.parameters.len();
+        let name = Input::of(InputKind::Mass, &one.name);
+        let mass = self.read(&format!("attachment[{}].mass", i + 1), name, one.mass_kg);
+        let place = one.position_m.map(|x| {
+            let name = Input::of(InputKind::Position, &one.name);
+            let (prior, step) = (Quantity::new(x, one.position_u_m), 1e-6);
+            self.push(name, Role::Stated, prior, step)
+        });
+        for riding in &mut self.parameters[first..] {
+            riding.role = Role::Riding;
+        }
+        (mass, place)
+    }
+
+    /// The masses added for a swing.
+    fn added(&mut self, i: usize, swing: &Swing) -> Vec<usize> {
+        let each = swing.added_masses.iter().enumerate();
+        each.map(|(k, one)| {
+            let key = format!("swing[{}].added_mass[{}].mass", i + 1, k + 1);
+            let name = Input::of(InputKind::Mass, &format!("added mass {}", k + 1));
+            self.read(&key, name, one.mass_kg)
+        })
+        .collect()
+    }
+
+    /// What instruments share among readings that are rows of their own: typed periods, inclines,
+    /// points that were moved.
+    fn read_beside(&mut self, session: &Session) {
+        for (i, swing) in session.swings.iter().enumerate() {
+            if let SwingData::PeriodsS(typed) = &swing.data {
+                for (mode, period) in typed {
+                    let reading = Reading::Observed(Observed::Period(i, *mode));
+                    self.share(&period_key(i, *mode), reading, period.value, 1.0);
+                }
+            }
+            if let Some(moved) = swing.suspension.points_moved_m {
+                let reading = Reading::Observed(Observed::Moved(i));
+                self.share(&moved_key(i), reading, moved.value, 1.0);
+            }
+        }
+        for (i, incline) in session.inclines.iter().enumerate() {
+            let reading = Reading::Observed(Observed::Incline(i));
+            for part in incline_parts(incline, i) {
+                self.share(&part.key, reading, part.figure.value, part.slope_deg);
+            }
+        }
+    }
+
+    /// Parameters of one name that agree within what chance allows and have no instrument.
+    fn alike(&self) -> Vec<Vec<usize>> {
+        let has_instrument = |i: usize| {
+            let mut readings = self.shared.iter().flat_map(|one| &one.readings);
+            readings.any(|(reading, _)| *reading == Reading::Parameter(i))
+        };
+        let agree = |a: &Parameter, b: &Parameter| {
+            let apart = (a.prior.value - b.prior.value).abs();
+            a.name == b.name && apart < FLAG_SIGMA * a.prior.u.hypot(b.prior.u)
+        };
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (i, one) in self.parameters.iter().enumerate() {
+            if one.role != Role::Stated
+                || one.name.kind == InputKind::PhoneClock
+                || has_instrument(i)
+            {
+                continue;
+            }
+            match groups
+                .iter_mut()
+                .find(|g| agree(&self.parameters[g[0]], one))
+            {
+                Some(group) => group.push(i),
+                None => groups.push(vec![i]),
+            }
+        }
+        groups.retain(|group| group.len() > 1);
+        groups
+    }
+
     fn push(&mut self, name: Input, role: Role, prior: Quantity, step: f64) -> usize {
         self.parameters.push(Parameter {
             name,
@@ -206,7 +386,7 @@ impl Builder {
     }
 
     fn stated(&mut self, name: impl Into<Input>, prior: Quantity) -> usize {
-        self.stated_with_step(name, prior, 1e-6 * prior.value.abs().max(1e-3))
+        self.stated_with_step(name, prior, usual_step(prior))
     }
 
     /// The same figure stated for the same thing is the same parameter.
@@ -228,27 +408,33 @@ impl Builder {
     ) -> SwingIndex {
         let swing = &session.swings[i];
         let hung = &swing.suspension;
-        let spacing = hung.spacing_m.map(|q| self.stated(InputKind::Spacing, q));
+        let key = |name: &str| format!("swing[{}].suspension.{name}", i + 1);
+        let mut read = |name: &str, kind: InputKind, figure: Option<Quantity>| {
+            figure.map(|figure| self.read(&key(name), kind, figure))
+        };
+        let line_length = read("line_length", InputKind::LineLength, hung.line_length_m);
+        let spacing = read("spacing", InputKind::Spacing, hung.spacing_m);
+        let top_spacing = read("top_spacing", InputKind::TopSpacing, hung.top_spacing_m);
+        let axis_height = read("axis_height", InputKind::AxisHeight, hung.axis_height_m);
         let pitch = phone_pitch
             .or(hung.hull_pitch_deg)
             .unwrap_or(Quantity::new(0.0, UNSTATED_PITCH_U_DEG));
         SwingIndex {
-            line_length: hung
-                .line_length_m
-                .map(|q| self.stated(InputKind::LineLength, q)),
+            line_length,
             spacing,
-            top_spacing: hung
-                .top_spacing_m
-                .map(|q| self.stated(InputKind::TopSpacing, q))
-                .or(spacing),
-            pitch_deg: self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
+            top_spacing: top_spacing.or(spacing),
+            pitch_deg: match phone_pitch {
+                Some(_) => self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
+                None => {
+                    self.read_with_step(&key("hull_pitch_deg"), InputKind::HullPitch, pitch, 1e-3)
+                }
+            },
             log_depth: self.depth(
                 hung.hull_pitch_deg.map_or(pitch.value, |q| q.value),
                 scale_m,
             ),
-            axis_height: hung
-                .axis_height_m
-                .map(|q| self.stated(InputKind::AxisHeight, q)),
+            axis_height,
+            added_masses: i,
             clock: matches!(swing.data, SwingData::Recording(_)).then(|| self.clock_of_swing()),
         }
     }
@@ -275,6 +461,63 @@ impl Builder {
             index
         })
     }
+}
+
+fn usual_step(figure: Quantity) -> f64 {
+    1e-6 * figure.value.abs().max(1e-3)
+}
+
+/// The key of a typed period.
+pub fn period_key(swing: usize, mode: ModeName) -> String {
+    format!("swing[{}].periods_s.{}", swing + 1, mode.name())
+}
+
+/// The key of how far suspension points were moved.
+pub fn moved_key(swing: usize) -> String {
+    format!("swing[{}].suspension.points_moved", swing + 1)
+}
+
+/// A figure of an incline, and what it makes of the angle.
+pub struct InclinePart {
+    /// The figure's key.
+    pub key: String,
+    /// The figure.
+    pub figure: Quantity,
+    /// Change of the angle by that of the figure, degrees; by (20), the centre of mass far below
+    /// the weight.
+    pub slope_deg: f64,
+}
+
+/// The figures of an incline that were read: its stated angle, and the weight's own.
+pub fn incline_parts(incline: &Incline, i: usize) -> Vec<InclinePart> {
+    let angle = match incline.angle {
+        InclineAngle::Stated(angle) => angle,
+        InclineAngle::Recording(_) => Quantity::exact(0.0),
+    };
+    let part = |name: &str, figure: Quantity, slope_deg: f64| InclinePart {
+        key: format!("incline[{}].{name}", i + 1),
+        figure,
+        slope_deg,
+    };
+    let slopes = incline_slopes_deg(incline, angle.value);
+    let [mass, arm, depth] = slopes;
+    vec![
+        part("angle_deg", angle, 1.0),
+        part("mass", incline.mass_kg, mass),
+        part("arm", incline.arm_m, arm),
+        part("depth", incline.depth_m, depth),
+    ]
+}
+
+/// Change of an incline's angle by its weight's mass, arm and depth, degrees by kg, m, m.
+pub fn incline_slopes_deg(incline: &Incline, angle_deg: f64) -> [f64; 3] {
+    let tangent = angle_deg.to_radians().tan();
+    let slope = (tangent / (1.0 + tangent * tangent)).to_degrees();
+    [
+        slope / incline.mass_kg.value,
+        slope / incline.arm_m.value,
+        -slope * tangent / incline.arm_m.value,
+    ]
 }
 
 /// A first guess of the body's gyradius, m: from a yaw period by (6), else the spacing, else the

@@ -25,13 +25,14 @@ pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
     let mut cm_m = Vec3::new(0.0, 0.0, -x[log_depth].exp());
     // First and second moments about the suspension's mid-point: the hull has y = 0.
     let riding = layout
-        .attachment_positions_m
+        .attachment_positions
         .iter()
         .zip(&layout.attachment_masses);
     let (mut first, mut second) = (0.0, Vec3::zeros());
-    for (at_m, m) in riding {
+    for (place, m) in riding {
+        let at_m = place.map(|k| x[k]);
         first += x[*m] * at_m[1];
-        second += x[*m] * at_m[1] * Vec3::from(*at_m);
+        second += x[*m] * at_m[1] * Vec3::from(at_m);
     }
     cm_m.y = first / mass;
     for i in [0, 2] {
@@ -63,12 +64,10 @@ pub fn swing_body(
         cm_m: body.cm_m,
         ..body.rotated(pitch)
     };
-    for added in &swing.added_masses {
+    let masses = &layout.added_masses[index.added_masses];
+    for (added, mass) in swing.added_masses.iter().zip(masses) {
         let cm_m = pitch * Vec3::from(added.position_m);
-        body = joined(
-            &body,
-            &RigidBody::from_gyradii(added.mass_kg.value, [0.0; 3], cm_m),
-        )?;
+        body = joined(&body, &RigidBody::from_gyradii(x[*mass], [0.0; 3], cm_m))?;
     }
     Ok(settle(&body, swing.suspension.orientation))
 }
@@ -195,9 +194,14 @@ pub fn hull_alone(
     session
         .attachments
         .iter()
-        .zip(&layout.attachment_masses)
-        .try_fold(body, |body, (attachment, mass)| {
-            let cm_m = Vec3::from(attachment.position_m);
+        .zip(
+            layout
+                .attachment_masses
+                .iter()
+                .zip(&layout.attachment_positions),
+        )
+        .try_fold(body, |body, (attachment, (mass, place))| {
+            let cm_m = Vec3::from(place.map(|k| x[k]));
             remainder(
                 &body,
                 &RigidBody::from_gyradii(x[*mass], attachment.gyradii_m, cm_m),

@@ -29,6 +29,17 @@ impl Traced {
         }
     }
 
+    /// An input of which these errors, by name, are part.
+    pub fn sharing(mut self, errors: impl Iterator<Item = (String, f64)>) -> Self {
+        let errors: Vec<(String, f64)> = errors.collect();
+        let shared: f64 = errors.iter().map(|(_, change)| change * change).sum();
+        for own in self.by_input.values_mut() {
+            *own = (*own * *own - shared).max(0.0).sqrt();
+        }
+        self.by_input.extend(errors);
+        self
+    }
+
     /// A function of several figures, linearised.
     pub fn combine(parts: &[&Traced], f: impl Fn(&[f64]) -> Result<f64>) -> Result<Self> {
         let inputs: Vec<Quantity> = parts

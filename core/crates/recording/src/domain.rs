@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::session::InstrumentKind;
 use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 
 /// Gravity between the equator (9.780) and the poles (9.832) against the standard value.
@@ -30,7 +31,7 @@ pub struct Domain {
 
 /// The usual standard uncertainty of a reading, by what it is read with (`core/docs`, session
 /// format: "a dimension without u").
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Usual {
     /// It is taken as exact.
     Exact,
@@ -81,9 +82,23 @@ impl Domain {
         Self { usual, ..self }
     }
 
-    /// The standard uncertainty of a value that is stated without one; `written` is its text.
-    pub(crate) fn usual_u(&self, value: f64, written: &str) -> f64 {
+    /// What reads such figures; none of what is only stated.
+    pub(crate) fn instrument(&self) -> Option<InstrumentKind> {
+        let readers = [
+            (Self::TAPE, InstrumentKind::Tape),
+            (Self::SCALE, InstrumentKind::Scale),
+            (Self::PROTRACTOR, InstrumentKind::Protractor),
+            (Usual::LastDigit, InstrumentKind::Clock),
+        ];
+        let mut known = readers.iter().filter(|(usual, _)| *usual == self.usual);
+        known.next().map(|(_, kind)| *kind)
+    }
+
+    /// The standard uncertainty of a value that is stated without one; `written` is its text. The
+    /// part that grows with the reading is the instrument's, where one is named.
+    pub(crate) fn usual_u(&self, value: f64, written: &str, has_instrument: bool) -> f64 {
         match self.usual {
+            Usual::Reading { fixed, .. } if has_instrument && fixed > 0.0 => fixed,
             Usual::Exact => 0.0,
             Usual::Reading { fixed, part } => fixed + part * value.abs(),
             Usual::Gravity if value == STANDARD_GRAVITY_M_S2 => STANDARD_GRAVITY_U_M_S2,
@@ -158,18 +173,29 @@ mod tests {
     #[test]
     fn what_is_stated_without_u_has_the_usual_one() {
         let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.max(1e-9), "{a} {b}");
-        close(Domain::LENGTH.usual_u(3.477, "3.477"), 0.0037385);
-        close(Domain::MASS.usual_u(622.7, "622.7"), 1.2454);
-        close(Domain::PITCH.usual_u(25.0, "25"), 0.3);
-        close(Domain::PERIOD.usual_u(4.391, "4.391"), 1e-3 / 12f64.sqrt());
-        close(Domain::PERIOD.usual_u(4.0, " 4 "), 1.0 / 12f64.sqrt());
+        close(Domain::LENGTH.usual_u(3.477, "3.477", false), 0.0037385);
+        close(Domain::MASS.usual_u(622.7, "622.7", false), 1.2454);
+        close(Domain::PITCH.usual_u(25.0, "25", false), 0.3);
         close(
-            Domain::PERIOD.usual_u(4391.0, "4.391e3"),
+            Domain::PERIOD.usual_u(4.391, "4.391", false),
+            1e-3 / 12f64.sqrt(),
+        );
+        close(
+            Domain::PERIOD.usual_u(4.0, " 4 ", false),
             1.0 / 12f64.sqrt(),
         );
-        close(Domain::GRAVITY.usual_u(9.81, "9.81"), 1e-2 / 12f64.sqrt());
-        close(Domain::GRAVITY.usual_u(9.80665, "9.80665"), 0.015);
-        assert_eq!(Domain::DENSITY.usual_u(750.0, "750"), 0.0);
+        close(
+            Domain::PERIOD.usual_u(4391.0, "4.391e3", false),
+            1.0 / 12f64.sqrt(),
+        );
+        close(
+            Domain::GRAVITY.usual_u(9.81, "9.81", false),
+            1e-2 / 12f64.sqrt(),
+        );
+        close(Domain::GRAVITY.usual_u(9.80665, "9.80665", false), 0.015);
+        close(Domain::LENGTH.usual_u(3.477, "3.477", true), 0.002);
+        close(Domain::MASS.usual_u(622.7, "622.7", true), 1.2454);
+        assert_eq!(Domain::DENSITY.usual_u(750.0, "750", false), 0.0);
     }
 
     #[test]

@@ -12,6 +12,7 @@ use toml_edit::{Item, Key, TableLike, Value};
 use super::domain::Domain;
 use super::member_path::plain_member_path;
 use super::quantity::Quantity;
+use super::session::InstrumentKind;
 use gyradius_base::error::{Error, Result};
 
 /// A text with its name, for the lines of errors.
@@ -19,8 +20,30 @@ use gyradius_base::error::{Error, Result};
 pub struct Source<'a> {
     pub file: &'a str,
     pub text: &'a str,
-    /// Figures that were read without an uncertainty.
-    pub assumed: &'a RefCell<Vec<AssumedU>>,
+    /// What was noted of figures beside their values.
+    pub noted: &'a RefCell<Noted>,
+}
+
+/// What is noted of the figures of a text beside their values and uncertainties.
+#[derive(Debug, Clone, Default)]
+pub struct Noted {
+    /// Figures that are stated without an uncertainty.
+    pub assumed: Vec<AssumedU>,
+    /// Figures that name an instrument.
+    pub read_with: Vec<ReadWith>,
+}
+
+/// A figure that names the instrument it was read with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadWith {
+    /// The figure's full key.
+    pub path: String,
+    /// The line it stands in.
+    pub line: Option<usize>,
+    /// The instrument's id.
+    pub instrument: String,
+    /// What reads such figures; none of what no instrument reads.
+    pub kind: Option<InstrumentKind>,
 }
 
 /// A figure that was stated without an uncertainty, and the usual one that it got.
@@ -90,9 +113,9 @@ impl<'a> Table<'a> {
         Ok(opened)
     }
 
-    /// Figures that were read without an uncertainty so far.
-    pub fn assumed(&self) -> Vec<AssumedU> {
-        self.keys.source.assumed.borrow().clone()
+    /// What was noted of the figures that were read so far.
+    pub fn noted(&self) -> Noted {
+        self.keys.source.noted.borrow().clone()
     }
 
     /// The table of a whole text, its keys not yet looked at.
@@ -175,6 +198,16 @@ impl<'a> Table<'a> {
     /// An error about the table as a whole.
     pub fn error(&self, expected: impl Into<String>, found: impl Into<String>) -> Error {
         self.keys.source.malformed(self.keys.line, expected, found)
+    }
+
+    /// An error about a line of the text.
+    pub fn error_at(
+        &self,
+        line: Option<usize>,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Error {
+        self.keys.source.malformed(line, expected, found)
     }
 
     /// Refuses keys that have no meaning here although the format knows them.
@@ -305,31 +338,60 @@ impl<'a> Field<'a> {
             .collect()
     }
 
-    /// A number or `{ value, u }`; without a u it gets the usual one of its kind, which is noted.
+    /// A number, `{ value, u }` or `{ value, u, instrument }`; without a u it gets the usual one of
+    /// its kind, which is noted.
     pub fn quantity(&self, domain: Domain) -> Result<Quantity> {
         if plain_number(self.item).is_some() {
-            return Ok(self.with_usual_u(self.number(domain)?, domain));
+            return Ok(self.with_usual_u(self.number(domain)?, domain, false));
         }
         let what = format!("{domain}, as a number or as {{ value, u }}");
         if self.item.as_table_like().is_none() {
             return Err(self.expected(what));
         }
-        let table = self.table(&["value", "u"])?;
+        let table = self.table(&["value", "u", "instrument"])?;
         let stated = table.require("value", &domain.to_string())?;
         let value = stated.number(domain)?;
+        let instrument = table.get("instrument");
+        if let Some(named) = &instrument {
+            let read_with = ReadWith {
+                path: self.path.clone(),
+                line: named.line,
+                instrument: named.text()?.to_owned(),
+                kind: domain.instrument(),
+            };
+            self.source.noted.borrow_mut().read_with.push(read_with);
+        }
         match table.number("u", Domain::UNCERTAINTY)? {
             Some(u) => Ok(Quantity::new(value, u)),
-            None => Ok(stated.with_usual_u(value, domain)),
+            None => Ok(stated.with_usual_u(value, domain, instrument.is_some())),
         }
     }
 
-    fn with_usual_u(&self, value: f64, domain: Domain) -> Quantity {
-        let u = domain.usual_u(value, &self.item.to_string());
+    fn with_usual_u(&self, value: f64, domain: Domain, has_instrument: bool) -> Quantity {
+        let u = domain.usual_u(value, &self.item.to_string(), has_instrument);
         if u > 0.0 {
             let path = self.path.trim_end_matches(".value").to_owned();
-            self.source.assumed.borrow_mut().push(AssumedU { path, u });
+            let assumed = AssumedU { path, u };
+            self.source.noted.borrow_mut().assumed.push(assumed);
         }
         Quantity::new(value, u)
+    }
+
+    /// Three numbers, or `{ value = [x, y, z], u }` with one u for each; without a u they are as good
+    /// as a tape reads the largest, which is noted.
+    pub fn place(&self, domain: Domain) -> Result<([f64; 3], f64)> {
+        let (stated, u) = match self.item.as_table_like() {
+            None => (self.vector(domain)?, None),
+            Some(_) => {
+                let table = self.table(&["value", "u"])?;
+                let stated = table.require("value", &format!("[x, y, z], each {domain}"))?;
+                let u = table.number("u", Domain::UNCERTAINTY)?;
+                (stated.vector(domain)?, u)
+            }
+        };
+        let largest = stated.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let usual = || self.with_usual_u(largest, domain, false).u;
+        Ok((stated, u.unwrap_or_else(usual)))
     }
 
     /// Three numbers.

@@ -42,8 +42,9 @@ pub use save::{
     Overwrite, save_session, save_session_with, save_session_zip, session_zip_bytes, write_files,
 };
 pub use session::{
-    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
-    Session, Site, Suspension, SuspensionKind, Swing, SwingData,
+    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, Instrument,
+    InstrumentKind, ModeName, Orientation, Session, Site, Suspension, SuspensionKind, Swing,
+    SwingData,
 };
 pub use store::Store;
 pub use toml_read::read_session;

@@ -1,11 +1,17 @@
 //! The names of suspensions, orientations and motions in files.
 
 use super::samples::{RepairKind, Sensor};
-use super::session::{Excitation, ModeName, Orientation, SuspensionKind};
+use super::session::{Excitation, InstrumentKind, ModeName, Orientation, SuspensionKind};
 
 pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
     ("bifilar", SuspensionKind::Bifilar),
     ("compound", SuspensionKind::Compound),
+];
+pub(crate) const INSTRUMENTS: &[(&str, InstrumentKind)] = &[
+    ("tape", InstrumentKind::Tape),
+    ("clock", InstrumentKind::Clock),
+    ("protractor", InstrumentKind::Protractor),
+    ("scale", InstrumentKind::Scale),
 ];
 pub(crate) const ORIENTATIONS: &[(&str, Orientation)] = &[
     ("athwartships", Orientation::Athwartships),
@@ -56,6 +62,13 @@ impl Excitation {
     /// As files and texts call it.
     pub fn name(self) -> &'static str {
         name_of(self, EXCITATIONS)
+    }
+}
+
+impl ModeName {
+    /// As files call it.
+    pub fn name(self) -> &'static str {
+        name_of(self, MODES)
     }
 }
 

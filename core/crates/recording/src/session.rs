@@ -27,6 +27,58 @@ pub struct Session {
     pub inclines: Vec<Incline>,
     /// What the recorder says of the recordings that it made.
     pub recorded: Vec<Recorded>,
+    /// The instruments that figures were read with.
+    #[serde(default)]
+    pub instruments: Vec<Instrument>,
+    /// Which figure was read with which instrument: the instrument's id by the figure's key,
+    /// `swing[1].suspension.spacing`.
+    #[serde(default)]
+    pub read_with: BTreeMap<String, String>,
+}
+
+impl Session {
+    /// The instrument that a figure was read with, by the figure's key.
+    pub fn instrument(&self, key: &str) -> Option<&Instrument> {
+        let id = self.read_with.get(key)?;
+        self.instruments.iter().find(|one| one.id == *id)
+    }
+
+    /// A figure with all of its uncertainty: its own, and what its instrument shares among all of
+    /// its readings.
+    pub fn reading(&self, key: &str, figure: Quantity) -> Quantity {
+        let Some(instrument) = self.instrument(key) else {
+            return figure;
+        };
+        let scale = instrument.scale_u * figure.value;
+        Quantity::new(figure.value, figure.u.hypot(scale).hypot(instrument.zero_u))
+    }
+}
+
+/// What figures were read with: its errors are common to all of its readings.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Instrument {
+    /// Unique id.
+    pub id: String,
+    /// What it is.
+    pub kind: InstrumentKind,
+    /// Standard uncertainty of its scale, relative.
+    pub scale_u: f64,
+    /// Standard uncertainty of its zero, in the unit of its readings.
+    pub zero_u: f64,
+}
+
+/// Which instrument.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum InstrumentKind {
+    /// Reads lengths.
+    Tape,
+    /// Reads periods.
+    Clock,
+    /// Reads angles.
+    Protractor,
+    /// Reads masses.
+    Scale,
 }
 
 /// The body as stated.
@@ -65,6 +117,9 @@ pub struct Attachment {
     pub mass_kg: Quantity,
     /// Centre of mass, hull axes, from the mid-point of the suspension points, m.
     pub position_m: [f64; 3],
+    /// Standard uncertainty of each of its coordinates, m.
+    #[serde(default)]
+    pub position_u_m: f64,
     /// Gyradii about its own centre and hull axes, m (0 for a point).
     pub gyradii_m: [f64; 3],
 }

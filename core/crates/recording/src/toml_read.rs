@@ -7,9 +7,10 @@ use std::cell::RefCell;
 use toml_edit::Document;
 
 use super::domain::Domain;
-use super::keys::{AssumedU, Field, Source, Table};
+use super::keys::{AssumedU, Field, ReadWith, Source, Table};
 use super::named_file::NamedFile;
-use super::session::{Attachment, Body, End, Incline, InclineAngle, Session, Site};
+use super::names::{INSTRUMENTS, name_of};
+use super::session::{Attachment, Body, End, Incline, InclineAngle, Instrument, Session, Site};
 use super::toml_recorded::{RECORDED, recorded};
 use super::toml_swing::{POSITION, SWING, swing};
 use gyradius_base::error::Result;
@@ -28,10 +29,12 @@ pub const ROOT: &[&str] = &[
     "swing",
     "incline",
     "recorded",
+    "instrument",
 ];
 const BODY: &[&str] = &["name", "mass", "length_overall", "density"];
 const SITE: &[&str] = &["gravity", "latitude_deg", "altitude", "air_density"];
 const ATTACHMENT: &[&str] = &["name", "mass", "position", "gyradii"];
+const INSTRUMENT: &[&str] = &["id", "kind", "scale_u", "zero_u"];
 const INCLINE: &[&str] = &["end", "mass", "arm", "depth", "angle_deg", "recording"];
 
 /// Density of the air where none is stated, kg/m³ (ISO 2533 standard atmosphere, sea level); for a
@@ -68,11 +71,11 @@ pub fn with_root<T>(
     read: impl FnOnce(&Table<'_>) -> Result<T>,
 ) -> Result<T> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let assumed = RefCell::default();
+    let noted = RefCell::default();
     let source = Source {
         file: file_name,
         text,
-        assumed: &assumed,
+        noted: &noted,
     };
     refuse_size(source, format)?;
     let document = Document::parse(text).map_err(|error| {
@@ -143,12 +146,72 @@ pub fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Result<Par
     if session.swings.is_empty() && session.inclines.is_empty() {
         return Err(root.error("at least one [[swing]] or [[incline]]", "none"));
     }
-    let assumed = root.assumed();
+    for table in root.tables("instrument", INSTRUMENT)? {
+        let next = instrument(&table, &session.instruments)?;
+        session.instruments.push(next);
+    }
+    let noted = root.noted();
+    for figure in noted.read_with {
+        refuse_other_instrument(root, &figure, &session.instruments)?;
+        session.read_with.insert(figure.path, figure.instrument);
+    }
     Ok(ParsedSession {
         session,
         files,
-        assumed,
+        assumed: noted.assumed,
     })
+}
+
+fn instrument(table: &Table<'_>, before: &[Instrument]) -> Result<Instrument> {
+    let field = table.require("id", "a name that figures call it by")?;
+    let id = field.text()?;
+    if id.trim().is_empty() || before.iter().any(|one| one.id == id) {
+        return Err(field.error(
+            format!("`{}` to be a name unlike all before it", field.path),
+            format!("{id:?}"),
+        ));
+    }
+    let share = |key: &str| table.number(key, Domain::UNCERTAINTY);
+    Ok(Instrument {
+        id: id.into(),
+        kind: table
+            .require("kind", "tape, clock, protractor or scale")?
+            .choice(INSTRUMENTS)?,
+        scale_u: share("scale_u")?.unwrap_or_default(),
+        zero_u: share("zero_u")?.unwrap_or_default(),
+    })
+}
+
+/// A figure names an instrument that is there and reads such figures.
+fn refuse_other_instrument(
+    root: &Table<'_>,
+    figure: &ReadWith,
+    instruments: &[Instrument],
+) -> Result<()> {
+    let wrong = |expected: String, found: String| Err(root.error_at(figure.line, expected, found));
+    let (key, id) = (&figure.path, &figure.instrument);
+    match instruments.iter().find(|one| one.id == *id) {
+        None => {
+            let known: Vec<String> = instruments
+                .iter()
+                .map(|one| format!("`{}`", one.id))
+                .collect();
+            let expected = match known.is_empty() {
+                true => format!("an [[instrument]] with id = {id:?} for `{key}`"),
+                false => format!("`{key}` to name one of {}", known.join(", ")),
+            };
+            wrong(expected, format!("{id:?}"))
+        }
+        Some(named) if Some(named.kind) != figure.kind => {
+            let found = format!("{id:?}, a {}", name_of(named.kind, INSTRUMENTS));
+            let expected = match figure.kind {
+                Some(kind) => format!("`{key}` to be read with a {}", name_of(kind, INSTRUMENTS)),
+                None => format!("no instrument for `{key}`, which none of them reads"),
+            };
+            wrong(expected, found)
+        }
+        Some(_) => Ok(()),
+    }
 }
 
 /// A minor version, as in `gyradius-session/1.2`, adds keys but changes none.
@@ -245,12 +308,14 @@ fn attachment(table: &Table<'_>) -> Result<Attachment> {
         .get("gyradii")
         .map(|field| field.vector(Domain::GYRADIUS))
         .transpose()?;
+    let (position_m, position_u_m) = table
+        .require("position", POSITION)?
+        .place(Domain::COORDINATE)?;
     Ok(Attachment {
         name: table.text_or_empty("name")?,
         mass_kg: table.require("mass", "kg")?.quantity(Domain::MASS)?,
-        position_m: table
-            .require("position", POSITION)?
-            .vector(Domain::COORDINATE)?,
+        position_m,
+        position_u_m,
         gyradii_m: gyradii.unwrap_or_default(),
     })
 }

@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS, REPAIR_KINDS, SENSORS, name_of};
+use super::names::{
+    EXCITATIONS, INSTRUMENTS, KINDS, MODES, ORIENTATIONS, REPAIR_KINDS, SENSORS, name_of,
+};
 use super::quantity::Quantity;
 use super::recorded::Recorded;
 use super::session::{
-    AddedMass, Attachment, Body, End, Incline, InclineAngle, ModeName, Session, Site, Suspension,
-    Swing, SwingData,
+    AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Session, Site,
+    Suspension, Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 
@@ -17,21 +19,53 @@ pub fn write_session(session: &Session) -> String {
     text.key("format", quoted(FORMAT));
     text.key_unless_empty("title", &session.title);
     text.key_unless_empty("measured_on", &session.measured_on);
-    body(&mut text, &session.body);
+    for one in &session.instruments {
+        instrument(&mut text, one);
+    }
+    let figures = Figures(session);
+    body(&mut text, &session.body, &figures);
     site(&mut text, &session.site);
-    for one in &session.attachments {
-        attachment(&mut text, one);
+    for (i, one) in session.attachments.iter().enumerate() {
+        let mass = figures.written(&format!("attachment[{}].mass", i + 1), one.mass_kg);
+        attachment(&mut text, one, mass);
     }
-    for one in &session.swings {
-        swing(&mut text, one);
+    for (i, one) in session.swings.iter().enumerate() {
+        swing(&mut text, one, &figures, &format!("swing[{}]", i + 1));
     }
-    for one in &session.inclines {
-        incline(&mut text, one);
+    for (i, one) in session.inclines.iter().enumerate() {
+        incline(&mut text, one, &figures, &format!("incline[{}]", i + 1));
     }
     for one in &session.recorded {
         recorded(&mut text, one);
     }
     text.0
+}
+
+/// Writes figures with the instruments that they were read with.
+struct Figures<'a>(&'a Session);
+
+impl Figures<'_> {
+    fn written(&self, key: &str, figure: Quantity) -> String {
+        let written = quantity(figure);
+        let Some(instrument) = self.0.read_with.get(key) else {
+            return written;
+        };
+        let figure = written
+            .trim_start_matches("{ value = ")
+            .trim_end_matches(" }");
+        format!(
+            "{{ value = {figure}, instrument = {} }}",
+            quoted(instrument)
+        )
+    }
+}
+
+fn instrument(text: &mut Lines, instrument: &Instrument) {
+    text.header("[[instrument]]");
+    text.key("id", quoted(&instrument.id));
+    text.key("kind", quoted(name_of(instrument.kind, INSTRUMENTS)));
+    text.key("scale_u", number(instrument.scale_u));
+    text.key("zero_u", number(instrument.zero_u));
 }
 
 /// The lines written so far.
@@ -66,10 +100,12 @@ impl Lines {
     }
 }
 
-fn body(text: &mut Lines, body: &Body) {
+fn body(text: &mut Lines, body: &Body, figures: &Figures) {
     text.header("[body]");
     text.key_unless_empty("name", &body.name);
-    text.key_if("mass", body.mass_kg, quantity);
+    text.key_if("mass", body.mass_kg, |mass| {
+        figures.written("body.mass", mass)
+    });
     text.key_if("length_overall", body.length_overall_m, number);
     text.key_if("density", body.density_kg_m3, number);
 }
@@ -85,22 +121,32 @@ fn site(text: &mut Lines, site: &Site) {
     text.key_if("air_density", site.air_density_kg_m3, number);
 }
 
-fn attachment(text: &mut Lines, attachment: &Attachment) {
+fn attachment(text: &mut Lines, attachment: &Attachment, mass: String) {
     text.header("[[attachment]]");
     text.key_unless_empty("name", &attachment.name);
-    text.key("mass", quantity(attachment.mass_kg));
-    text.key("position", vector(attachment.position_m));
+    text.key("mass", mass);
+    text.key(
+        "position",
+        format!(
+            "{{ value = {}, u = {} }}",
+            vector(attachment.position_m),
+            number(attachment.position_u_m)
+        ),
+    );
     if attachment.gyradii_m != [0.0; 3] {
         text.key("gyradii", vector(attachment.gyradii_m));
     }
 }
 
-fn swing(text: &mut Lines, swing: &Swing) {
+fn swing(text: &mut Lines, swing: &Swing, figures: &Figures, key: &str) {
     text.header("[[swing]]");
     text.key("id", quoted(&swing.id));
-    swing_data(text, &swing.data);
+    swing_data(text, &swing.data, figures, key);
     if !swing.amplitude_deg.is_empty() {
-        text.key("amplitude_deg", by_mode(&swing.amplitude_deg, number));
+        text.key(
+            "amplitude_deg",
+            by_mode(&swing.amplitude_deg, |_, degrees| number(degrees)),
+        );
     }
     if !swing.excited.is_empty() {
         let names = swing
@@ -112,11 +158,11 @@ fn swing(text: &mut Lines, swing: &Swing) {
             format!("[{}]", names.collect::<Vec<_>>().join(", ")),
         );
     }
-    added_masses(text, &swing.added_masses);
-    suspension(text, &swing.suspension);
+    added_masses(text, &swing.added_masses, figures, key);
+    suspension(text, &swing.suspension, figures, key);
 }
 
-fn swing_data(text: &mut Lines, data: &SwingData) {
+fn swing_data(text: &mut Lines, data: &SwingData, figures: &Figures, key: &str) {
     match data {
         SwingData::Recording(file) => text.key("recording", quoted(file)),
         SwingData::Displacement { file, at_m } => {
@@ -124,19 +170,25 @@ fn swing_data(text: &mut Lines, data: &SwingData) {
             text.key_if("at", *at_m, vector);
         }
         SwingData::Periods(file) => text.key("periods", quoted(file)),
-        SwingData::PeriodsS(periods) => text.key("periods_s", by_mode(periods, quantity)),
+        SwingData::PeriodsS(periods) => text.key(
+            "periods_s",
+            by_mode(periods, |mode, period| {
+                figures.written(&format!("{key}.periods_s.{mode}"), period)
+            }),
+        ),
     }
 }
 
-fn added_masses(text: &mut Lines, masses: &[AddedMass]) {
+fn added_masses(text: &mut Lines, masses: &[AddedMass], figures: &Figures, key: &str) {
     if masses.is_empty() {
         return;
     }
     text.subheader("added_mass = [");
-    for one in masses {
+    for (i, one) in masses.iter().enumerate() {
+        let mass = format!("{key}.added_mass[{}].mass", i + 1);
         let line = format!(
             "  {{ mass = {}, position = {} }},",
-            quantity(one.mass_kg),
+            figures.written(&mass, one.mass_kg),
             vector(one.position_m)
         );
         text.subheader(&line);
@@ -144,33 +196,40 @@ fn added_masses(text: &mut Lines, masses: &[AddedMass]) {
     text.subheader("]");
 }
 
-fn suspension(text: &mut Lines, suspension: &Suspension) {
+fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key: &str) {
     text.subheader("[swing.suspension]");
     text.key("kind", quoted(name_of(suspension.kind, KINDS)));
     text.key(
         "orientation",
         quoted(name_of(suspension.orientation, ORIENTATIONS)),
     );
-    text.key_if("line_length", suspension.line_length_m, quantity);
-    text.key_if("spacing", suspension.spacing_m, quantity);
-    text.key_if("top_spacing", suspension.top_spacing_m, quantity);
-    text.key_if("hull_pitch_deg", suspension.hull_pitch_deg, quantity);
-    text.key_if("points_moved", suspension.points_moved_m, quantity);
-    text.key_if("axis_height", suspension.axis_height_m, quantity);
+    let stated = [
+        ("line_length", suspension.line_length_m),
+        ("spacing", suspension.spacing_m),
+        ("top_spacing", suspension.top_spacing_m),
+        ("hull_pitch_deg", suspension.hull_pitch_deg),
+        ("points_moved", suspension.points_moved_m),
+        ("axis_height", suspension.axis_height_m),
+    ];
+    for (name, figure) in stated {
+        let written = |figure| figures.written(&format!("{key}.suspension.{name}"), figure);
+        text.key_if(name, figure, written);
+    }
 }
 
-fn incline(text: &mut Lines, incline: &Incline) {
+fn incline(text: &mut Lines, incline: &Incline, figures: &Figures, key: &str) {
     text.header("[[incline]]");
     let end = match incline.end {
         End::Bow => "bow",
         End::Stern => "stern",
     };
     text.key("end", quoted(end));
-    text.key("mass", quantity(incline.mass_kg));
-    text.key("arm", quantity(incline.arm_m));
-    text.key("depth", quantity(incline.depth_m));
+    let written = |name: &str, figure| figures.written(&format!("{key}.{name}"), figure);
+    text.key("mass", written("mass", incline.mass_kg));
+    text.key("arm", written("arm", incline.arm_m));
+    text.key("depth", written("depth", incline.depth_m));
     match &incline.angle {
-        InclineAngle::Stated(angle) => text.key("angle_deg", quantity(*angle)),
+        InclineAngle::Stated(angle) => text.key("angle_deg", written("angle_deg", *angle)),
         InclineAngle::Recording(file) => text.key("recording", quoted(file)),
     }
 }
@@ -274,9 +333,10 @@ fn quoted_key(key: &str) -> String {
     toml_edit::Key::new(key).to_string()
 }
 
-fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(T) -> String) -> String {
-    let each = values
-        .iter()
-        .map(|(mode, value)| format!("{} = {}", name_of(*mode, MODES), write(*value)));
+fn by_mode<T: Copy>(values: &BTreeMap<ModeName, T>, write: impl Fn(&str, T) -> String) -> String {
+    let each = values.iter().map(|(mode, value)| {
+        let name = name_of(*mode, MODES);
+        format!("{name} = {}", write(name, *value))
+    });
     format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
 }

@@ -20,7 +20,7 @@ use super::estimate::{Observed, Solution, System};
 use super::measurement::Route;
 use super::names::{Origin, QuantityName, RouteMethod};
 use super::outputs::COVERAGE_95;
-use super::parameters::LEVEL_DEG;
+use super::parameters::{LEVEL_DEG, Reading};
 use super::theory::{hull_alone, swing_body};
 use super::traced::Traced;
 
@@ -208,5 +208,11 @@ impl<'a> Bench<'a> {
 /// A stated figure; the same figure stated for several swings is one input.
 fn stated(system: &System, i: usize) -> Traced {
     let parameter = &system.layout.parameters[i];
-    Traced::input(format!("{} #{i}", parameter.name), parameter.prior)
+    let own = Traced::input(format!("{} #{i}", parameter.name), parameter.prior);
+    let shares = system.layout.shared.iter().filter_map(|one| {
+        let of_this = |(reading, _): &&(Reading, f64)| *reading == Reading::Parameter(i);
+        let (_, change) = one.readings.iter().find(of_this)?;
+        Some((one.name.to_string(), *change))
+    });
+    own.sharing(shares)
 }

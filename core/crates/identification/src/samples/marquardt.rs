@@ -84,7 +84,7 @@ struct Step {
 /// The session's parameters in play.
 pub fn free(layout: &Layout) -> Vec<usize> {
     (0..layout.parameters.len())
-        .filter(|i| layout.parameters[*i].prior.u > 0.0)
+        .filter(|i| layout.parameters[*i].is_free_in_motion())
         .collect()
 }
 
@@ -134,7 +134,7 @@ impl Fitting<'_> {
             .parameters
             .iter()
             .zip(x)
-            .filter(|(p, _)| p.prior.u > 0.0);
+            .filter(|(p, _)| p.is_free_in_motion());
         let priors: f64 = priors
             .map(|(p, x)| ((x - p.prior.value) / p.prior.u).powi(2))
             .sum();

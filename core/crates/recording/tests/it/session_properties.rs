@@ -87,7 +87,7 @@ prop_compose! {
     fn attachment()(name in text(), mass in quantity(1e-3..1e3), position in vector(-9.0), gyradii in vector(0.0))
         -> Attachment
     {
-        Attachment { name, mass_kg: mass, position_m: position, gyradii_m: gyradii }
+        Attachment { name, mass_kg: mass, position_m: position, position_u_m: 0.0, gyradii_m: gyradii }
     }
 }
 
