@@ -137,6 +137,9 @@ fn fit<'py>(
 
 /// `gx`, `ay`, `lz`: the names of the session format; a track's only channel is `y`.
 fn label(evidence: &Evidence, channel: usize) -> String {
+    if let Some(single) = evidence.single {
+        return single.name().into();
+    }
     let axis = |first: usize| ["x", "y", "z"].get(channel.wrapping_sub(first)).copied();
     let sensor = if evidence.map.gravity_free { "l" } else { "a" };
     let gyroscope = evidence

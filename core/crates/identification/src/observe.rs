@@ -6,10 +6,11 @@ use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::{Argument, Message};
 use gyradius_recording::{
-    Excitation, ModeName, Recording, Repair, RepairKind, Sensor, Swing, Track, Triad,
+    Channel, ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor,
+    SuspensionKind, Swing, Track, Triad,
 };
 use gyradius_signal::{
-    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, SpanNoteKind, decompose,
+    ChannelGroup, DecomposeOptions, Decomposition, FittedMode, FreeSpan, SpanNoteKind, decompose,
     undisturbed_span,
 };
 
@@ -37,6 +38,8 @@ pub struct Evidence {
     pub named: Vec<NamedMode>,
     /// The vertical in phone axes, where an accelerometer saw it.
     pub up: Option<Vec3>,
+    /// What its only channel measured, where it has one alone.
+    pub single: Option<ChannelQuantity>,
     /// Unit of the modes' amplitude: `rad` or `m`.
     pub amplitude_unit: AmplitudeUnit,
     /// Repairs, those of the reader and what was trimmed.
@@ -125,6 +128,7 @@ fn found_in(
     repairs.extend(trimmed(&span, &mut warnings));
     let (id, named, up) = (id.into(), vec![], None);
     Ok(Evidence {
+        single: None,
         id,
         groups,
         map,
@@ -155,6 +159,9 @@ pub fn observe_recording(
     hanging: &Hanging,
     swing: Option<&Swing>,
 ) -> Result<Evidence> {
+    if let Some(channel) = &recording.single {
+        return observe_single(id, recording, channel, swing);
+    }
     let (all, map) = channels(recording);
     let mut evidence = found_in(
         id,
@@ -173,7 +180,7 @@ pub fn observe_recording(
         .collect();
     let mut named = name_modes(&motions, up, gravity_m_s2, hanging);
     if up.is_none() {
-        evidence.warnings.push(name_by_hint(&mut named, swing));
+        evidence.warnings.extend(name_by_hint(&mut named, swing));
     }
     Ok(Evidence {
         named,
@@ -199,16 +206,62 @@ fn merged(repairs: &[Repair]) -> Vec<Repair> {
     list
 }
 
-/// Without gravity in the record a shape has no name: the strongest turn takes the operator's word.
-fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> Message {
-    let meant = swing.filter(|s| s.excited.first() == Some(&Excitation::Yaw));
-    match (meant, named.first_mut()) {
-        (Some(_), Some(strongest)) => {
-            strongest.name = ModeName::Yaw;
-            message("yaw_by_word", [])
-        }
-        _ => message("no_shapes", []),
+/// Analyses one channel of a motion of one degree of freedom.
+fn observe_single(
+    id: &str,
+    recording: &Recording,
+    channel: &Channel,
+    swing: Option<&Swing>,
+) -> Result<Evidence> {
+    let all = [ChannelGroup {
+        t_s: channel.t_s.clone(),
+        channels: vec![channel.values.clone()],
+    }];
+    let mut evidence = found_in(
+        id,
+        &all,
+        ChannelMap::default(),
+        AmplitudeUnit::Radian,
+        &recording.repairs,
+        (&recording.disturbed_s, &recording.at_limit_s),
+    )?;
+    evidence.single = Some(channel.quantity);
+    let angle = |mode: &FittedMode| {
+        let size = mode.shape.first()?.norm();
+        Some(match channel.quantity {
+            ChannelQuantity::Angle => size,
+            ChannelQuantity::Rate => size / mode.undamped_omega_rad_s(),
+        })
+    };
+    let modes = evidence.found.modes.iter();
+    evidence.named = modes
+        .map(|mode| NamedMode {
+            name: ModeName::Other,
+            angle_rad: angle(mode),
+        })
+        .collect();
+    let told = name_by_hint(&mut evidence.named, swing);
+    evidence.warnings.extend(told);
+    Ok(evidence)
+}
+
+/// Without gravity in the record a shape has no name. On a fixed axis there is one motion, else the
+/// strongest turn takes the operator's word.
+fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> Option<Message> {
+    let strongest = (0..named.len()).max_by(|a, b| size(&named[*a]).total_cmp(&size(&named[*b])));
+    let Some(strongest) = strongest else {
+        return Some(message("no_shapes", []));
+    };
+    let swing = swing?;
+    if swing.suspension.kind == SuspensionKind::Compound {
+        named[strongest].name = ModeName::Compound;
+        return None;
     }
+    if swing.excited.first() == Some(&Excitation::Yaw) {
+        named[strongest].name = ModeName::Yaw;
+        return Some(message("yaw_by_word", []));
+    }
+    Some(message("no_shapes", []))
 }
 
 fn trimmed(span: &FreeSpan, warnings: &mut Vec<Message>) -> Vec<Repair> {

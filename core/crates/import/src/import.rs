@@ -10,9 +10,9 @@ use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, ImportedRecording, Input, Platform, import_inputs};
 use gyradius_recording::recorder::{SYNC, convert};
 use gyradius_recording::{
-    Body, ChannelQuantity, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension,
-    SuspensionKind, Swing, SwingData, read_period_list, read_recording, read_track, save_session,
-    write_files, write_recording, write_session,
+    Body, Overwrite, Quantity, Repair, SESSION_FILE, Session, Site, Suspension, SuspensionKind,
+    Swing, SwingData, read_period_list, read_recording, read_track, save_session, write_files,
+    write_recording, write_session,
 };
 use gyradius_signal::gate_periods;
 
@@ -249,7 +249,10 @@ fn contents(
             };
             Ok((data, columns("t,y", &track.t_s, &track.y_m)))
         }
-        ImportedData::Channel(channel) => Err(single_channel(&channel.name, channel.quantity)),
+        ImportedData::Channel(channel) => Ok((
+            SwingData::Recording(file.into()),
+            write_recording(&channel.clone().into()),
+        )),
         ImportedData::GateEvents(events) => {
             let wanted =
                 || Error::argument("flag_width", "the width of the flag in the beam, m", "none");
@@ -259,20 +262,6 @@ fn contents(
                 columns("t,period", &list.t_s, &list.period_s),
             ))
         }
-    }
-}
-
-/// A session cannot hold a single channel yet.
-pub(crate) fn single_channel(file: &str, quantity: ChannelQuantity) -> Error {
-    Error::Malformed {
-        file: file.to_owned(),
-        line: None,
-        expected: "samples of all three axes of a gyroscope (gx, gy, gz), or a track (y)"
-            .to_owned(),
-        found: format!(
-            "a single {}, which this version reads but cannot analyse yet",
-            quantity.name()
-        ),
     }
 }
 

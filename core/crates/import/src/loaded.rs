@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::import::{is_recorded, single_channel};
+use super::import::is_recorded;
 use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, import_inputs};
@@ -97,9 +97,7 @@ fn bare(path: &Path, mapping: &[String]) -> Result<Loaded> {
         .map(|recording| recording.data);
     match (data.next(), data.next()) {
         (Some(ImportedData::Recording(recording)), None) => Ok(Loaded::Bare(Box::new(recording))),
-        (Some(ImportedData::Channel(channel)), None) => {
-            Err(single_channel(&channel.name, channel.quantity))
-        }
+        (Some(ImportedData::Channel(channel)), None) => Ok(Loaded::Bare(Box::new(channel.into()))),
         (Some(ImportedData::Track(_) | ImportedData::GateEvents(_)), None) => Err(no_phone(
             path,
             "a track or a list of events, which becomes a session with `gyradius import`",

@@ -30,9 +30,34 @@ const MOSTLY: f64 = 0.8;
 /// … and there are so many.
 const FEWEST_CUTS: usize = 6;
 
-/// Reads a phone's recording, repairs listed.
+/// Reads a phone's recording, or a single channel `t,angle`, `t,rate` or one axis of a gyroscope;
+/// repairs listed.
 pub fn read_recording(bytes: &[u8], name: &str) -> Result<Recording> {
-    read_table(&Table::native(bytes, name)?)
+    let table = Table::native(bytes, name)?;
+    match single_column(&table) {
+        Some((column, quantity)) => {
+            single_channel(bytes, name, &column, quantity).map(Recording::from)
+        }
+        None => read_table(&table),
+    }
+}
+
+/// The only column beside the time, where it is a single channel.
+fn single_column(table: &Table) -> Option<(String, ChannelQuantity)> {
+    let names = table.header().iter().map(|name| name.trim());
+    let mut others = names.filter(|column| *column != "t");
+    let (column, None) = (others.next()?, others.next()) else {
+        return None;
+    };
+    let (_, axes) = TRIADS[0];
+    let quantity = match column {
+        name if name == ChannelQuantity::Angle.name() => ChannelQuantity::Angle,
+        name if name == ChannelQuantity::Rate.name() || axes.contains(&name) => {
+            ChannelQuantity::Rate
+        }
+        _ => return None,
+    };
+    Some((column.to_owned(), quantity))
 }
 
 /// The same from a table whose header has been found already.
@@ -89,11 +114,20 @@ pub fn read_channel(bytes: &[u8], name: &str) -> Result<SingleChannel> {
         Some(_) => ChannelQuantity::Angle,
         None => ChannelQuantity::Rate,
     };
+    single_channel(bytes, name, quantity.name(), quantity)
+}
+
+fn single_channel(
+    bytes: &[u8],
+    name: &str,
+    column: &str,
+    quantity: ChannelQuantity,
+) -> Result<SingleChannel> {
     let sensor = match quantity {
         ChannelQuantity::Angle => Sensor::Displacement,
         ChannelQuantity::Rate => Sensor::Gyroscope,
     };
-    let mut series = read_single(bytes, name, quantity.name(), sensor, Sampling::Regular)?;
+    let mut series = read_single(bytes, name, column, sensor, Sampling::Regular)?;
     match series.pop() {
         Some(raw) => channel(name, raw, quantity),
         None => Err(too_few(name, &[])),

@@ -11,6 +11,13 @@ use super::samples::{Recording, Sensor, Triad};
 
 /// A recording as CSV bytes that [`super::read_recording`] reads back to the same samples.
 pub fn write_recording(recording: &Recording) -> Vec<u8> {
+    if let Some(channel) = &recording.single {
+        let mut out = format!("t,{}\n", channel.quantity.name());
+        for (t_s, value) in channel.t_s.iter().zip(&channel.values) {
+            let _ = writeln!(out, "{t_s},{value}");
+        }
+        return out.into_bytes();
+    }
     let sensors: Vec<(&Triad, [&str; 3])> = TRIADS
         .iter()
         .filter_map(|(sensor, names)| Some((triad_of(recording, *sensor)?, *names)))

@@ -35,8 +35,8 @@ pub use repair::{
     CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, median_interval_s,
 };
 pub use samples::{
-    ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor, SingleChannel,
-    Track, Triad,
+    Channel, ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor,
+    SingleChannel, Track, Triad,
 };
 pub use save::{
     Overwrite, save_session, save_session_with, save_session_zip, session_zip_bytes, write_files,

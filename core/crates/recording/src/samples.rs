@@ -64,6 +64,9 @@ pub struct Recording {
     pub accelerometer: Option<Triad>,
     /// Gravity-free acceleration, m/s², where the phone gave that instead.
     pub linear_accelerometer: Option<Triad>,
+    /// One channel of a motion of one degree of freedom, in place of all of these.
+    #[serde(default)]
+    pub single: Option<Channel>,
     /// What was found wrong and how it was treated.
     pub repairs: Vec<Repair>,
     /// When the swing was disturbed, s, by the marks of who recorded it: no free swing goes across.
@@ -88,7 +91,20 @@ pub struct Track {
 }
 
 /// What a single channel holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Hash,
+    Serialize,
+    Deserialize,
+    schemars::JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
 pub enum ChannelQuantity {
     /// Angle about the axis of the motion, rad.
     Angle,
@@ -102,6 +118,32 @@ impl ChannelQuantity {
         match self {
             ChannelQuantity::Angle => "angle",
             ChannelQuantity::Rate => "rate",
+        }
+    }
+}
+
+/// The samples of a single channel.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Channel {
+    /// What it measured.
+    pub quantity: ChannelQuantity,
+    /// Time, s, strictly increasing.
+    pub t_s: Vec<f64>,
+    /// Values, rad or rad/s.
+    pub values: Vec<f64>,
+}
+
+impl From<SingleChannel> for Recording {
+    fn from(channel: SingleChannel) -> Self {
+        Recording {
+            name: channel.name,
+            single: Some(Channel {
+                quantity: channel.quantity,
+                t_s: channel.t_s,
+                values: channel.values,
+            }),
+            repairs: channel.repairs,
+            ..Recording::default()
         }
     }
 }

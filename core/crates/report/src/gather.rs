@@ -11,7 +11,7 @@ use super::words::{self, plain, say};
 use gyradius_base::language::Language;
 use gyradius_base::message::{Argument, Message};
 use gyradius_identification::{Analysis, Evidence};
-use gyradius_recording::{InclineAngle, LoadedSession, Quantity, Session};
+use gyradius_recording::{ChannelQuantity, InclineAngle, LoadedSession, Quantity, Session};
 use gyradius_signal::{ChannelGroup, residuals, spectrum};
 
 /// Cycles of the strongest mode in a close-up.
@@ -285,6 +285,11 @@ fn label(evidence: &Evidence, index: usize, language: Language) -> (String, &'st
         let axis = ("axis", Argument::Plain(axis.into()));
         Message::new(key, [axis]).in_language(language)
     };
+    match evidence.single {
+        Some(ChannelQuantity::Angle) => return (say(language, "angle", []), "rad"),
+        Some(ChannelQuantity::Rate) => return (say(language, "rate", []), "rad/s"),
+        None => {}
+    }
     let axis = |first: Option<usize>| first.and_then(|first| AXES.get(index.checked_sub(first)?));
     if let Some(axis) = axis(evidence.map.gyroscope) {
         return (along("critique.channel_turn", axis), "rad/s");

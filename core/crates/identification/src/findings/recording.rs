@@ -84,6 +84,8 @@ fn channels_of(recording: &Recording) -> Vec<(&'static str, &Vec<f64>)> {
         let axes = triad.iter().flat_map(|triad| &triad.axes);
         channels.extend(names.into_iter().zip(axes));
     }
+    let single = recording.single.iter();
+    channels.extend(single.map(|channel| (channel.quantity.name(), &channel.values)));
     channels
 }
 
@@ -152,6 +154,9 @@ fn at_limit(evidence: &Evidence) -> Option<Finding> {
 
 /// Rotation of a mode by the gyroscope alone, rad.
 fn rotation_rad(evidence: &Evidence, mode: usize) -> Option<f64> {
+    if evidence.single.is_some() {
+        return evidence.named[mode].angle_rad;
+    }
     let first = evidence.map.gyroscope?;
     let mode = &evidence.found.modes[mode];
     let rate = (first..first + 3).filter_map(|c| mode.shape.get(c));

@@ -232,6 +232,10 @@ fn rows_of(swing: &LoadedSwing) -> BTreeSet<[u64; 3]> {
     let LoadedData::Recording(recording) = &swing.data else {
         return BTreeSet::new();
     };
+    if let Some(channel) = &recording.single {
+        let rows = channel.t_s.iter().zip(&channel.values);
+        return rows.map(|(t, v)| [t.to_bits(), v.to_bits(), 0]).collect();
+    }
     let triad = recording
         .gyroscope
         .as_ref()

@@ -80,8 +80,11 @@ impl Stream {
         let group = evidence.groups.get(first / 3)?;
         let axis = |c: usize| group.channels.get(c);
         let (x, y, z) = (axis(0)?, axis(1)?, axis(2)?);
-        let noise =
-            Vec3::from_fn(|c, _| evidence.found.noise.get(first + c).copied().unwrap_or(0.0));
+        // An axis that never changes measured nothing: it has no weight.
+        let noise = Vec3::from_fn(|c, _| {
+            let found = evidence.found.noise.get(first + c).copied();
+            found.filter(|noise| *noise > 0.0).unwrap_or(f64::INFINITY)
+        });
         let inside = group.t_s.partition_point(|t| *t < start_s)
             ..group.t_s.partition_point(|t| *t <= start_s + duration_s);
         let t_s: Vec<f64> = group
@@ -92,7 +95,7 @@ impl Stream {
             .collect();
         let values = inside.map(|i| Vec3::new(x[i], y[i], z[i])).collect();
         let blocks = blocks(&t_s, block_s);
-        (noise.min() > 0.0).then_some(Self {
+        noise.min().is_finite().then_some(Self {
             sensor,
             t_s,
             values,
