@@ -76,6 +76,7 @@ impl Plan {
         let kind = match self.suspension.as_str() {
             "bifilar" => SuspensionKind::Bifilar,
             "compound" => SuspensionKind::Compound,
+            "free" => SuspensionKind::Free,
             other => return Err(Error::argument("suspension", "bifilar or compound", other)),
         };
         let orientation = match self.orientation.as_str() {

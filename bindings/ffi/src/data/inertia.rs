@@ -1,8 +1,8 @@
 //! Plain data of the room `inertia`: the result of a measurement.
 
 use gyradius_core::identification::{
-    AmplitudePoint, BudgetLine, Claim, Finding, Measurement, ModeResult, QuantityResult, Route,
-    SwingResult, Value, Verdict,
+    AmplitudePoint, BudgetLine, Claim, Finding, Measurement, ModeResult, ModulationResult,
+    QuantityResult, Route, SwingResult, TrendResult, Value, Verdict,
 };
 use gyradius_core::recording::{ModeName, Repair};
 
@@ -155,8 +155,45 @@ pub struct SwingResult {
     pub warnings: Vec<Sentence>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
+    /// What a list of periods follows, eq. (14).
+    pub trend: Option<TrendResult>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
     pub simulated: bool,
+}
+
+/// A list of periods against time, eq. (14): T(t) = T_0 (1 + b t) + C exp(−t/τ_m) sin(2π t/T_m +
+/// φ_m), t from the first entry.
+#[uniffi::remote(Record)]
+pub struct TrendResult {
+    /// T_0, s.
+    pub t0_s: f64,
+    /// Its standard error, s.
+    pub t0_se_s: f64,
+    /// b, 1/s; 0 where none is seen.
+    pub b_per_s: f64,
+    /// Its standard error, 1/s.
+    pub b_se_per_s: f64,
+    /// The modulation by a second motion, where there is one.
+    pub modulation: Option<ModulationResult>,
+    /// Scatter of the periods about the curve, s.
+    pub scatter_s: f64,
+}
+
+/// The modulation of eq. (14).
+#[uniffi::remote(Record)]
+pub struct ModulationResult {
+    /// C, s.
+    pub c_s: f64,
+    /// Its standard error, s.
+    pub c_se_s: f64,
+    /// T_m, s: the beat of the two motions.
+    pub t_m_s: f64,
+    /// Its standard error, s.
+    pub t_m_se_s: f64,
+    /// τ_m, s; absent where no decay is seen.
+    pub tau_m_s: Option<f64>,
+    /// φ_m, rad.
+    pub phase_rad: f64,
 }
 
 /// One mode of one swing.

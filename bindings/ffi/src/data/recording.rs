@@ -137,6 +137,10 @@ pub enum SuspensionKind {
     Bifilar,
     /// Two inverted Vs: a fixed horizontal axis.
     Compound,
+    /// Three lines on a circle about the vertical axis.
+    Trifilar,
+    /// Nothing is stated.
+    Free,
 }
 
 /// The direction that joins the suspension points (bifilar) or of the swing axis (compound).

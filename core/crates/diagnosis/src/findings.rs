@@ -111,7 +111,7 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
             t_s: &samples.t_s,
             measured_rad_s: &along(&samples.values),
             simulated_rad_s: &along(&readings[stream]),
-            noise_rad_s: samples.noise.component_mul(&axis).norm(),
+            noise_rad_s: samples.noise_along(&axis),
             duration_s: swung.samples.duration_s,
             mode: poles[m],
             others: &others,

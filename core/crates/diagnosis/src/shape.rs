@@ -6,9 +6,11 @@ use num_complex::Complex64;
 use gyradius_base::frames::Vec3;
 use gyradius_signal::FittedMode;
 
-/// Three readings that a mode's shape has in the gyroscope.
+/// Three readings that a mode's shape has in the gyroscope; of a single rate the first.
 pub fn shape(mode: &FittedMode, first: usize) -> Option<[Complex64; 3]> {
-    mode.shape.get(first..first + 3)?.try_into().ok()
+    mode.shape.get(first)?;
+    let axis = |k: usize| mode.shape.get(first + k).copied().unwrap_or_default();
+    Some([0, 1, 2].map(axis))
 }
 
 /// How strong a shape is, squared.

@@ -41,6 +41,8 @@ named! {
         HalfPeriods = "half_periods",
         /// A figure that no body of this size has.
         ImplausibleSize = "implausible_size",
+        /// A motion too large to be a sum of damped oscillations.
+        LargeAmplitude = "large_amplitude",
         /// Yaw near to the pitch in phase, which trades energy with it.
         NearResonance = "near_resonance",
         /// A residual that is not of the size of the noise.

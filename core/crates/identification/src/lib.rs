@@ -33,8 +33,8 @@ pub use findings::{Finding, FindingKind, NEAR_IN_PHASE, Severity};
 pub use measure::solved_periods;
 pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, measure_recording};
 pub use measurement::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, QuantityResult, Route, SwingResult,
-    Verdict,
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, ModulationResult, QuantityResult,
+    Route, SwingResult, TrendResult, Verdict,
 };
 pub use names::{
     AmplitudeUnit, Decision, Input, InputKind, Method, QuantityName, Relation, RouteMethod, Subject,

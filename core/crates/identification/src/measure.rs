@@ -11,11 +11,11 @@ use gyradius_base::message::{Argument, Message};
 use gyradius_base::progress::{Progress, UNWATCHED, tell};
 use gyradius_recording::{
     Incline, InclineAngle, LoadedData, LoadedSession, LoadedSwing, ModeName, PeriodList, Quantity,
-    Recording, Session, Swing, SwingData,
+    Recording, Session, SuspensionKind, Swing, SwingData,
 };
 use gyradius_signal::{
-    FittedMode, FlaggedPeriod, Pole, SmallAmplitude, WindowPoint, WindowedMode, against_amplitude,
-    period_from_list, small_amplitude_limit,
+    FittedMode, FlaggedPeriod, PeriodTrend, Pole, SmallAmplitude, WindowPoint, WindowedMode,
+    against_amplitude, period_from_list, small_amplitude_limit,
 };
 
 use super::alternatives::{RouteCalculation, routes};
@@ -27,10 +27,13 @@ use super::findings::{
     Finding, duplicates, near_resonance, of_dimensions, of_list, of_recording, of_residual,
     of_size, phone_mass, phone_moved, unchecked,
 };
-use super::measurement::{AmplitudePoint, Claim, Measurement, ModeResult, SwingResult};
+use super::measurement::{
+    AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
+};
 use super::names::{AmplitudeUnit, Input, Subject};
 use super::observe::{
-    Evidence, hints_contradicted, names_by_period, observe_recording, observe_track, parasites,
+    Evidence, NEAR_SWAY, hints_contradicted, names_by_period, observe_recording, observe_track,
+    parasites,
 };
 use super::outputs::write_averaged;
 use super::parameters::{Layout, effective_gravity, period_key};
@@ -282,10 +285,13 @@ pub fn estimate(
     inclines: &[Option<Quantity>],
 ) -> Result<Solution> {
     if system.observations.is_empty() {
-        return Err(Error::no_result(
-            title(session),
-            "no mode of any swing could be named",
-        ));
+        let kinds = session.swings.iter().map(|swing| swing.suspension.kind);
+        let is_free = |kind| kind == SuspensionKind::Free;
+        let reason = match !session.swings.is_empty() && kinds.into_iter().all(is_free) {
+            true => "nothing is stated of the suspension: the periods stand alone",
+            false => "no mode of any swing could be named",
+        };
+        return Err(Error::no_result(title(session), reason));
     }
     let first = system.solve(&system.layout.start())?;
     let other = roll_unmeasured(system, &first);
@@ -678,24 +684,47 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
         );
         message("no_single_period", [("at_s", at_s), ("period_s", period_s)])
     };
+    let mut modes = vec![typed_mode(name, period, None)];
+    if name == ModeName::Yaw
+        && let Some(sway) = beaten_sway(period, &found.trend, hanging)
+    {
+        modes.push(typed_mode(ModeName::Sway, sway, None));
+    }
+    let floor = |m: &ModeResult| m.period_se_s.max(TYPED_PERIOD_U_RELATIVE * m.period_s);
+    let named = modes.iter().enumerate();
+    let named = named.filter(|(_, m)| m.mode != ModeName::Other);
+    let periods = named
+        .map(|(i, m)| (i, Quantity::new(m.period_s, floor(m))))
+        .collect();
     let result = SwingResult {
         id: swing.id.clone(),
         repairs: list.repairs.clone(),
-        modes: vec![typed_mode(name, period, None)],
+        modes,
+        trend: Some(TrendResult::from(&found.trend)),
         ..Default::default()
     };
     let result = result.warned(found.flagged.iter().map(left_out).collect());
-    let u = period.u.max(TYPED_PERIOD_U_RELATIVE * period.value);
-    let periods = if name == ModeName::Other {
-        vec![]
-    } else {
-        vec![(0, Quantity::new(period.value, u))]
-    };
     Ok(SwingWork {
         result,
         evidence: None,
         periods,
     })
+}
+
+/// The sway that modulates a list of yaw periods: the two beat at T_m, so 1/T_s = 1/T_y ± 1/T_m, and
+/// the stated length of the lines tells which.
+fn beaten_sway(yaw: Quantity, trend: &PeriodTrend, hanging: &Hanging) -> Option<Quantity> {
+    let modulation = trend.modulation.as_ref()?;
+    let stated_s = hanging.sway_period_s?;
+    let frequency = |sign: f64| 1.0 / yaw.value + sign / modulation.t_m_s;
+    let sway = [1.0, -1.0].map(|sign| 1.0 / frequency(sign));
+    let distance = |period: &f64| (period / stated_s).ln().abs();
+    let near = sway
+        .into_iter()
+        .filter(|period| distance(period) < NEAR_SWAY);
+    let period_s = near.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let u_hz = (yaw.u / yaw.value.powi(2)).hypot(modulation.t_m_se_s / modulation.t_m_s.powi(2));
+    Some(Quantity::new(period_s, period_s * period_s * u_hz))
 }
 
 /// All observed periods with their corrections (which free them of amplitude and damping), as far
@@ -707,13 +736,17 @@ fn observations(
 ) -> Vec<Observation> {
     let mut all = Vec::new();
     for (i, work) in works.iter().enumerate() {
-        let compound_like = |mode: ModeName| {
-            session.swings[i].suspension.axis_height_m.is_some() == (mode == ModeName::Compound)
+        let kind = session.swings[i].suspension.kind;
+        let shows = |mode: ModeName| match kind {
+            SuspensionKind::Bifilar => mode != ModeName::Compound,
+            SuspensionKind::Compound => mode == ModeName::Compound,
+            SuspensionKind::Trifilar => matches!(mode, ModeName::Yaw | ModeName::Sway),
+            SuspensionKind::Free => false,
         };
         for (m, observed) in work
             .periods
             .iter()
-            .filter(|(m, _)| compound_like(work.result.modes[*m].mode))
+            .filter(|(m, _)| shows(work.result.modes[*m].mode))
         {
             let mode = &work.result.modes[*m];
             let observed = session.reading(&period_key(i, mode.mode), *observed);

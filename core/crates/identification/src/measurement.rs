@@ -16,6 +16,7 @@ use super::names::{
     AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
 };
 use super::value::Value;
+use gyradius_signal::PeriodTrend;
 
 /// A session's or a bare recording's result.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -66,7 +67,8 @@ impl Measurement {
             QuantityName::KYaw | QuantityName::KPitch | QuantityName::KRoll => &made_of_it[..],
             _ => &[],
         };
-        for gone in also.iter().chain([name]) {
+        let moment = name.moment();
+        for gone in also.iter().chain([name]).chain(&moment) {
             self.quantities.remove(gone);
             self.budget.remove(gone);
         }
@@ -91,6 +93,9 @@ pub struct SwingResult {
     pub warnings: Vec<Message>,
     /// Residual over noise: 1 where the fit explains everything.
     pub rms_over_noise: Option<f64>,
+    /// What a list of periods follows, eq. (14).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trend: Option<TrendResult>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
     #[serde(default)]
     pub simulated: bool,
@@ -100,6 +105,62 @@ impl SwingResult {
     /// With what a reader must know of it.
     pub(super) fn warned(self, warnings: Vec<Message>) -> Self {
         Self { warnings, ..self }
+    }
+}
+
+/// A list of periods against time, eq. (14) with the amplitude that its print lost: T(t) = T_0 (1 +
+/// b t) + C exp(−t/τ_m) sin(2π t/T_m + φ_m), t from the first entry.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct TrendResult {
+    /// T_0, s.
+    pub t0_s: f64,
+    /// Its standard error, s.
+    pub t0_se_s: f64,
+    /// b, 1/s; 0 where none is seen.
+    pub b_per_s: f64,
+    /// Its standard error, 1/s.
+    pub b_se_per_s: f64,
+    /// The modulation by a second motion, where there is one.
+    pub modulation: Option<ModulationResult>,
+    /// Scatter of the periods about the curve, s.
+    pub scatter_s: f64,
+}
+
+/// The modulation of eq. (14).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct ModulationResult {
+    /// C, s.
+    pub c_s: f64,
+    /// Its standard error, s.
+    pub c_se_s: f64,
+    /// T_m, s: the beat of the two motions.
+    pub t_m_s: f64,
+    /// Its standard error, s.
+    pub t_m_se_s: f64,
+    /// τ_m, s; absent where no decay is seen.
+    pub tau_m_s: Option<f64>,
+    /// φ_m, rad.
+    pub phase_rad: f64,
+}
+
+impl From<&PeriodTrend> for TrendResult {
+    fn from(trend: &PeriodTrend) -> Self {
+        let modulation = trend.modulation.as_ref().map(|m| ModulationResult {
+            c_s: m.c_s,
+            c_se_s: m.c_se_s,
+            t_m_s: m.t_m_s,
+            t_m_se_s: m.t_m_se_s,
+            tau_m_s: Some(m.tau_m_s()).filter(|tau| tau.is_finite()),
+            phase_rad: m.phase_rad,
+        });
+        Self {
+            t0_s: trend.t0_s,
+            t0_se_s: trend.t0_se_s,
+            b_per_s: trend.b_per_s,
+            b_se_per_s: trend.b_se_per_s,
+            modulation,
+            scatter_s: trend.scatter_s,
+        }
     }
 }
 

@@ -26,6 +26,13 @@ pub enum QuantityName {
     PrincipalGyradii,
     /// Inertia tensor, kg m².
     Inertia,
+    /// Moment of inertia about the vertical through the centre of mass, kg m²; it and the two below
+    /// stand where the tensor is not known in full.
+    InertiaYaw,
+    /// Moment of inertia about the athwartships axis, kg m².
+    InertiaPitch,
+    /// Moment of inertia about the fore-and-aft axis, kg m².
+    InertiaRoll,
     /// Small-amplitude period of a swing, s.
     SmallPeriod(SmallPeriod),
 }
@@ -44,7 +51,7 @@ impl QuantityName {
         Self::Psi,
     ];
 
-    const FIXED: [Self; 7] = [
+    const FIXED: [Self; 10] = [
         Self::KYaw,
         Self::KPitch,
         Self::KRoll,
@@ -52,6 +59,9 @@ impl QuantityName {
         Self::Psi,
         Self::PrincipalGyradii,
         Self::Inertia,
+        Self::InertiaYaw,
+        Self::InertiaPitch,
+        Self::InertiaRoll,
     ];
     const SMALL_PERIOD: [&str; 2] = ["small_period_", "_s"];
 
@@ -71,7 +81,20 @@ impl QuantityName {
             Self::Psi => "psi_deg",
             Self::PrincipalGyradii => "principal_gyradii_m",
             Self::Inertia => "inertia_kg_m2",
+            Self::InertiaYaw => "inertia_yaw_kg_m2",
+            Self::InertiaPitch => "inertia_pitch_kg_m2",
+            Self::InertiaRoll => "inertia_roll_kg_m2",
             Self::SmallPeriod(name) => &name.0,
+        }
+    }
+
+    /// The moment of inertia that belongs to a gyradius.
+    pub fn moment(&self) -> Option<Self> {
+        match self {
+            Self::KYaw => Some(Self::InertiaYaw),
+            Self::KPitch => Some(Self::InertiaPitch),
+            Self::KRoll => Some(Self::InertiaRoll),
+            _ => None,
         }
     }
 
@@ -80,7 +103,7 @@ impl QuantityName {
         match self {
             Self::KYaw | Self::KPitch | Self::KRoll | Self::CmDepth | Self::PrincipalGyradii => "m",
             Self::Psi => "°",
-            Self::Inertia => "kg m²",
+            Self::Inertia | Self::InertiaYaw | Self::InertiaPitch | Self::InertiaRoll => "kg m²",
             Self::SmallPeriod(_) => "s",
         }
     }
@@ -130,7 +153,7 @@ impl std::hash::Hash for QuantityName {
 ordered_as_text!(QuantityName);
 written_as_text!(
     QuantityName,
-    "A quantity with its unit: k_yaw_m, k_pitch_m, k_roll_m, cm_depth_m, psi_deg, principal_gyradii_m, inertia_kg_m2 or small_period_<swing>_s"
+    "A quantity with its unit: k_yaw_m, k_pitch_m, k_roll_m, cm_depth_m, psi_deg, principal_gyradii_m, inertia_kg_m2, inertia_yaw_kg_m2, inertia_pitch_kg_m2, inertia_roll_kg_m2 or small_period_<swing>_s"
 );
 
 named! {

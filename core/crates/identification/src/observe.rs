@@ -57,6 +57,16 @@ pub struct Evidence {
     pub warnings: Vec<Message>,
 }
 
+impl Evidence {
+    /// The first channel of a gyroscope, or the only one of a single rate.
+    pub fn rates_from(&self) -> Option<usize> {
+        match self.single {
+            Some(ChannelQuantity::Rate) => Some(0),
+            _ => self.map.gyroscope,
+        }
+    }
+}
+
 /// A phone's channels: gyroscope first, then whichever accelerometer there is.
 fn channels(recording: &Recording) -> (Vec<ChannelGroup>, ChannelMap) {
     let mut groups = Vec::new();
@@ -403,10 +413,12 @@ fn name_track_modes(found: &Decomposition, hanging: &Hanging, swing: &Swing) -> 
         .collect()
 }
 
+/// How near a period is to that of the lines to be the sway, as a logarithm.
+pub const NEAR_SWAY: f64 = 0.05;
+
 /// Names for periods alone. The stated length fixes the sway period to a few percent (the paper's
 /// was 4 % off).
 pub fn names_by_period(periods_s: &[f64], hanging: &Hanging, swing: &Swing) -> Vec<ModeName> {
-    const NEAR_SWAY: f64 = 0.05;
     let mut names = vec![ModeName::Other; periods_s.len()];
     let meant = |e: Excitation| swing.excited.contains(&e);
     let distance = |t: f64| {

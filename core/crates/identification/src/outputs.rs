@@ -50,6 +50,9 @@ impl Hull<'_> {
             QuantityName::KPitch => Some(k(1)),
             QuantityName::KYaw => Some(k(2)),
             QuantityName::CmDepth => self.level_depth.map(|_| -body.cm_m.z),
+            QuantityName::InertiaRoll => Some(body.inertia_kg_m2[(0, 0)]),
+            QuantityName::InertiaPitch => Some(body.inertia_kg_m2[(1, 1)]),
+            QuantityName::InertiaYaw => Some(body.inertia_kg_m2[(2, 2)]),
             QuantityName::Psi => Some(psi_rad(&body.inertia_kg_m2).to_degrees()),
             QuantityName::PrincipalGyradii
             | QuantityName::Inertia
@@ -149,6 +152,13 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
     .all(has)
     {
         write_tensor(&hull, spread, has(&QuantityName::Psi), result);
+    } else if system.session.body.mass_kg.is_some() {
+        for moment in determined.iter().filter_map(|(name, _)| name.moment()) {
+            if let Some(averaged) = spread.derive(|x| hull.scalar(&moment, x)) {
+                let shown = scalar_result(&averaged.derived);
+                result.quantities.insert(moment, shown);
+            }
+        }
     }
 }
 

@@ -15,7 +15,8 @@ use gyradius_base::constants::{
 use gyradius_base::error::Result;
 use gyradius_base::message::Message;
 use gyradius_recording::{
-    Attachment, Incline, InclineAngle, ModeName, Quantity, Session, Swing, SwingData,
+    Attachment, Incline, InclineAngle, ModeName, Quantity, Session, SuspensionKind, Swing,
+    SwingData,
 };
 
 use super::court::FLAG_SIGMA;
@@ -413,8 +414,12 @@ impl<'a> Builder<'a> {
             figure.map(|figure| self.read(&key(name), kind, figure))
         };
         let line_length = read("line_length", InputKind::LineLength, hung.line_length_m);
-        let spacing = read("spacing", InputKind::Spacing, hung.spacing_m);
-        let top_spacing = read("top_spacing", InputKind::TopSpacing, hung.top_spacing_m);
+        let [below, above] = match hung.kind {
+            SuspensionKind::Trifilar => ["radius", "top_radius"],
+            _ => ["spacing", "top_spacing"],
+        };
+        let spacing = read(below, InputKind::Spacing, hung.spacing_m);
+        let top_spacing = read(above, InputKind::TopSpacing, hung.top_spacing_m);
         let axis_height = read("axis_height", InputKind::AxisHeight, hung.axis_height_m);
         let pitch = phone_pitch
             .or(hung.hull_pitch_deg)

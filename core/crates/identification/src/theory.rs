@@ -5,10 +5,11 @@ use gyradius_base::frames::{Mat3, Vec3, world_from_hull_pitched};
 use gyradius_mechanics::{
     Rig, RigidBody, SmallModes, SuspensionAxis, compound_pendulum_period_s, small_modes,
 };
-use gyradius_recording::{Incline, ModeName, Orientation, Session, Swing};
+use gyradius_recording::{Incline, ModeName, Orientation, Session, SuspensionKind, Swing};
 
 use super::parameters::{Layout, SwingIndex};
 use super::routes::attachments::{joined, remainder};
+use super::routes::yaw::{Lines, yaw_period_s};
 
 /// Everything that hangs, in hull axes: mass, centre of mass from the mid-point of the suspension
 /// points, inertia about the centre of mass.
@@ -87,15 +88,16 @@ fn settle(body: &RigidBody, orientation: Orientation) -> RigidBody {
 
 /// The lines of a bifilar swing.
 pub fn swing_rig(layout: &Layout, x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<Rig> {
-    let value = |i: Option<usize>, key: &str| {
-        i.map(|i| x[i])
-            .ok_or_else(|| Error::no_result(&swing.id, format!("the suspension states no {key}")))
-    };
+    if swing.suspension.kind == SuspensionKind::Trifilar {
+        let reason = "three lines are not simulated";
+        return Err(Error::no_result(&swing.id, reason));
+    }
+    let lines = swing_lines(x, swing, index)?;
     Rig::bifilar(
         axis(swing.suspension.orientation),
-        value(index.line_length, "line_length")?,
-        value(index.spacing, "spacing")?,
-        value(index.top_spacing, "top_spacing")?,
+        lines.length_m,
+        2.0 * lines.half_spacing_m,
+        2.0 * lines.top_half_spacing_m,
         x[layout.gravity],
     )
 }
@@ -153,9 +155,45 @@ pub fn swing_periods(
             compound_period_s(&body, swing, x[height], x[layout.gravity]),
         )]);
     }
+    if swing.suspension.kind == SuspensionKind::Trifilar {
+        return trifilar_periods(layout, x, swing, index, &body);
+    }
     let modes = small_modes(&swing_rig(layout, x, swing, index)?, &body)?;
     let names = mode_names(&body, &modes, swing.suspension.orientation);
     Ok((0..4).map(|i| (names[i], modes.period_s(i))).collect())
+}
+
+/// The lines of a swing by the stated figures, as the laws of yaw want them.
+pub fn swing_lines(x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<Lines> {
+    let value = |i: Option<usize>, key: &str| {
+        i.map(|i| x[i])
+            .ok_or_else(|| Error::no_result(&swing.id, format!("the suspension states no {key}")))
+    };
+    Ok(Lines {
+        length_m: value(index.line_length, "line_length")?,
+        half_spacing_m: 0.5 * value(index.spacing, "spacing")?,
+        top_half_spacing_m: 0.5 * value(index.top_spacing, "top_spacing")?,
+    })
+}
+
+/// Three lines on a circle turn a body as two a diameter apart do, (5); where they are parallel it
+/// sways as a pendulum, (7), and does not pitch. The centre of mass lies on the axis.
+fn trifilar_periods(
+    layout: &Layout,
+    x: &[f64],
+    swing: &Swing,
+    index: &SwingIndex,
+    body: &RigidBody,
+) -> Result<Vec<(ModeName, f64)>> {
+    let lines = swing_lines(x, swing, index)?;
+    let k = (body.inertia_kg_m2[(2, 2)] / body.mass_kg).sqrt();
+    let gravity = x[layout.gravity];
+    let mut periods = vec![(ModeName::Yaw, yaw_period_s(k, &lines, gravity)?)];
+    if index.top_spacing == index.spacing {
+        let sway = std::f64::consts::TAU * (lines.length_m / gravity).sqrt();
+        periods.push((ModeName::Sway, sway));
+    }
+    Ok(periods)
 }
 
 /// Eq. (22): the axis lies `axis_height_m` above the suspension points, along the suspension's

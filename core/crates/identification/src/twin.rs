@@ -13,13 +13,14 @@ use gyradius_mechanics::{
     Damping, ModalPart, Rig, RigidBody, Sampling, SmallModes, Trajectory,
     compound_pendulum_period_s, initial_state, simulate, small_modes,
 };
-use gyradius_recording::{ModeName, Swing};
+use gyradius_recording::{ModeName, SuspensionKind, Swing};
 
 use super::measurement::{ModeResult, SwingResult};
 use super::names::AmplitudeUnit;
 use super::parameters::{Layout, SwingIndex};
-use super::routes::finite_amplitude::pendulum_period_ratio;
-use super::theory::{axis, mode_names, swing_body, swing_rig};
+use super::routes::finite_amplitude::{pendulum_period_ratio, yaw_period_at_amplitude_s};
+use super::routes::yaw::{Lines, yaw_period_s};
+use super::theory::{axis, mode_names, swing_body, swing_lines, swing_rig};
 
 /// Share of a correction that counts as its standard uncertainty: amplitudes are known to a percent
 /// or two, and the twin knows no air and no bearing.
@@ -129,10 +130,35 @@ fn corrections_of(
             .map(|m| compound(&body, swing, x[height], x[layout.gravity], m))
             .collect();
     }
+    if swing.suspension.kind == SuspensionKind::Trifilar {
+        let Ok(lines) = swing_lines(x, swing, index) else {
+            return none;
+        };
+        let of_mode = |m: &ModeResult| trifilar(&body, &lines, x[layout.gravity], m);
+        return result.modes.iter().map(of_mode).collect();
+    }
     let Ok(rig) = swing_rig(layout, x, swing, index) else {
         return none;
     };
     bifilar(&rig, &body, swing, result).unwrap_or(none)
+}
+
+/// Three lines: by the exact laws of yaw and of a pendulum.
+fn trifilar(body: &RigidBody, lines: &Lines, gravity_m_s2: f64, mode: &ModeResult) -> Correction {
+    let k = (body.inertia_kg_m2[(2, 2)] / body.mass_kg).sqrt();
+    let small = yaw_period_s(k, lines, gravity_m_s2).unwrap_or(f64::NAN);
+    match mode.mode {
+        ModeName::Yaw => by_law(mode, small, |amplitude| {
+            let large = yaw_period_at_amplitude_s(k, lines, gravity_m_s2, amplitude);
+            large.map_or(1.0, |large| large / small)
+        }),
+        ModeName::Sway => by_law(mode, mode.period_observed_s, pendulum),
+        _ => Correction::default(),
+    }
+}
+
+fn pendulum(amplitude_rad: f64) -> f64 {
+    pendulum_period_ratio(amplitude_rad).unwrap_or(1.0)
 }
 
 fn bifilar(
@@ -421,10 +447,17 @@ fn compound(
     let unit = axis(swing.suspension.orientation).unit();
     let k2 = unit.dot(&(body.inertia_kg_m2 * unit)) / body.mass_kg;
     let period_s = compound_pendulum_period_s(k2.sqrt(), axis_height_m - body.cm_m.z, gravity_m_s2);
-    match mode
-        .amplitude
-        .filter(|_| mode.mode == ModeName::Compound && period_s.is_finite())
-    {
+    match mode.mode {
+        ModeName::Compound => by_law(mode, period_s, pendulum),
+        _ => Correction::default(),
+    }
+}
+
+/// By the law of a motion in one degree of freedom: its period at an amplitude over that of small
+/// ones, `period_s`.
+fn by_law(mode: &ModeResult, period_s: f64, law: impl Fn(f64) -> f64) -> Correction {
+    let in_rad = mode.amplitude_unit == AmplitudeUnit::Radian;
+    match mode.amplitude.filter(|_| in_rad && period_s.is_finite()) {
         Some(start) => {
             // Energy-weighted mean of the squared amplitude over the record.
             let span = mode.decay_time_s.map_or(0.0, |tau| {
@@ -439,7 +472,7 @@ fn compound(
             let damped = mode.decay_time_s.map_or(1.0, |tau| {
                 (period_s / (std::f64::consts::TAU * tau)).hypot(1.0)
             });
-            let at_amplitude = pendulum_period_ratio(start * mean_square.sqrt()).unwrap_or(1.0);
+            let at_amplitude = law(start * mean_square.sqrt());
             Correction::of(1.0 / (at_amplitude * damped))
         }
         None => Correction::default(),

@@ -14,6 +14,9 @@ pub fn symbol(quantity: &QuantityName) -> Option<&'static str> {
         QuantityName::KRoll => Some("k_roll"),
         QuantityName::CmDepth => Some("l₂"),
         QuantityName::Psi => Some("ψ"),
+        QuantityName::InertiaYaw => Some("I_yaw"),
+        QuantityName::InertiaPitch => Some("I_pitch"),
+        QuantityName::InertiaRoll => Some("I_roll"),
         QuantityName::PrincipalGyradii | QuantityName::Inertia | QuantityName::SmallPeriod(_) => {
             None
         }
@@ -88,8 +91,8 @@ pub fn route_in(method: &str, language: Language) -> String {
 
 /// A quantity in words in a language, without its unit, by its name in files.
 pub fn quantity_in(key: &str, language: Language) -> String {
-    let scalar = QuantityName::SCALARS.iter().find(|q| q.as_str() == key);
-    let known = scalar.and_then(|_| name(&format!("inertia.quantity.{key}"), language));
+    let known = key.parse::<QuantityName>().ok();
+    let known = known.and_then(|_| name(&format!("inertia.quantity.{key}"), language));
     let bare = ENDINGS
         .iter()
         .find_map(|(ending, _)| key.strip_suffix(ending))

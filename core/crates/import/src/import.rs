@@ -299,6 +299,11 @@ impl ImportRequest {
         let hung = &self.suspension;
         let needed = match hung.kind {
             SuspensionKind::Compound => vec![("axis_height", hung.axis_height_m)],
+            SuspensionKind::Free => vec![],
+            SuspensionKind::Trifilar => vec![
+                ("line_length", hung.line_length_m),
+                ("radius", hung.spacing_m),
+            ],
             SuspensionKind::Bifilar => {
                 vec![
                     ("line_length", hung.line_length_m),

@@ -351,6 +351,9 @@ impl Hull {
             QuantityName::Psi => Some(self.psi_deg),
             QuantityName::PrincipalGyradii
             | QuantityName::Inertia
+            | QuantityName::InertiaYaw
+            | QuantityName::InertiaPitch
+            | QuantityName::InertiaRoll
             | QuantityName::SmallPeriod(_) => None,
         }
     }

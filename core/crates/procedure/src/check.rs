@@ -134,7 +134,8 @@ fn missing(step: &StepMemory, measured: Measured) -> Option<&'static str> {
             ("depth_m", measured.depth_m.is_some()),
         ]),
         Step::Swing(swing) => match swing.suspension.kind {
-            SuspensionKind::Bifilar => first(&[
+            SuspensionKind::Free => None,
+            SuspensionKind::Bifilar | SuspensionKind::Trifilar => first(&[
                 (
                     "line_length_m",
                     measured

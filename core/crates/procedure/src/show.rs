@@ -263,7 +263,7 @@ impl Procedure {
             .map_or(2, |critique| critique.causes.max(2));
         let hung = &swing.suspension;
         let (key, lengths) = match hung.kind {
-            SuspensionKind::Bifilar => (
+            SuspensionKind::Bifilar | SuspensionKind::Trifilar | SuspensionKind::Free => (
                 "suggest",
                 vec![
                     ("line_length_m", hung.line_length_m),
@@ -429,7 +429,7 @@ fn hang_text(step: &StepMemory) -> Message {
             ];
             let [id, orientation, extras] = common;
             match hanging.kind {
-                SuspensionKind::Bifilar => {
+                SuspensionKind::Bifilar | SuspensionKind::Trifilar | SuspensionKind::Free => {
                     let lengths = [
                         ("line_length_m", length(hanging.line_length_m)),
                         ("spacing_m", length(hanging.spacing_m)),

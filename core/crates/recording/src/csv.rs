@@ -43,7 +43,7 @@ pub fn read_recording(bytes: &[u8], name: &str) -> Result<Recording> {
 }
 
 /// The only column beside the time, where it is a single channel.
-fn single_column(table: &Table) -> Option<(String, ChannelQuantity)> {
+pub(crate) fn single_column(table: &Table) -> Option<(String, ChannelQuantity)> {
     let names = table.header().iter().map(|name| name.trim());
     let mut others = names.filter(|column| *column != "t");
     let (column, None) = (others.next()?, others.next()) else {
@@ -110,11 +110,14 @@ fn track_of(series: Vec<RawSeries>, name: &str) -> Result<Track> {
 /// Reads a single channel `t,angle` (rad) or `t,rate` (rad/s).
 pub fn read_channel(bytes: &[u8], name: &str) -> Result<SingleChannel> {
     let table = Table::native(bytes, name)?;
-    let quantity = match table.find(|column| column == ChannelQuantity::Angle.name()) {
-        Some(_) => ChannelQuantity::Angle,
-        None => ChannelQuantity::Rate,
-    };
-    single_channel(bytes, name, quantity.name(), quantity)
+    match single_column(&table) {
+        Some((column, quantity)) => single_channel(bytes, name, &column, quantity),
+        None => Err(table.malformed(
+            Some(0),
+            "the columns t and angle, rate or one of gx, gy, gz",
+            &format!("`{}`", table.header_text()),
+        )),
+    }
 }
 
 fn single_channel(

@@ -6,6 +6,8 @@ use super::session::{Excitation, InstrumentKind, ModeName, Orientation, Suspensi
 pub(crate) const KINDS: &[(&str, SuspensionKind)] = &[
     ("bifilar", SuspensionKind::Bifilar),
     ("compound", SuspensionKind::Compound),
+    ("trifilar", SuspensionKind::Trifilar),
+    ("free", SuspensionKind::Free),
 ];
 pub(crate) const INSTRUMENTS: &[(&str, InstrumentKind)] = &[
     ("tape", InstrumentKind::Tape),

@@ -266,6 +266,10 @@ pub enum SuspensionKind {
     Bifilar,
     /// Two inverted Vs: a fixed horizontal axis.
     Compound,
+    /// Three lines on a circle about the vertical axis: `spacing_m` is the circle's diameter.
+    Trifilar,
+    /// Nothing is stated: the recording gives periods and damping alone.
+    Free,
 }
 
 /// The direction that joins the suspension points (bifilar) or the swing axis (compound).

@@ -7,7 +7,9 @@ use super::keys::{Field, Table};
 use super::named_file::NamedFile;
 use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS};
 use super::quantity::Quantity;
-use super::session::{AddedMass, ModeName, Suspension, SuspensionKind, Swing, SwingData};
+use super::session::{
+    AddedMass, ModeName, Orientation, Suspension, SuspensionKind, Swing, SwingData,
+};
 use gyradius_base::error::Result;
 
 /// Keys of a swing.
@@ -32,6 +34,8 @@ const SUSPENSION: &[&str] = &[
     "hull_pitch_deg",
     "points_moved",
     "axis_height",
+    "radius",
+    "top_radius",
 ];
 const ADDED_MASS: &[&str] = &["mass", "position"];
 const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
@@ -154,19 +158,35 @@ fn added_mass(table: &Table<'_>) -> Result<AddedMass> {
 
 fn suspension(table: &Table<'_>) -> Result<Suspension> {
     let kind = table
-        .require("kind", "bifilar or compound")?
+        .require("kind", "bifilar, compound, trifilar or free")?
         .choice(KINDS)?;
     match kind {
         SuspensionKind::Bifilar => bifilar_keys(table)?,
         SuspensionKind::Compound => compound_keys(table)?,
+        SuspensionKind::Trifilar => trifilar_keys(table)?,
+        SuspensionKind::Free => free_keys(table)?,
     }
-    let orientation = table.require("orientation", "athwartships or fore_and_aft")?;
+    let is_round = matches!(kind, SuspensionKind::Trifilar | SuspensionKind::Free);
+    let orientation = match table.get("orientation") {
+        None if is_round => Orientation::Athwartships,
+        None => table
+            .require("orientation", "athwartships or fore_and_aft")?
+            .choice(ORIENTATIONS)?,
+        Some(field) => field.choice(ORIENTATIONS)?,
+    };
+    let across = |spacing: &str, radius: &str| match kind {
+        SuspensionKind::Trifilar => {
+            let radius = table.quantity(radius, Domain::LENGTH)?;
+            Ok(radius.map(|r| Quantity::new(2.0 * r.value, 2.0 * r.u)))
+        }
+        _ => table.quantity(spacing, Domain::LENGTH),
+    };
     let suspension = Suspension {
         kind,
-        orientation: orientation.choice(ORIENTATIONS)?,
+        orientation,
         line_length_m: table.quantity("line_length", Domain::LENGTH)?,
-        spacing_m: table.quantity("spacing", Domain::LENGTH)?,
-        top_spacing_m: table.quantity("top_spacing", Domain::LENGTH)?,
+        spacing_m: across("spacing", "radius")?,
+        top_spacing_m: across("top_spacing", "top_radius")?,
         hull_pitch_deg: table.quantity("hull_pitch_deg", Domain::PITCH)?,
         points_moved_m: table.quantity("points_moved", Domain::COORDINATE)?,
         axis_height_m: table.quantity("axis_height", Domain::LENGTH)?,
@@ -180,14 +200,48 @@ fn bifilar_keys(table: &Table<'_>) -> Result<()> {
         &["axis_height"],
         "a bifilar suspension has no fixed axis; that is kind = \"compound\"",
     )?;
+    table.refuse(
+        &["radius", "top_radius"],
+        "two lines have a `spacing`; three on a circle are kind = \"trifilar\"",
+    )?;
     table.require("line_length", "length of the lines, m")?;
     table
         .require("spacing", "between the points on the hull, m")
         .map(|_| ())
 }
 
+fn trifilar_keys(table: &Table<'_>) -> Result<()> {
+    table.refuse(
+        &["axis_height", "spacing", "top_spacing"],
+        "a trifilar suspension is described by `line_length` and `radius`",
+    )?;
+    table.require("line_length", "length of the lines, m")?;
+    table
+        .require("radius", "of the circle through the line ends below, m")
+        .map(|_| ())
+}
+
+fn free_keys(table: &Table<'_>) -> Result<()> {
+    let stated = [
+        "axis_height",
+        "line_length",
+        "spacing",
+        "top_spacing",
+        "radius",
+        "top_radius",
+        "points_moved",
+    ];
+    table.refuse(&stated, "of a free suspension nothing is stated")
+}
+
 fn compound_keys(table: &Table<'_>) -> Result<()> {
-    let lines = ["line_length", "spacing", "top_spacing"];
+    let lines = [
+        "line_length",
+        "spacing",
+        "top_spacing",
+        "radius",
+        "top_radius",
+    ];
     table.refuse(
         &lines,
         "a compound suspension is described by `axis_height` alone",

@@ -9,7 +9,7 @@ use super::quantity::Quantity;
 use super::recorded::Recorded;
 use super::session::{
     AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Session, Site,
-    Suspension, Swing, SwingData,
+    Suspension, SuspensionKind, Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 
@@ -203,10 +203,18 @@ fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key:
         "orientation",
         quoted(name_of(suspension.orientation, ORIENTATIONS)),
     );
+    let is_round = suspension.kind == SuspensionKind::Trifilar;
+    let half = |across: Option<Quantity>| {
+        let figure = across.filter(|_| is_round)?;
+        Some(Quantity::new(0.5 * figure.value, 0.5 * figure.u))
+    };
+    let across = |across: Option<Quantity>| across.filter(|_| !is_round);
     let stated = [
         ("line_length", suspension.line_length_m),
-        ("spacing", suspension.spacing_m),
-        ("top_spacing", suspension.top_spacing_m),
+        ("spacing", across(suspension.spacing_m)),
+        ("top_spacing", across(suspension.top_spacing_m)),
+        ("radius", half(suspension.spacing_m)),
+        ("top_radius", half(suspension.top_spacing_m)),
         ("hull_pitch_deg", suspension.hull_pitch_deg),
         ("points_moved", suspension.points_moved_m),
         ("axis_height", suspension.axis_height_m),

@@ -199,6 +199,10 @@ pub fn experiment(
     let hanging = match swing.suspension.kind {
         SuspensionKind::Bifilar => Hanging::Bifilar(axis),
         SuspensionKind::Compound => Hanging::Compound(axis),
+        SuspensionKind::Trifilar | SuspensionKind::Free => {
+            let reason = "the simulation knows bifilar and compound suspensions";
+            return Err(Error::no_result(&swing.id, reason));
+        }
     };
     let mut scene = Scene {
         hanging,

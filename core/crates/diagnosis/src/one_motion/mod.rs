@@ -21,12 +21,12 @@ use std::f64::consts::TAU;
 
 use super::FORMAT;
 use super::gain;
-use super::point::first_settled;
+use super::point::{SETTLING_S, first_settled};
 use super::result::{CauseVerdict, Criticism, Critique, ModelResult, SwingTrace};
 use super::unit::UnitName;
 use super::words;
 use findings::findings;
-use gyradius_base::error::Result;
+use gyradius_base::error::{Error, Result};
 use gyradius_base::message::Message;
 use gyradius_base::progress::{Progress, tell};
 use gyradius_identification::estimate::{Observed, System};
@@ -35,7 +35,7 @@ use gyradius_identification::outputs::write_quantities;
 use gyradius_identification::{COVERAGE_95, Measurement, Method, QuantityName, QuantityResult};
 use gyradius_recording::{LoadedSession, Quantity};
 use next_swing::next_swing;
-use search::{Extended, Found, is_long_enough, search};
+use search::{Extended, Found, LEAST_PERIODS, is_long_enough, search};
 use swing::{FREQUENCY, Swing};
 
 /// Criticises every swing of a session that a gyroscope saw, each in its strongest motion; `x` are
@@ -48,12 +48,14 @@ pub fn criticise(
     warnings: Vec<Message>,
     progress: &Progress,
 ) -> Result<Option<Criticism>> {
-    let swings: Vec<Swing> = (works.iter().enumerate())
+    let all: Vec<Swing> = (works.iter().enumerate())
         .filter_map(|(number, work)| Swing::of(system, x, work, number))
-        .filter(is_long_enough)
         .collect();
+    let (swings, short): (Vec<Swing>, Vec<Swing>) = all.into_iter().partition(is_long_enough);
     if swings.is_empty() {
-        return Ok(None);
+        return short
+            .first()
+            .map_or(Ok(None), |first| Err(too_short(first)));
     }
     tell(progress, 0.15, "fitting each swing")?;
     let Some(found) = search(&swings, progress)? else {
@@ -61,6 +63,18 @@ pub fn criticise(
     };
     tell(progress, 0.9, "judging by samples held out")?;
     Ok(conclude(loaded, (system, x), &found, warnings))
+}
+
+/// Why a swing that was recorded is not judged.
+fn too_short(swing: &Swing) -> Error {
+    let period_s = TAU / swing.scales.omega_rad_s;
+    let needed_s = SETTLING_S + LEAST_PERIODS * period_s;
+    let reason = format!(
+        "too short: {:.1} s are {:.1} periods; a criticism needs {needed_s:.0} s, the settling time of {SETTLING_S} s and {LEAST_PERIODS} periods",
+        swing.duration_s,
+        swing.duration_s / period_s,
+    );
+    Error::no_result(swing.id, reason)
 }
 
 fn conclude(

@@ -324,7 +324,11 @@ impl Found<'_> {
     }
 }
 
-/// Whether a record is long enough to be judged: a few seconds beyond what is left out.
+/// Periods beyond what is left out that a record must hold to be judged.
+pub const LEAST_PERIODS: f64 = 6.0;
+
+/// Whether a record is long enough to be judged.
 pub fn is_long_enough(swing: &Swing) -> bool {
-    swing.duration_s > SETTLING_S + 6.0 * std::f64::consts::TAU / swing.scales.omega_rad_s
+    let period_s = std::f64::consts::TAU / swing.scales.omega_rad_s;
+    swing.duration_s > SETTLING_S + LEAST_PERIODS * period_s
 }

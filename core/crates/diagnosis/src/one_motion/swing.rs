@@ -93,7 +93,7 @@ impl<'a> Swing<'a> {
     pub fn of(system: &System<'a>, x: &[f64], work: &'a SwingWork, number: usize) -> Option<Self> {
         let session = system.session;
         let evidence = work.evidence.as_ref()?;
-        let (first, modes) = (evidence.map.gyroscope?, &evidence.found.modes);
+        let (first, modes) = (evidence.rates_from()?, &evidence.found.modes);
         let strength = |m: &usize| shape(&modes[*m], first).map_or(0.0, |s| energy(&s));
         let main = (0..modes.len()).max_by(|a, b| strength(a).total_cmp(&strength(b)))?;
         let (mode, name) = (&modes[main], evidence.named.get(main)?.name);
@@ -135,7 +135,7 @@ impl<'a> Swing<'a> {
             },
             suspension,
             rates_rad_s: turning.stream.values.iter().map(|v| v.dot(&axis)).collect(),
-            noise_rad_s: turning.stream.noise.component_mul(&axis).norm(),
+            noise_rad_s: turning.stream.noise_along(&axis),
             stream: turning.stream,
             duration_s: turning.duration_s,
             law: law(system, x, number, name),

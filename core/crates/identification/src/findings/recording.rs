@@ -1,8 +1,10 @@
 //! What is not plausible in one swing's record, or in its list of periods.
 
+use std::f64::consts::PI;
+
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::Argument;
-use gyradius_recording::{PeriodList, Recording, Repair, RepairKind};
+use gyradius_recording::{ChannelQuantity, PeriodList, Recording, Repair, RepairKind};
 use gyradius_signal::ChannelGroup;
 
 use super::rate::{Sampled, sampled_enough};
@@ -164,25 +166,59 @@ fn rotation_rad(evidence: &Evidence, mode: usize) -> Option<f64> {
     Some(rate / mode.undamped_omega_rad_s())
 }
 
-/// No hull on two lines turns by more than half a turn to either side: its lines would cross.
+/// Nothing that hangs turns by more than half a turn to either side. Where the samples themselves do
+/// not, the damped oscillations that were found are no motions: it swings too far to be their sum.
 fn more_than_half_a_turn(evidence: &Evidence) -> Option<Finding> {
     let modes = 0..evidence.found.modes.len();
     let angle = modes
         .filter_map(|mode| rotation_rad(evidence, mode))
         .fold(0.0, f64::max);
-    (angle > std::f64::consts::PI).then(|| {
-        Finding::new(
-            (Kind::UnitSuspect, Severity::Refused),
-            "half_a_turn",
-            [
-                ("angle_deg", number(angle.to_degrees(), 0)),
-                ("in_deg", number(angle, 0)),
-            ],
-        )
-        .of_channel("gyroscope")
-        .with("angle_rad", angle)
-        .with("factor", std::f64::consts::PI / 180.0)
+    if angle <= PI {
+        return None;
+    }
+    let (channel, seen) = seen_rad(evidence)?;
+    let degrees = |angle: f64| number(angle.to_degrees(), 0);
+    let (kind, key) = match evidence.single {
+        _ if seen <= PI => (Kind::LargeAmplitude, "large_swing"),
+        Some(ChannelQuantity::Angle) => (Kind::UnitSuspect, "angle_unit"),
+        _ => (Kind::UnitSuspect, "half_a_turn"),
+    };
+    let found = Finding::new(
+        (kind, Severity::Refused),
+        key,
+        [
+            ("channel", Argument::Plain(channel.into())),
+            ("angle_deg", degrees(angle)),
+            ("seen_deg", degrees(seen)),
+            ("in_deg", number(angle, 0)),
+        ],
+    );
+    let found = found.of_channel(channel).with("angle_rad", angle);
+    Some(match kind {
+        Kind::UnitSuspect => found.with("factor", PI / 180.0),
+        _ => found.with("seen_rad", seen),
     })
+}
+
+/// How far the samples themselves say that it turns to either side, rad: a rate by the slowest
+/// oscillation that was found.
+fn seen_rad(evidence: &Evidence) -> Option<(&'static str, f64)> {
+    let half_range = |channel: &Vec<f64>| {
+        let low = channel.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = channel.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        0.5 * (high - low)
+    };
+    let (name, first, count) = match evidence.single {
+        Some(quantity) => (quantity.name(), 0, 1),
+        None => ("gyroscope", evidence.map.gyroscope? / 3, 3),
+    };
+    let channels = evidence.groups.get(first)?.channels.iter().take(count);
+    let range = channels.map(|c| half_range(c).powi(2)).sum::<f64>().sqrt();
+    if evidence.single == Some(ChannelQuantity::Angle) {
+        return Some((name, range));
+    }
+    let omegas = evidence.found.modes.iter().map(|mode| mode.omega_rad_s);
+    Some((name, range / omegas.fold(f64::INFINITY, f64::min)))
 }
 
 /// The size of gravity as the accelerometer has it.

@@ -38,9 +38,10 @@ impl Hanging {
     pub fn of(suspension: &Suspension, gravity_m_s2: f64) -> Self {
         let sway_period_s = suspension
             .line_length_m
-            .filter(|_| suspension.kind == SuspensionKind::Bifilar);
+            .filter(|_| suspension.kind != SuspensionKind::Compound);
+        let is_stated = suspension.kind != SuspensionKind::Free;
         Hanging {
-            suspension: Some((suspension.kind, suspension.orientation)),
+            suspension: is_stated.then_some((suspension.kind, suspension.orientation)),
             // eq. (7)
             sway_period_s: sway_period_s
                 .map(|l| std::f64::consts::TAU * (l.value / gravity_m_s2).sqrt()),
@@ -156,6 +157,7 @@ fn level_axis_name(omega_rad_s: f64, hanging: &Hanging) -> ModeName {
     let in_phase = hanging.sway_period_s.is_none_or(|sway| period_s > sway);
     match (hanging.suspension, in_phase) {
         (Some((SuspensionKind::Compound, _)), _) => ModeName::Compound,
+        (Some((SuspensionKind::Trifilar, _)), _) => ModeName::Other,
         (Some((_, Orientation::ForeAndAft)), true) => ModeName::RollInPhase,
         (Some((_, Orientation::ForeAndAft)), false) => ModeName::RollOutOfPhase,
         (_, true) => ModeName::PitchInPhase,

@@ -57,12 +57,7 @@ impl Turning {
     /// From what was found in a phone's record; `None` without a gyroscope.
     pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
         let block_s = fastest_period_s * BLOCK_OF_PERIOD;
-        let stream = Stream::of(
-            evidence,
-            Sensor::Gyroscope,
-            evidence.map.gyroscope?,
-            block_s,
-        )?;
+        let stream = Stream::of(evidence, Sensor::Gyroscope, evidence.rates_from()?, block_s)?;
         let (start_s, duration_s) = inside(evidence);
         (duration_s > 0.0).then_some(Self {
             stream,
@@ -78,11 +73,14 @@ impl Stream {
     fn of(evidence: &Evidence, sensor: Sensor, first: usize, block_s: f64) -> Option<Self> {
         let (start_s, duration_s) = inside(evidence);
         let group = evidence.groups.get(first / 3)?;
-        let axis = |c: usize| group.channels.get(c);
-        let (x, y, z) = (axis(0)?, axis(1)?, axis(2)?);
-        // An axis that never changes measured nothing: it has no weight.
+        let axis = |c: usize, i: usize| group.channels.get(c).map_or(0.0, |axis| axis[i]);
+        // An axis that is missing or never changes measured nothing: it has no weight.
         let noise = Vec3::from_fn(|c, _| {
-            let found = evidence.found.noise.get(first + c).copied();
+            let found = group
+                .channels
+                .get(c)
+                .and(evidence.found.noise.get(first + c))
+                .copied();
             found.filter(|noise| *noise > 0.0).unwrap_or(f64::INFINITY)
         });
         let inside = group.t_s.partition_point(|t| *t < start_s)
@@ -93,7 +91,7 @@ impl Stream {
             .iter()
             .map(|t| t - start_s)
             .collect();
-        let values = inside.map(|i| Vec3::new(x[i], y[i], z[i])).collect();
+        let values = inside.map(|i| Vec3::from_fn(|c, _| axis(c, i))).collect();
         let blocks = blocks(&t_s, block_s);
         noise.min().is_finite().then_some(Self {
             sensor,
@@ -102,6 +100,19 @@ impl Stream {
             noise,
             blocks,
         })
+    }
+
+    /// Noise of the reading along an axis.
+    pub fn noise_along(&self, axis: &Vec3) -> f64 {
+        let parts = self
+            .noise
+            .iter()
+            .zip(axis.iter())
+            .filter(|(_, a)| **a != 0.0);
+        parts
+            .map(|(noise, a)| (noise * a).powi(2))
+            .sum::<f64>()
+            .sqrt()
     }
 
     /// Leaves out samples so near to a gap of lost ones, s.

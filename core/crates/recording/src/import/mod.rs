@@ -126,7 +126,18 @@ fn recognised(
     let mut out = Vec::new();
     for (name, bytes) in of(Content::Native) {
         // With a preamble, another separator or a decimal comma it is read all the same.
-        let recording = super::csv::read_table(&Table::open(bytes, name)?)?;
+        let table = Table::open(bytes, name)?;
+        if super::csv::single_column(&table).is_some() {
+            let data = ImportedData::Channel(super::csv::read_channel(bytes, name)?);
+            out.push(ImportedRecording::of(
+                name,
+                Format::Native,
+                data,
+                Vec::new(),
+            ));
+            continue;
+        }
+        let recording = super::csv::read_table(&table)?;
         out.push(ImportedRecording::new(
             name,
             Format::Native,
