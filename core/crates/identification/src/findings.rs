@@ -21,7 +21,8 @@ pub(super) use dimensions::{of_dimensions, of_size, unchecked};
 pub(super) use recording::{clear_of_limit, of_list, of_recording, of_residual};
 pub use support::NEAR_IN_PHASE;
 pub(super) use support::{
-    duplicates, is_supported, near_resonance, phone_mass, phone_moved, unsupported,
+    duplicates, is_supported, near_resonance, not_one_motion, phone_mass, phone_moved,
+    undetermined, unsupported,
 };
 
 use super::sentences::message;
@@ -53,6 +54,8 @@ named! {
         PhoneMassMissing = "phone_mass_missing",
         /// A phone that was taken off and put on again between swings, or a pitch that is stated wrong.
         PhoneMoved = "phone_moved",
+        /// Gyroscope and accelerometer that do not show one and the same motion.
+        SensorsDisagree = "sensors_disagree",
         /// Samples at the limit of a sensor.
         Saturated = "saturated",
         /// Different samples with one stamp.

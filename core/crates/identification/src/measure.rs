@@ -24,8 +24,8 @@ use super::by_samples::by_samples;
 use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
-    Finding, duplicates, near_resonance, of_dimensions, of_list, of_recording, of_residual,
-    of_size, phone_mass, phone_moved, unchecked,
+    Finding, duplicates, near_resonance, not_one_motion, of_dimensions, of_list, of_recording,
+    of_residual, of_size, phone_mass, phone_moved, unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
@@ -391,6 +391,7 @@ fn beyond_the_data(
     let session = system.session;
     let mut found = of_size(session, result);
     found.extend(works.iter().filter_map(|w| of_residual(&w.result)));
+    found.extend(not_one_motion(session, works));
     found.extend(near_resonance(system, solution, works, result));
     found.extend(phone_mass(session, works, result));
     found.extend(unchecked(result));

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use gyradius_base::frames::Mat3;
 use gyradius_mechanics::RigidBody;
-use gyradius_recording::Session;
+use gyradius_recording::{Quantity, Session};
 
 use super::estimate::{Derived, Solution, System};
-use super::findings::{is_supported, unsupported};
+use super::findings::{is_supported, undetermined, unsupported};
 use super::measurement::{BudgetLine, Measurement, QuantityResult};
 use super::names::{Input, InputKind, Method, QuantityName};
 use super::spread::Spread;
@@ -108,13 +108,22 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
         level_depth: system.layout.level_depth(),
     };
     let mut determined: Vec<(QuantityName, Derived)> = Vec::new();
-    let mut left_out = Vec::new();
+    let (mut left_out, mut not_determined) = (Vec::new(), Vec::new());
     for name in QuantityName::SCALARS {
         let shown = name != QuantityName::Psi || has_tilted_swings(system);
         let averaged = spread.derive(|x| hull.scalar(&name, x));
-        let Some(averaged) = averaged.filter(|a| shown && is_determined(&name, &a.derived)) else {
+        let Some(averaged) = averaged else {
+            if shown && name != QuantityName::CmDepth {
+                not_determined.push((name, None));
+            }
             continue;
         };
+        if !(shown && is_determined(&name, &averaged.derived)) {
+            if shown && is_supported(system, &name) {
+                not_determined.push((name, Some(averaged.derived.clone())));
+            }
+            continue;
+        }
         if !is_supported(system, &name) {
             left_out.push(name);
             continue;
@@ -132,9 +141,13 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
         result.budget.insert(name.clone(), lines);
         determined.push((name, averaged.derived));
     }
-    unsupported(&left_out)
-        .into_iter()
-        .for_each(|one| result.find(one));
+    for one in unsupported(&left_out) {
+        result.find(one);
+    }
+    for (name, derived) in &not_determined {
+        let certainty = derived.as_ref().map(|d| Quantity::new(d.value, d.u));
+        result.find(undetermined(name, certainty));
+    }
     for (i, (a, da)) in determined.iter().enumerate() {
         for (b, db) in &determined[i + 1..] {
             result
@@ -168,8 +181,7 @@ pub fn with_principal_axes_turned(system: &System, solution: &Solution) -> Optio
     let product = system.layout.product_xz;
     let u = solution.u(product);
     let mut layout = system.layout.clone();
-    layout.parameters[product].prior =
-        gyradius_recording::Quantity::new(solution.x[product] + u, 1e-6 * u);
+    layout.parameters[product].prior = Quantity::new(solution.x[product] + u, 1e-6 * u);
     let turned = system.with(layout);
     let mut start = solution.x.clone();
     start[product] += u;

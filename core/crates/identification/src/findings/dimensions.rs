@@ -1,10 +1,10 @@
 //! Lengths against each other, against the hull, and what nothing tests.
 
 use gyradius_base::message::Argument;
-use gyradius_recording::{Quantity, Session, Swing};
+use gyradius_recording::{Attachment, ModeName, Quantity, Session, Swing, SwingData};
 
 use super::{Finding, FindingKind as Kind, Severity};
-use crate::measurement::Measurement;
+use crate::measurement::{Measurement, SwingResult};
 use crate::names::{InputKind, QuantityName, Subject};
 
 /// A spacing of so many line lengths, or lines of so many spacings, are no suspension that anybody
@@ -16,16 +16,187 @@ const BEYOND_ENDS: f64 = 1.2;
 /// A dimension with less than this share of a quantity's variance does not matter to it.
 const MATTERS: f64 = 0.1;
 
-/// Of the stated lengths.
+/// Gravity at sea level is 9.780 at the equator and 9.832 at the poles; 10 km up it is 0.031 less.
+const GRAVITY_ON_EARTH_M_S2: [f64; 2] = [9.74, 9.84];
+/// One of two spacings is rarely more than this many times the other.
+const MOST_TAPER: f64 = 5.0;
+/// A uniform rod that just reaches from one suspension point to the other has k = d/√3 = 0.58 d; a
+/// body on a light beam of its own may have half of that.
+const LEAST_GYRADIUS_OF_HALF_SPACING: f64 = 0.25;
+
+/// Of the stated figures.
 pub fn of_dimensions(session: &Session) -> Vec<Finding> {
-    session
-        .swings
-        .iter()
-        .flat_map(|swing| {
-            let found = lengths(session, swing);
-            found.into_iter().map(|one| one.of_swing(&swing.id))
-        })
-        .collect()
+    let of_swing = |swing: &Swing| {
+        let mut found = lengths(session, swing);
+        found.extend(taper(swing));
+        found.extend(same_period_twice(swing));
+        let told = found.into_iter().map(|one| one.of_swing(&swing.id));
+        told.collect::<Vec<_>>()
+    };
+    let mut found: Vec<Finding> = session.swings.iter().flat_map(of_swing).collect();
+    found.extend(gravity_stated(session));
+    found.extend(
+        session
+            .attachments
+            .iter()
+            .flat_map(|one| riding(session, one)),
+    );
+    found
+}
+
+/// What is suspect and only told of.
+fn warned(key: &str, kind: Kind, arguments: Vec<(&str, Argument)>) -> Finding {
+    Finding::new((kind, Severity::Warned), key, arguments)
+}
+
+fn metres(value: f64) -> Argument {
+    Argument::Figure(format!("{value} m"))
+}
+
+fn gravity_stated(session: &Session) -> Option<Finding> {
+    let stated = session.site.gravity_m_s2?;
+    let [low, high] = GRAVITY_ON_EARTH_M_S2;
+    let is_on_earth = (low - 3.0 * stated.u..=high + 3.0 * stated.u).contains(&stated.value);
+    (!is_on_earth).then(|| {
+        let value = ("value", Argument::Number(stated.value, 3));
+        let found = warned("gravity_stated", Kind::ImplausibleSize, vec![value]);
+        found
+            .of_channel("gravity")
+            .with("gravity_m_s2", stated.value)
+    })
+}
+
+fn taper(swing: &Swing) -> Option<Finding> {
+    let (below, above) = (swing.suspension.spacing_m?, swing.suspension.top_spacing_m?);
+    let ratio = above.value / below.value;
+    (ratio.max(ratio.recip()) > MOST_TAPER).then(|| {
+        let figures = vec![
+            ("above", metres(above.value)),
+            ("below", metres(below.value)),
+        ];
+        let found = warned("taper", Kind::ImplausibleSize, figures);
+        found.of_channel(InputKind::TopSpacing.name())
+    })
+}
+
+/// Two motions of one body have two periods; to the last digit alike, one was typed twice.
+fn same_period_twice(swing: &Swing) -> Option<Finding> {
+    let SwingData::PeriodsS(typed) = &swing.data else {
+        return None;
+    };
+    let all: Vec<_> = typed.iter().collect();
+    let same = |(i, (_, period)): (usize, &(&ModeName, &Quantity))| {
+        let (other, _) = all[..i].iter().find(|(_, p)| p.value == period.value)?;
+        Some((**other, *all[i].0, period.value))
+    };
+    let (one, other, period_s) = all.iter().enumerate().find_map(same)?;
+    let arguments = vec![
+        (
+            "one",
+            crate::sentences::motion(crate::words::mode_text(one)),
+        ),
+        (
+            "other",
+            crate::sentences::motion(crate::words::mode_text(other)),
+        ),
+        ("period_s", Argument::Figure(period_s.to_string())),
+    ];
+    Some(warned("same_period", Kind::UnitSuspect, arguments).with("period_s", period_s))
+}
+
+/// What rides on a hull is a part of it: lighter, and within its ends.
+fn riding(session: &Session, one: &Attachment) -> Vec<Finding> {
+    let name = ("name", Argument::Id(one.name.clone()));
+    let mut found = Vec::new();
+    if let Some(body) = session
+        .body
+        .mass_kg
+        .filter(|m| one.mass_kg.value > 0.3 * m.value)
+    {
+        let arguments = vec![
+            name.clone(),
+            ("mass_kg", Argument::Figure(one.mass_kg.value.to_string())),
+            ("body_kg", Argument::Figure(body.value.to_string())),
+        ];
+        let heavy = warned("riding_heavy", Kind::ImplausibleSize, arguments);
+        found.push(heavy.of_channel("mass").with("mass_kg", one.mass_kg.value));
+    }
+    let spacings = session.swings.iter().filter_map(|s| s.suspension.spacing_m);
+    let widest = spacings.map(|q| q.value).fold(0.0, f64::max);
+    let (reach, beside) = match session.body.length_overall_m {
+        Some(hull) => (BEYOND_ENDS * hull, hull),
+        None => (MOST_RATIO * widest, widest),
+    };
+    let sizes = [("position", one.position_m), ("gyradii", one.gyradii_m)];
+    for (key, size) in sizes {
+        let far = size.iter().fold(0.0, |far: f64, x| far.max(x.abs()));
+        // From the middle to the ends is half of the hull.
+        let most = if key == "position" && session.body.length_overall_m.is_some() {
+            0.5 * reach
+        } else {
+            reach
+        };
+        if reach > 0.0 && far > most {
+            let arguments = vec![
+                name.clone(),
+                ("key", Argument::Plain(key.into())),
+                ("value", metres(far)),
+                ("beside", metres(beside)),
+            ];
+            let outside = warned("riding_far", Kind::ImplausibleSize, arguments);
+            found.push(outside.of_channel(key).with("value_m", far));
+        }
+    }
+    found
+}
+
+/// A yaw gyradius far below half the spacing that the body reaches across.
+fn of_spacing(session: &Session, result: &Measurement) -> Option<Finding> {
+    let yaw = result.quantities.get(&QuantityName::KYaw)?.value.scalar()?;
+    let spacings = session.swings.iter().filter(|swing| {
+        let is_yaw = |r: &&SwingResult| r.id == swing.id;
+        let shown = result.swings.iter().find(is_yaw);
+        shown.is_none_or(|r| r.modes.iter().any(|m| m.mode == ModeName::Yaw))
+    });
+    let spacings = spacings.filter_map(|swing| swing.suspension.spacing_m);
+    let narrow = spacings.map(|q| q.value).fold(f64::INFINITY, f64::min);
+    (yaw < LEAST_GYRADIUS_OF_HALF_SPACING * 0.5 * narrow && narrow.is_finite()).then(|| {
+        let arguments = vec![("value", metres(yaw)), ("spacing", metres(narrow))];
+        let found = warned("small_gyradius", Kind::ImplausibleSize, arguments);
+        found
+            .of_channel("k_yaw_m")
+            .with("value_m", yaw)
+            .with("spacing_m", narrow)
+    })
+}
+
+/// No moment of inertia exceeds the sum of the other two: Σ m(y²+z²) and so on.
+fn of_triangle(result: &Measurement) -> Option<Finding> {
+    let names = [
+        QuantityName::KRoll,
+        QuantityName::KPitch,
+        QuantityName::KYaw,
+    ];
+    let k = |name: &QuantityName| {
+        let found = result.quantities.get(name)?;
+        Some((found.value.scalar()?, found.u.scalar()?))
+    };
+    let [x, y, z] = [k(&names[0])?, k(&names[1])?, k(&names[2])?];
+    let most = [(x, y, z, 0), (y, x, z, 1), (z, x, y, 2)]
+        .into_iter()
+        .find(|(a, b, c, _)| {
+            let square = |(value, _): &(f64, f64)| value * value;
+            let u = |(value, u): &(f64, f64)| 2.0 * value * u;
+            let beyond = square(a) - square(b) - square(c);
+            beyond > 3.0 * u(a).hypot(u(b)).hypot(u(c))
+        })?;
+    let quantity = crate::sentences::name(&format!("quantity.{}", names[most.3]));
+    let found = warned(
+        "no_body",
+        Kind::ImplausibleSize,
+        vec![("quantity", quantity)],
+    );
+    Some(found.of_channel(names[most.3].as_str()))
 }
 
 fn lengths(session: &Session, swing: &Swing) -> Vec<Finding> {
@@ -76,8 +247,10 @@ fn implausible(kind: InputKind, value: f64, (beside, other): (&str, f64)) -> Fin
 /// two axes, so no gyradius exceeds L/√2, and that of a slender one not L/2. Refused figures are
 /// taken out.
 pub fn of_size(session: &Session, result: &mut Measurement) -> Vec<Finding> {
+    let mut found: Vec<Finding> = of_spacing(session, result).into_iter().collect();
+    found.extend(of_triangle(result));
     let Some(length) = session.body.length_overall_m else {
-        return vec![];
+        return found;
     };
     let names = [
         QuantityName::KYaw,
@@ -85,7 +258,6 @@ pub fn of_size(session: &Session, result: &mut Measurement) -> Vec<Finding> {
         QuantityName::KRoll,
         QuantityName::CmDepth,
     ];
-    let mut found = Vec::new();
     for name in names {
         let value = result.quantities.get(&name).and_then(|q| q.value.scalar());
         let most = match name {

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::Argument;
 use gyradius_recording::{ChannelQuantity, PeriodList, Recording, Repair, RepairKind};
-use gyradius_signal::ChannelGroup;
+use gyradius_signal::{ChannelGroup, FittedMode};
+use num_complex::Complex64;
 
 use super::rate::{Sampled, sampled_enough};
 use super::{Finding, FindingKind as Kind, Severity};
@@ -13,6 +14,11 @@ use crate::measurement::SwingResult;
 use crate::modes::ChannelMap;
 use crate::observe::Evidence;
 
+/// What moves has so many times the variance of the noise …
+const STANDS_OUT: f64 = 10.0;
+/// … and at least this share of it is in the oscillations that were found. A slow drift, a bias that
+/// warms, may have the rest.
+const LEAST_DESCRIBED: f64 = 0.5;
 /// Where no more than this share of the samples are lost at the sensor's limit, a decaying swing
 /// loses at most a tenth of its first periods. A sinusoid that lost a tenth of its samples at its
 /// peaks is still told from its third harmonic: over |sin x| < 0.988 the two correlate by 0.24, over
@@ -67,6 +73,7 @@ pub fn of_recording(
         found.extend(more_than_half_a_turn(evidence));
         found.extend(gravity(evidence, gravity_m_s2));
         found.extend(too_few_samples(evidence));
+        found.extend(not_described(evidence));
     }
     found.into_iter().map(|one| one.of_swing(id)).collect()
 }
@@ -288,6 +295,46 @@ fn too_few_samples(evidence: &Evidence) -> Option<Finding> {
             .with("samples_per_period", a_period)
             .with("other_period_s", other_s),
     )
+}
+
+/// The oscillations that were found must make up most of what moves: else the motion is not among
+/// them, and what they say of periods is of something else.
+fn not_described(evidence: &Evidence) -> Option<Finding> {
+    let mut first = 0;
+    let (mut most, mut share) = (0.0, 1.0);
+    for group in &evidence.groups {
+        for (c, channel) in group.channels.iter().enumerate() {
+            let noise = evidence.found.noise.get(first + c).copied().unwrap_or(0.0);
+            let count = channel.len().max(1) as f64;
+            let mean = channel.iter().sum::<f64>() / count;
+            let square = channel.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count;
+            let left = square / (noise * noise).max(f64::MIN_POSITIVE);
+            // By noise: what stands out of it most is what moves.
+            if noise > 0.0 && left > most {
+                (most, share) = (left, described(evidence, first + c, group) / square);
+            }
+        }
+        first += group.channels.len();
+    }
+    (most > STANDS_OUT && share < LEAST_DESCRIBED && !evidence.found.modes.is_empty()).then(|| {
+        let refused = (Kind::NoiseMismatch, Severity::Refused);
+        let percent = number(100.0 * share, 0);
+        Finding::new(refused, "not_described", [("percent", percent)]).with("share", share)
+    })
+}
+
+/// Mean square of the oscillations in a channel.
+fn described(evidence: &Evidence, channel: usize, group: &ChannelGroup) -> f64 {
+    let t_ref_s = evidence.found.t_ref_s;
+    let values = group.t_s.iter().map(|t| {
+        let of = |mode: &FittedMode| {
+            let pole = Complex64::new(-mode.alpha_per_s, mode.omega_rad_s);
+            let size = mode.shape.get(channel).copied().unwrap_or_default();
+            (size * (pole * (t - t_ref_s)).exp()).re
+        };
+        evidence.found.modes.iter().map(of).sum::<f64>()
+    });
+    values.map(|v| v * v).sum::<f64>() / group.t_s.len().max(1) as f64
 }
 
 /// Of the residual in the end, as the result has it.

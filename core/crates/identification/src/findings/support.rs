@@ -2,10 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 use gyradius_base::message::Argument;
 use gyradius_recording::{
-    LoadedData, LoadedSwing, ModeName, Orientation, Session, SuspensionKind, SwingData,
+    LoadedData, LoadedSwing, ModeName, Orientation, Quantity, Session, SuspensionKind, Swing,
+    SwingData,
 };
+use num_complex::Complex64;
 
 use super::{Finding, FindingKind as Kind, Severity};
 use crate::estimate::{Observed, Solution, System};
@@ -23,8 +26,18 @@ const LEAST_TILT_DEG: f64 = 5.0;
 const PHONE_KG: f64 = 0.2;
 /// Heavier than a phone with its case and tape, kg.
 const HEAVIER_THAN_PHONE_KG: f64 = 0.6;
+/// So many samples tell whether the noise is the same.
+const MOST_COMPARED: usize = 2000;
 /// Fewer rows in common are chance.
 const LEAST_COMMON: usize = 64;
+/// Damped oscillations explain a record that they leave no more than this of, over its noise.
+const EXPLAINED: f64 = 1.5;
+/// More of the specific force along the axis of a turn than scale errors and misaligned axes of
+/// phones make (some 2 %).
+const ALONG_THE_AXIS: f64 = 0.1;
+/// Third differences of two records of one sensor: of white noise that is the same they correlate
+/// fully, of another they do not; rounding takes some.
+const SAME_NOISE: f64 = 0.7;
 /// A shift of less than this share of u is not worth a word.
 const WORTH_A_WORD: f64 = 0.3;
 
@@ -84,6 +97,89 @@ pub fn unsupported(left_out: &[QuantityName]) -> Vec<Finding> {
             .of_channel(name.as_str())
         })
         .collect()
+}
+
+/// A quantity that a swing shows and that is not stated all the same: how uncertain it would be; none
+/// where what rides along leaves no body.
+pub fn undetermined(name: &QuantityName, figure: Option<Quantity>) -> Finding {
+    let quantity = (
+        "quantity",
+        crate::sentences::name(&format!("quantity.{name}")),
+    );
+    let what = (Kind::NotIdentifiable, Severity::Refused);
+    let found = match figure {
+        None => Finding::new(what, "no_hull_left", [quantity]),
+        Some(figure) => {
+            let places = if *name == QuantityName::Psi { 1 } else { 3 };
+            let arguments = [
+                quantity,
+                ("value", Argument::Number(figure.value, places)),
+                ("u", Argument::Number(figure.u, places)),
+            ];
+            let found = Finding::new(what, "undetermined", arguments);
+            found.with("value", figure.value).with("u", figure.u)
+        }
+    };
+    found.of_channel(name.as_str())
+}
+
+/// Swings on two lines in which damped oscillations explain what both sensors read, but no motion of
+/// a body does: then the sensors do not belong together, or the hull does not hang as stated.
+pub fn not_one_motion(session: &Session, works: &[SwingWork]) -> Vec<Finding> {
+    let told = |(work, swing): (&SwingWork, &Swing)| {
+        let evidence = work.evidence.as_ref()?;
+        let map = evidence.map;
+        let has_both = map.gyroscope.is_some() && map.accelerometer.is_some() && !map.gravity_free;
+        let is_explained = evidence.found.rms_over_noise < EXPLAINED;
+        let is_read = swing.suspension.kind == SuspensionKind::Bifilar && evidence.up.is_some();
+        if work.result.simulated
+            || work.periods.is_empty()
+            || !(has_both && is_explained && is_read)
+        {
+            return None;
+        }
+        let along = (0..evidence.found.modes.len()).filter_map(|mode| along_the_axis(work, mode));
+        let most = along.fold(0.0, f64::max);
+        let key = match most > ALONG_THE_AXIS {
+            true => "axes_disagree",
+            false => "sensors_disagree",
+        };
+        let arguments = [("percent", Argument::Number(100.0 * most, 0))];
+        let found = Finding::new((Kind::SensorsDisagree, Severity::Warned), key, arguments);
+        Some(found.of_swing(&swing.id).with("along_the_axis", most))
+    };
+    works.iter().zip(&session.swings).filter_map(told).collect()
+}
+
+/// Share of a mode's specific force that lies along the axis it turns about. A point of a body that
+/// turns about an axis, and shifts across it, is accelerated across it, and so does gravity tilt.
+fn along_the_axis(work: &SwingWork, mode: usize) -> Option<f64> {
+    let evidence = work.evidence.as_ref()?;
+    let (first, second) = (evidence.map.gyroscope?, evidence.map.accelerometer?);
+    let mode = &evidence.found.modes[mode];
+    let part = |first: usize| {
+        let each = [0, 1, 2].map(|k| mode.shape.get(first + k).copied().unwrap_or_default());
+        let noise = (0..3)
+            .filter_map(|k| evidence.found.noise.get(first + k))
+            .sum::<f64>();
+        (each, noise)
+    };
+    let ((turn, turn_noise), (force, force_noise)) = (part(first), part(second));
+    let size = |v: &[Complex64; 3]| v.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
+    // Out of the noise of single samples, which the fit of thousands lies far below; and more turn
+    // than sway, which tilts the phone as it likes.
+    let is_seen = size(&turn) > turn_noise && size(&force) > force_noise;
+    let turns = size(&turn) * STANDARD_GRAVITY_M_S2 / mode.omega_rad_s > 0.3 * size(&force);
+    if !(is_seen && turns) {
+        return None;
+    }
+    // By the phase of the turn both are real but for the damping.
+    let phase = turn.iter().map(|c| c * c).sum::<Complex64>().sqrt();
+    let axis = turn.map(|c| (c * phase.conj()).re);
+    let length = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
+    let along: Complex64 = axis.iter().zip(&force).map(|(a, f)| f * *a).sum();
+    let share = along.norm() / (length * size(&force));
+    share.is_finite().then_some(share)
 }
 
 /// Yaw near the in-phase mode of the same hanging: as observed, or as the result predicts it where
@@ -207,10 +303,18 @@ fn lever_m(work: &SwingWork) -> Option<f64> {
 /// read one sensor, say nothing twice. The place of each that repeats an earlier one, and a finding.
 pub fn duplicates(session: &Session, data: &[LoadedSwing]) -> Vec<(usize, Finding)> {
     let rows: Vec<BTreeSet<[u64; 3]>> = data.iter().map(rows_of).collect();
+    let noises: Vec<Option<Noise>> = data.iter().map(Noise::of).collect();
     let repeats = |j: usize| {
         (0..j).find(|&i| {
             let common = rows[i].intersection(&rows[j]).count();
-            common > LEAST_COMMON && 10 * common > 9 * rows[i].len().min(rows[j].len())
+            let is_same =
+                common > LEAST_COMMON && 10 * common > 9 * rows[i].len().min(rows[j].len());
+            let one_sensor = |(a, b): (&Noise, &Noise)| a.is_that_of(b);
+            is_same
+                || noises[i]
+                    .as_ref()
+                    .zip(noises[j].as_ref())
+                    .is_some_and(one_sensor)
         })
     };
     let id = |i: usize| session.swings[i].id.clone();
@@ -225,6 +329,66 @@ pub fn duplicates(session: &Session, data: &[LoadedSwing]) -> Vec<(usize, Findin
             Some((j, finding.of_swing(&id(j))))
         })
         .collect()
+}
+
+/// The noise of a sensor by its third differences, which a swing of many samples a period hardly
+/// has: two loggers that read one sensor have the same, whatever their clocks and digits.
+struct Noise {
+    differences: [Vec<f64>; 3],
+}
+
+impl Noise {
+    fn of(swing: &LoadedSwing) -> Option<Self> {
+        let LoadedData::Recording(recording) = &swing.data else {
+            return None;
+        };
+        let triad = recording
+            .gyroscope
+            .as_ref()
+            .or(recording.accelerometer.as_ref())?;
+        let thirds = |axis: &Vec<f64>| -> Vec<f64> {
+            let each = axis
+                .windows(4)
+                .map(|w| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]);
+            each.collect()
+        };
+        let found = Self {
+            differences: triad.axes.each_ref().map(thirds),
+        };
+        (found.differences[0].len() > LEAST_COMMON && found.is_white()).then_some(found)
+    }
+
+    /// Third differences of white noise correlate by −3/4 with the next; those of a motion by +1.
+    fn is_white(&self) -> bool {
+        let (mut next, mut own) = (0.0, 0.0);
+        for axis in &self.differences {
+            next += axis.windows(2).map(|w| w[0] * w[1]).sum::<f64>();
+            own += axis.iter().map(|x| x * x).sum::<f64>();
+        }
+        next < -0.5 * own
+    }
+
+    /// Whether the noise of both is the same at some lag of up to two hundred samples, in all axes
+    /// together: a turned phone is another one.
+    fn is_that_of(&self, other: &Self) -> bool {
+        let most = 200
+            .min(self.differences[0].len() / 2)
+            .min(other.differences[0].len() / 2) as isize;
+        (-most..=most).any(|lag| self.correlation(other, lag) > SAME_NOISE)
+    }
+
+    fn correlation(&self, other: &Self, lag: isize) -> f64 {
+        let (skip, from) = (lag.max(0) as usize, (-lag).max(0) as usize);
+        let (mut both, mut own, mut others) = (0.0, 0.0, 0.0);
+        for (a, b) in self.differences.iter().zip(&other.differences) {
+            for (x, y) in a[skip..].iter().zip(&b[from..]).take(MOST_COMPARED) {
+                both += x * y;
+                own += x * x;
+                others += y * y;
+            }
+        }
+        both / (own * others).sqrt().max(f64::MIN_POSITIVE)
+    }
 }
 
 /// Different rows of the gyroscope, or of the accelerometer where there is none.

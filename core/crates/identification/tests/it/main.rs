@@ -4,6 +4,7 @@
 
 mod crossings;
 mod findings;
+mod instruments;
 mod single_routes;
 mod uncertainty;
 mod vectors;
