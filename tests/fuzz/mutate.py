@@ -226,7 +226,7 @@ def toml(rng: Random, text: str) -> str:
 
     def titled() -> str:
         odd = rng.choice(
-            ["", "[red]x[/red]", "\\u0000", "x" * 5000, "\\u202e\\ud7ff", "`", "<script>", "NaN", "\\n", "{0}", "%s"]
+            ["", "[red]x[/red]", "\\u0000", "x" * 5000, "\\u202e\\ud7ff", "`", "<script>", "\\n", "{0}", "%s"]
         )
         return re.sub(r'(title|name|id) = "[^"]*"', lambda one: f'{one.group(1)} = "{odd}"', text, count=rng.choice([1, 2, 9]))
 

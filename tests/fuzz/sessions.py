@@ -43,7 +43,7 @@ def weight(one: Input) -> int:
     """How often an input is drawn: sessions that are measured quickly more than others."""
     if one.name in SLOW:
         return 1
-    return 4 if one.name.startswith(("fixture", "described")) else 20
+    return 12 if one.name.startswith(("fixture", "described")) else 60
 
 
 def signature(found: Outcome) -> str:
