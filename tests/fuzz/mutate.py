@@ -225,9 +225,7 @@ def toml(rng: Random, text: str) -> str:
         return re.sub(r"\w+\.csv", lambda _: rng.choice(PATHS).replace("\\", "\\\\").replace("\0", "\\u0000"), text, count=1)
 
     def titled() -> str:
-        odd = rng.choice(
-            ["", "[red]x[/red]", "\\u0000", "x" * 5000, "\\u202e\\ud7ff", "`", "<script>", "\\n", "{0}", "%s"]
-        )
+        odd = rng.choice(["", "[red]x[/red]", "\\u0000", "x" * 5000, "\\u202e\\ud7ff", "`", "<script>", "\\n", "{0}", "%s"])
         return re.sub(r'(title|name|id) = "[^"]*"', lambda one: f'{one.group(1)} = "{odd}"', text, count=rng.choice([1, 2, 9]))
 
     return rng.choice(

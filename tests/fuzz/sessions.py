@@ -25,14 +25,16 @@ from seeds import seeds
 CORPUS = Path(__file__).with_name("corpus")
 #: Their recordings are fitted by simulation, which takes a second: not as often as the others.
 SLOW = {"recorded", "with-phone", "zip", "inclined", "recorder", "phyphox-import", "sensor-logger", "sensor-logger-loose"}
+#: Periods alone, which are criticised in a fraction of a second.
+TYPED = {"typed", "tilted", "moved", "whole", "incline-recorded"}
 #: Tries to make one failing input smaller, and the time for them, s.
 TRIES = 80
 MOST_S = 90.0
 
 
-def drawn(seed: int, count: int) -> Iterator[tuple[int, Input]]:
+def drawn(seed: int, count: int, only: set[str] | None = None) -> Iterator[tuple[int, Input]]:
     """Mutated inputs with their numbers; each depends on the seed and its own number alone."""
-    whole = seeds()
+    whole = [one for one in seeds() if only is None or one.name in only]
     weights = [weight(one) for one in whole]
     for number in range(count):
         rng = Random(f"{seed}:{number}")
@@ -51,14 +53,14 @@ def signature(found: Outcome) -> str:
     return f"{found.kind}: {re.sub(r'[-+0-9.e]{2,}|[0-9]', '#', found.text)[:90]}"
 
 
-def smaller(runner: Runner, given: Input, found: Outcome) -> Input:
+def smaller(runner: Runner, given: Input, found: Outcome, critique: bool = False) -> Input:
     """The input with fewer lines that still fails in the same way."""
     left, end = TRIES, time.monotonic() + MOST_S
 
     def fails(candidate: Input) -> bool:
         nonlocal left
         left = left - 1 if time.monotonic() < end else 0
-        return signature(runner.run(candidate)) == signature(found)
+        return signature(runner.run(candidate, critique=critique)) == signature(found)
 
     for name in sorted(given.files):
         lines = given.files[name].split(b"\n")
@@ -91,6 +93,7 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--first", type=int, default=0, help="Number of the first input.")
     parser.add_argument("--seed", type=int, help="Drawn where it is left out.")
+    parser.add_argument("--critique", action="store_true", help="Sessions of typed periods alone, each criticised as well.")
     given = parser.parse_args()
     seed = time.time_ns() % 2**32 if given.seed is None else given.seed
     print(f"seed {seed}", flush=True)
@@ -98,10 +101,10 @@ def main() -> int:
     known: Counter[str] = Counter()
     slowest, largest, start = 0.0, 0.0, time.monotonic()
     with Runner() as runner:
-        for number, one in drawn(seed, given.count):
+        for number, one in drawn(seed, given.count, TYPED if given.critique else None):
             if number < given.first:
                 continue
-            found = runner.run(one)
+            found = runner.run(one, critique=given.critique)
             ends[found.kind if found.failed else f"{found.kind} {found.text if found.kind == 'ok' else ''}"] += 1
             slowest, largest = max(slowest, found.seconds), max(largest, found.megabytes)
             if found.failed:
@@ -109,7 +112,7 @@ def main() -> int:
                 known[same] += 1
                 print(f"{number} {one.name} {found.kind} {found.seconds:.1f} s: {found.text[:300]}", flush=True)
                 if known[same] == 1:
-                    print(f"  kept as {keep(smaller(runner, one, found), found).name}", flush=True)
+                    print(f"  kept as {keep(smaller(runner, one, found, given.critique), found).name}", flush=True)
             if number % 500 == 499:
                 print(f"{number + 1} inputs, {time.monotonic() - start:.0f} s: {dict(ends)}", flush=True)
     print(f"seed {seed}, {sum(ends.values())} inputs: {dict(ends)}; longest {slowest:.1f} s, largest {largest:.0f} MB")
