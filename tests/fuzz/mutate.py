@@ -100,9 +100,82 @@ STAMPS: list[Callable[[float], float]] = [
 def mutated(rng: Random, given: Input) -> Input:
     """The input after one to three mutations."""
     found = replace(given, files=dict(given.files), members=list(given.members), damage=list(given.damage))
+    if rng.random() < 0.5:
+        return _plausible(rng, found)
     for _ in range(rng.choice([1, 1, 1, 2, 2, 3])):
         found = _once(rng, found)
     return found
+
+
+def _plausible(rng: Random, given: Input) -> Input:
+    """What is well formed still, so that it gets as far as the estimate: other numbers in the session, other stamps and cells."""
+    names = [name for name in sorted(given.files) if name.endswith((".toml", ".csv"))]
+    if not names:
+        return _once(rng, given)
+    files = dict(given.files)
+    for name in rng.choices(names, k=rng.choice([1, 1, 2])):
+        text = files[name].decode("latin-1")
+        try:
+            changed = _figures(rng, text) if name.endswith(".toml") else _cells(rng, text)
+            files[name] = changed.encode("latin-1", "replace")
+        except (OverflowError, ValueError):
+            # No table of numbers, or not of finite ones.
+            files[name] = content(rng, name, files[name])
+    return replace(given, files=files)
+
+
+def _figures(rng: Random, text: str) -> str:
+    """A session with one to three other figures."""
+    for _ in range(rng.choice([1, 1, 2, 3])):
+        found = list(NUMBER.finditer(text))
+        if not found:
+            return text
+        one = rng.choice(found)
+        factor = rng.choice([rng.choice(FACTORS), 1 + rng.gauss(0, 0.1), 10 ** rng.uniform(-3, 3), 0.0])
+        text = text[: one.start()] + f"{float(one.group()) * factor:.7g}" + text[one.end() :]
+    return text
+
+
+def _cells(rng: Random, text: str) -> str:
+    """A table with other stamps, with a column that is constant, clipped, noisy or of another size, or with rows lost."""
+    lines = text.rstrip("\n").split("\n")
+    separator = max(",;\t", key=lines[0].count)
+    rows = [line.split(separator) for line in lines[1:]]
+    width = len(lines[0].split(separator))
+    columns = [list(map(float, column)) for column in zip(*rows, strict=True)]
+    if len(columns) != width:
+        raise ValueError("no table")
+    n, one = len(rows), rng.randrange(width)
+    first, last = sorted(rng.randrange(n + 1) for _ in range(2))
+    t, kind = columns[0], rng.randrange(9)
+    if kind == 0:
+        jitter = rng.choice([1e-4, 1e-2, 0.1])
+        columns[0] = [s + rng.gauss(0, jitter) for s in t]
+    elif kind == 1:
+        by = rng.choice([-5.0, -0.1, 0.1, 3.0, 30.0, 1e3])
+        columns[0] = [s + by if i >= first else s for i, s in enumerate(t)]
+    elif kind == 2:
+        size = rng.choice([0.05, 0.5, 1.0, 2.0])
+        columns[0] = [size * int(s / size) for s in t]
+    elif kind == 3:
+        columns[one] = [columns[one][first % n]] * n
+    elif kind == 4:
+        most = rng.uniform(0.1, 1.0) * max(map(abs, columns[one]))
+        columns[one] = [max(-most, min(most, value)) for value in columns[one]]
+    elif kind == 5:
+        size = rng.choice([1e-3, 0.1, 1.0, 30.0])
+        columns[one] = [value + rng.gauss(0, size) for value in columns[one]]
+    elif kind == 6:
+        factor = rng.choice([*FACTORS, 0.0, 1.1])
+        for place in rng.choice([[one], [*range(1, 4)], [*range(4, width)]]):
+            if place < width:
+                columns[place] = [value * factor for value in columns[place]]
+    elif kind == 7:
+        columns = [column[:first] + column[last:] for column in columns]
+    else:
+        columns = [column[:first] + column[first:last] + column[first:last] + column[last:] for column in columns]
+    changed = [separator.join(f"{value:.9g}" for value in row) for row in zip(*columns, strict=True)]
+    return "\n".join([lines[0], *changed, ""])
 
 
 def _once(rng: Random, given: Input) -> Input:
