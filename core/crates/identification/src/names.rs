@@ -45,7 +45,7 @@ impl QuantityName {
     ];
 
     /// Short names of the same, without the unit: what people type.
-    pub const SHORT: [(&'static str, Self); 5] = [
+    pub const SHORT: [(&str, Self); 5] = [
         ("k_yaw", Self::KYaw),
         ("k_pitch", Self::KPitch),
         ("k_roll", Self::KRoll),
