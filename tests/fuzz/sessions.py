@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import json
 import re
 import sys
 import time
@@ -78,6 +79,12 @@ def smaller(runner: Runner, given: Input, found: Outcome, critique: bool = False
     return given
 
 
+def kept() -> set[str]:
+    """What the corpus holds already."""
+    found = [json.loads(path.read_text(encoding="utf-8"))["why"].partition(": ") for path in CORPUS.glob("*.json")]
+    return {signature(Outcome(kind, text, 0.0, 0.0)) for kind, _, text in found}
+
+
 def keep(given: Input, found: Outcome) -> Path:
     """Writes a failing input to the corpus."""
     CORPUS.mkdir(exist_ok=True)
@@ -99,6 +106,7 @@ def main() -> int:
     print(f"seed {seed}", flush=True)
     ends: Counter[str] = Counter()
     known: Counter[str] = Counter()
+    before = kept()
     slowest, largest, start = 0.0, 0.0, time.monotonic()
     with Runner() as runner:
         for number, one in drawn(seed, given.count, TYPED if given.critique else None):
@@ -111,7 +119,7 @@ def main() -> int:
                 same = signature(found)
                 known[same] += 1
                 print(f"{number} {one.name} {found.kind} {found.seconds:.1f} s: {found.text[:300]}", flush=True)
-                if known[same] == 1:
+                if known[same] == 1 and same not in before:
                     print(f"  kept as {keep(smaller(runner, one, found, given.critique), found).name}", flush=True)
             if number % 500 == 499:
                 print(f"{number + 1} inputs, {time.monotonic() - start:.0f} s: {dict(ends)}", flush=True)
