@@ -462,7 +462,7 @@ def _mapping(rng: Random, mapping: list[str]) -> list[str]:
             f"{rng.choice(fields)}={found[place].partition('=')[2]}",
             f"{found[place].partition(':')[0]}:{rng.choice(units)}",
             f"{rng.choice(fields)}={rng.choice(['1', '2', '99', '0', '-1', 'wx', ''])}:{rng.choice(units)}",
-            found[place][: rng.randrange(len(found[place]))],
+            found[place][: rng.randrange(len(found[place]) + 1)],
             found[place - 1],
         ]
     )
