@@ -14,7 +14,7 @@ STEP := tests/step $(LOGS)
 # Cargo's library of the Python package.
 MODULE := target/debug/lib_core.$(if $(filter Darwin,$(shell uname)),dylib,so)
 
-.PHONY: help demo check test graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind fuzz plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -26,6 +26,7 @@ help:
 	@echo "make test-android  the Android app under Robolectric; make screenshots: pictures of its screens"
 	@echo "make lint    formatting and lints, Rust and Python"
 	@echo "make blind   how often the stated intervals hold, on N=200 fresh sessions (14 of them in make test)"
+	@echo "make fuzz    N=20000 sessions with something wrong in them: each measured or refused, in bounded time and memory"
 	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
 	@echo "make hidden  whether the critique finds what is hidden in N=200 fresh sessions (4 of them in make test): some hours"
 	@echo "make peers   the same of sparse regression and least squares, on N=20 swings in yaw"
@@ -88,9 +89,9 @@ test-faces:
 	@$(MAKE) --no-print-directory test-ios
 	@$(MAKE) --no-print-directory test-android
 
-# Python's half: vectors, API and command (pytest), and the stubs against the module (a test among them).
+# Python's half: vectors, API and command (pytest), the stubs against the module (a test among them), and the fuzz in short.
 test-python: package
-	@$(STEP) python $(BIN)/python -m pytest -c python/pyproject.toml python/tests
+	@$(STEP) python $(BIN)/python -m pytest -c python/pyproject.toml python/tests tests/fuzz
 
 # The Swift that is committed is what the facade gives.
 generated: build
@@ -141,6 +142,11 @@ test-hidden: package blind-tools
 N ?= 200
 blind: release-package blind-tools
 	@$(BIN)/python tests/blind/coverage.py --count $(N)
+
+# Whole sessions with something wrong in them, the seed drawn and printed; some minutes for 20,000. Failures are kept in tests/fuzz/corpus.
+fuzz: N = 20000
+fuzz: package
+	$(BIN)/python tests/fuzz/sessions.py --count $(N)
 
 # What the planner predicts against what is then measured, on fresh hulls.
 plan-check: N = 100

@@ -48,7 +48,7 @@ Json = Annotated[
 ]
 Limits = Annotated[
     list[str] | None,
-    typer.Option("--limit", metavar="LIMIT", help="Class limit such as k_pitch_m>=1.100; may be repeated."),
+    typer.Option("--limit", metavar="LIMIT", help="Class limit such as k_pitch>=1.100; may be repeated."),
 ]
 Map = Annotated[
     list[str] | None,
@@ -136,8 +136,9 @@ def report(
         can_be_written(output)
         loaded = _loaded(session)
         measurement = _measured(loaded, limit)
-        write_report(measurement, output, _critique_or_reason(loaded) if critique else None, language)
-        reason = _written(measurement, json)
+        criticism = _critique_or_reason(loaded) if critique else None
+        write_report(measurement, output, criticism, language)
+        reason = _written(measurement, json, criticism if isinstance(criticism, Critique) else None)
         output_console(json).print(f"Report: {output}", soft_wrap=True)
         if reason is not None:
             end_without_result(error_console(), reason)
@@ -424,11 +425,11 @@ def write_report(
         write_whole(output, html)
 
 
-def _written(measurement: Measurement, json: str | None) -> str | None:
+def _written(measurement: Measurement, json: str | None, critique: Critique | None = None) -> str | None:
     """Write the JSON where it is wanted; answers why there is no result, where there is none."""
     reason = reason_without_result(measurement)
     if json is not None:
-        text = measurement.to_json()
+        text = measurement.to_json(critique)
         write_json(text if reason is None else with_reason(text, reason), json)
     return reason
 

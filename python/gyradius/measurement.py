@@ -175,9 +175,12 @@ class Measurement:
     warnings: tuple[str, ...]
     _core: _core.Measurement
 
-    def to_json(self) -> str:
-        """The JSON text, byte for byte as the core writes it."""
-        return self._core.to_json()
+    def to_json(self, critique: Critique | None = None) -> str:
+        """The JSON text, byte for byte as the core writes it.
+
+        With the same session's criticism its verdicts are those after it, as the report has them.
+        """
+        return self._core.to_json() if critique is None else self._core.to_json(critique._core)
 
     def to_html(self, critique: Critique | str | None = None, language: str = "en") -> str:
         """The report: one self-contained HTML file.

@@ -14,10 +14,9 @@ def decimals_for(u: float) -> int:
     """Decimal places that show two digits of ``u`` after rounding."""
     if not math.isfinite(u) or u <= 0.0:
         return 0
-    places = DIGITS_OF_U - 1 - math.floor(math.log10(u))
-    # 0.0996 rounds up to 0.100: one place fewer.
-    rounded_up = round(u, places) >= 10.0 ** (DIGITS_OF_U - places)
-    return max(0, places - rounded_up)
+    # The exponent after rounding: 0.0996 becomes 0.10.
+    exponent = int(f"{u:.{DIGITS_OF_U - 1}e}".partition("e")[2])
+    return max(0, DIGITS_OF_U - 1 - exponent)
 
 
 def with_u(value: float | None, u: float | None, unit: str = "") -> str:

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use gyradius_core::Error;
+use gyradius_core::diagnosis::judged_with;
 use gyradius_core::identification::{Analysis, Evidence};
 use gyradius_core::import::Loaded;
 use gyradius_core::report::{self, ReportSource};
@@ -54,9 +55,15 @@ impl Measurement {
 
 #[pymethods]
 impl Measurement {
-    /// The `gyradius-measurement/1` text.
-    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
-        detached(py, || as_json(&self.inner.measurement))
+    /// The `gyradius-measurement/1` text; with a criticism, its class limits are judged by that too.
+    #[pyo3(signature = (critique=None))]
+    fn to_json(&self, py: Python<'_>, critique: Option<Bound<'_, Criticism>>) -> PyResult<String> {
+        let critique = critique.map(|critique| critique.get().inner.critique.clone());
+        let measurement = &self.inner.measurement;
+        detached(py, || match &critique {
+            Some(critique) => as_json(&judged_with(measurement, critique)),
+            None => as_json(measurement),
+        })
     }
 
     /// The report: one self-contained HTML file in the language of a tag, with the session's

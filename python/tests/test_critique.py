@@ -224,6 +224,25 @@ def test_json_to_standard_output_is_json_alone(engine: list[str]) -> None:
     assert parsed(result.stdout)["format"] == "gyradius-critique/1"
 
 
+def test_report_and_its_json_judge_a_limit_alike(engine: list[str], tmp_path: Path) -> None:
+    path, html, target = str(gyradius.shipped_session("keelboat")), tmp_path / "r.html", tmp_path / "r.json"
+    # The base simulation has 1.0453 ± 0.0054 m and passes; the extended one, which is one guess among several, has
+    # 1.0591 ± 0.0010 m and fails.
+    asked = ["report", path, "-o", str(html), "--json", str(target), "--limit", "k_yaw_m<=1.056"]
+
+    def verdicts() -> list[list[str]]:
+        page = html.read_text(encoding="utf-8")
+        start = page.index('id="gyradius-measurement">') + len('id="gyradius-measurement">')
+        inside = json.loads(page[start : page.index("</script>", start)])
+        return [[one["verdict"] for one in data["verdicts"]] for data in (inside, json.loads(target.read_text()))]
+
+    assert CliRunner().invoke(app, [*asked, "--no-critique"]).exit_code == 0
+    assert verdicts() == [["pass"], ["pass"]]
+    assert CliRunner().invoke(app, asked).exit_code == 0
+    assert verdicts() == [["undecided"], ["undecided"]]
+    assert "<strong>Undecided</strong>" in html.read_text(encoding="utf-8")
+
+
 def test_report_has_it_unless_it_is_left_out(engine: list[str], tmp_path: Path) -> None:
     path, html, pdf = str(gyradius.shipped_session("keelboat")), tmp_path / "r.html", tmp_path / "r.pdf"
     assert CliRunner().invoke(app, ["report", path, "-o", str(html), "--no-critique"]).exit_code == 0

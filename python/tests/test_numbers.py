@@ -19,6 +19,8 @@ from gyradius.numbers import decimals_for, interval, with_u
         (1234.5, 12.3, "1234 ± 12"),
         (1234.5, 345.0, "1234 ± 345"),
         (9.80665, 0.0, "9.80665"),
+        # The largest number that there is, which cannot be rounded up.
+        (1.0, 1.79e308, f"1 ± {1.79e308:.0f}"),
     ],
 )
 def test_value_with_uncertainty(value: float, u: float, text: str) -> None:

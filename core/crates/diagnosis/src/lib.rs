@@ -14,6 +14,7 @@ mod findings;
 mod fitted_swing;
 mod fitting;
 mod found;
+mod judged;
 mod learned;
 mod linear;
 mod look;
@@ -40,6 +41,7 @@ mod words;
 pub use by_periods::criticise_periods;
 pub use cause_id::CauseId;
 pub use coordinate::ForceCoordinate;
+pub use judged::judged_with;
 pub use parameter_id::{ParameterId, ParameterName};
 pub use result::{
     CauseResult, CauseVerdict, Criticism, Critique, Discrepancy, DiscrepancyKind, Gain,

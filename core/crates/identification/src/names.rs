@@ -51,6 +51,15 @@ impl QuantityName {
         Self::Psi,
     ];
 
+    /// Short names of the same, without the unit: what people type.
+    pub const SHORT: [(&str, Self); 5] = [
+        ("k_yaw", Self::KYaw),
+        ("k_pitch", Self::KPitch),
+        ("k_roll", Self::KRoll),
+        ("depth", Self::CmDepth),
+        ("psi", Self::Psi),
+    ];
+
     const FIXED: [Self; 10] = [
         Self::KYaw,
         Self::KPitch,
@@ -69,6 +78,20 @@ impl QuantityName {
     pub fn small_period_of(swing: &str) -> Self {
         let [before, after] = Self::SMALL_PERIOD;
         Self::SmallPeriod(SmallPeriod(format!("{before}{swing}{after}")))
+    }
+
+    /// The quantity that somebody types: by its name in files, or by its short one.
+    ///
+    /// # Errors
+    /// Where no quantity has that name.
+    pub fn called(text: &str) -> Result<Self> {
+        let short = Self::SHORT.into_iter().find(|(short, _)| *short == text);
+        short.map_or_else(|| text.parse(), |(_, name)| Ok(name))
+    }
+
+    /// Whether it is one number, and not a vector or a matrix.
+    pub fn is_one_number(&self) -> bool {
+        !matches!(self, Self::PrincipalGyradii | Self::Inertia)
     }
 
     /// Its name in files.
@@ -476,6 +499,12 @@ mod tests {
             for input in [Input::from(*kind), Input::of(*kind, "bow of oak")] {
                 assert_eq!(input.to_string().parse::<Input>().unwrap(), input);
             }
+        }
+        for (short, name) in QuantityName::SHORT {
+            assert_eq!(QuantityName::called(short).unwrap(), name);
+            assert_eq!(QuantityName::called(name.as_str()).unwrap(), name);
+            // In files only the full name counts.
+            assert!(short.parse::<QuantityName>().is_err());
         }
         let said = "k_yam_m".parse::<QuantityName>().unwrap_err().to_string();
         assert!(

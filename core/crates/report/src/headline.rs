@@ -4,10 +4,8 @@
 use std::collections::BTreeMap;
 
 use super::source::ReportSource;
-use gyradius_diagnosis::{Critique, Status};
-use gyradius_identification::routes::guard::{Limit, verdict};
-use gyradius_identification::{Decision, QuantityName, QuantityResult, Verdict};
-use gyradius_recording::Quantity;
+use gyradius_diagnosis::{Critique, Status, judged_with};
+use gyradius_identification::{QuantityName, QuantityResult, Verdict};
 
 /// The figures that head the report.
 pub(super) struct Headline {
@@ -30,18 +28,11 @@ impl Headline {
                 replaced.insert(key, base);
             }
         }
-        let judged = |old: &Verdict| match replaced.contains_key(&old.quantity) {
-            true => judged_again(old, &quantities[&old.quantity]).unwrap_or_else(|| old.clone()),
-            false => old.clone(),
-        };
-        // Where the criticism names no one cause, the extended figures are one guess among several.
-        let is_guess = criticised(source)
-            .is_some_and(|c| matches!(c.verdict.status, Status::Ambiguous | Status::Unexplained));
-        let verdicts = source.measurement.verdicts.iter().map(|old| {
-            let new = judged(old);
-            if is_guess { agreed(old, new) } else { new }
-        });
-        let verdicts = verdicts.collect();
+        let measurement = &source.measurement;
+        let verdicts = criticised(source).map_or_else(
+            || measurement.verdicts.clone(),
+            |critique| judged_with(measurement, critique).verdicts,
+        );
         Self {
             quantities,
             replaced,
@@ -54,38 +45,10 @@ fn criticised(source: &ReportSource) -> Option<&Critique> {
     source.criticised().map(|criticism| &criticism.critique)
 }
 
-/// What two models that may both be right say together: undecided where they do not decide alike.
-/// Neither is known to be likelier, so their probabilities are averaged.
-fn agreed(base: &Verdict, extended: Verdict) -> Verdict {
-    let decision = match base.verdict == extended.verdict {
-        true => base.verdict,
-        false => Decision::Undecided,
-    };
-    let probability = 0.5 * (base.conformance_probability + extended.conformance_probability);
-    Verdict {
-        verdict: decision,
-        conformance_probability: probability,
-        ..extended
-    }
-}
-
 fn extended(source: &ReportSource) -> BTreeMap<QuantityName, QuantityResult> {
     criticised(source)
         .filter(|critique| critique.verdict.status != Status::Adequate)
         .map_or_else(BTreeMap::new, |critique| {
             critique.extended.quantities.clone()
         })
-}
-
-fn judged_again(old: &Verdict, quantity: &QuantityResult) -> Option<Verdict> {
-    let limit = Limit {
-        quantity: old.quantity.to_string(),
-        relation: old.relation,
-        limit: old.limit,
-    };
-    verdict(
-        Quantity::new(quantity.value.scalar()?, quantity.u.scalar()?),
-        &limit,
-    )
-    .ok()
 }

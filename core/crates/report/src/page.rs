@@ -7,6 +7,7 @@ use super::markup::Markup;
 use super::pictures::{self, Figure};
 use super::sections;
 use super::source::ReportSource;
+use gyradius_diagnosis::{Criticism, judged_with};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -44,11 +45,15 @@ fn head(source: &ReportSource, out: &mut Markup) {
     out.within("style", &[], |out| out.raw(STYLE));
 }
 
-/// The results as `measure --json` and `critique --json` write them.
+/// The results as `report --json` and `critique --json` write them.
 fn numbers(source: &ReportSource, out: &mut Markup) {
-    embedded("gyradius-measurement", &source.measurement, out);
-    if let Some(criticism) = source.criticised() {
-        embedded("gyradius-critique", &criticism.critique, out);
+    match source.criticised() {
+        Some(Criticism { critique, .. }) => {
+            let measurement = judged_with(&source.measurement, critique);
+            embedded("gyradius-measurement", &measurement, out);
+            embedded("gyradius-critique", critique, out);
+        }
+        None => embedded("gyradius-measurement", &source.measurement, out),
     }
 }
 

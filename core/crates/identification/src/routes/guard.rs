@@ -15,10 +15,10 @@ use gyradius_recording::Quantity;
 /// One-sided 95 % point of the normal distribution.
 pub const GUARD_95: f64 = 1.644_853_626_951_472_2;
 
-/// A class limit: `k_pitch_m>=1.100`.
+/// A class limit: `k_pitch_m>=1.100`, or by its short name `k_pitch>=1.100`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// The quantity's name as it was asked for; only one that is known can be judged.
+    /// The quantity's name in files.
     pub quantity: String,
     /// Which side conforms.
     pub relation: Relation,
@@ -43,16 +43,38 @@ impl std::str::FromStr for Limit {
             _ => return Err(bad()),
         };
         let limit: f64 = parts.1.trim().parse().map_err(|_| bad())?;
-        let quantity = parts.0.trim().to_string();
-        if quantity.is_empty() || !limit.is_finite() {
+        let asked = parts.0.trim();
+        if asked.is_empty() || !limit.is_finite() {
             return Err(bad());
         }
+        let quantity = QuantityName::called(asked)
+            .ok()
+            .filter(QuantityName::is_one_number)
+            .ok_or_else(|| unknown(asked))?;
         Ok(Self {
-            quantity,
+            quantity: quantity.to_string(),
             relation,
             limit,
         })
     }
+}
+
+/// A limit on a quantity that is none, with the nearest one that is.
+fn unknown(asked: &str) -> Error {
+    let names = QuantityName::SHORT.map(|(short, _)| short);
+    let nearest = names
+        .into_iter()
+        .min_by_key(|name| strsim::damerau_levenshtein(name, asked))
+        .unwrap_or_default();
+    let expected = format!(
+        "one of {} or small_period_…_s before the relation",
+        names.join(", ")
+    );
+    Error::argument(
+        "limit",
+        expected,
+        format!("`{asked}`; the nearest is `{nearest}`"),
+    )
 }
 
 impl Limit {

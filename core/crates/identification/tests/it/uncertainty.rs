@@ -206,3 +206,25 @@ fn a_hull_at_the_limit_passes_once_in_twenty() {
         "{count:?}"
     );
 }
+
+/// People type short names; a name that is none is refused with the nearest one, not left without a
+/// verdict.
+#[test]
+fn limits_go_by_short_names_too() {
+    for (text, name) in [
+        ("k_yaw>=1.05", "k_yaw_m"),
+        ("k_pitch_m <= 1.1", "k_pitch_m"),
+        ("depth>=0.3", "cm_depth_m"),
+        ("small_period_yaw-1_s<=4.4", "small_period_yaw-1_s"),
+    ] {
+        let limit: guard::Limit = text.parse().unwrap();
+        assert_eq!(limit.quantity, name, "{text}");
+    }
+    for (text, told) in [
+        ("k_jaw>=1", "the nearest is `k_yaw`"),
+        ("inertia_kg_m2>=1", "one of k_yaw"),
+    ] {
+        let said = text.parse::<guard::Limit>().unwrap_err().to_string();
+        assert!(said.contains(told), "{said}");
+    }
+}
