@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::import::{is_recorded, single_channel};
+use super::gather::{is_recorded, single_channel};
 use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::{ImportedData, import_inputs};

@@ -4,23 +4,47 @@ use std::collections::BTreeMap;
 
 use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS, REPAIR_KINDS, SENSORS, name_of};
 use super::quantity::Quantity;
-use super::recorded::Recorded;
+use super::recorded::{Recorded, RecordedRepair};
 use super::session::{
     AddedMass, Attachment, Body, End, Incline, InclineAngle, ModeName, Session, Site, Suspension,
-    Swing, SwingData,
+    SuspensionKind, Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 
 /// The text of a `session.toml` that reads back to an equal session, if the session is a valid one.
 pub fn write_session(session: &Session) -> String {
-    let mut text = Lines::default();
+    written(session, Lines::default())
+}
+
+/// The same with what is usual and not stated as comments, to be filled in by hand.
+pub fn write_session_to_fill_in(session: &Session) -> String {
+    written(session, Lines::to_fill_in())
+}
+
+/// The tables of swings and recordings alone, to be put at the end of a session's text, with what
+/// is usual and not stated as comments.
+pub fn write_swings_to_fill_in(swings: &[Swing], recorded: &[Recorded]) -> String {
+    let mut text = Lines::to_fill_in();
+    swings.iter().for_each(|one| swing(&mut text, one));
+    for one in recorded {
+        self::recorded(&mut text, one);
+    }
+    text.text
+}
+
+fn written(session: &Session, mut text: Lines) -> String {
     text.key("format", quoted(FORMAT));
     text.key_unless_empty("title", &session.title);
     text.key_unless_empty("measured_on", &session.measured_on);
+    text.key_unless_empty("phone", &session.phone);
+    text.key_unless_empty("logger", &session.logger);
     body(&mut text, &session.body);
     site(&mut text, &session.site);
     for one in &session.attachments {
         attachment(&mut text, one);
+    }
+    if session.attachments.is_empty() {
+        text.hint(PHONE);
     }
     for one in &session.swings {
         swing(&mut text, one);
@@ -31,26 +55,69 @@ pub fn write_session(session: &Session) -> String {
     for one in &session.recorded {
         recorded(&mut text, one);
     }
-    text.0
+    text.text
 }
+
+/// Keys that are usual and may be missing; the figures are examples.
+const MASS: &str =
+    "# mass = { value = 100.0, u = 0.2 }  # kg, everything that swings, attachments too\n";
+const SITE: &str = "\n# [site]\n# gravity = { value = 9.81, u = 0.005 }  # m/s2; or latitude_deg and altitude (m)\n";
+const PHONE: &str = "\n# [[attachment]]  # rides on the hull and is taken off the result\n\
+    # name = \"phone\"\n# mass = { value = 0.2, u = 0.001 }  # kg\n\
+    # position = [0.0, 0.0, 0.0]  # m, forward, to port, up, from the mid-point of the suspension points\n";
+const EXCITED: &str =
+    "# excited = [\"yaw\", \"sway\"]  # what was set going: yaw, sway, surge, pitch, roll\n";
+const LINE_LENGTH: &str = "# line_length = { value = 3.0, u = 0.003 }  # m, of the lines\n";
+const SPACING: &str =
+    "# spacing = { value = 1.5, u = 0.002 }  # m, between the points on the hull\n";
+const TOP_SPACING: &str = "# top_spacing = { value = 1.5, u = 0.002 }  # m, between the points above; without it, spacing\n";
+const HULL_PITCH: &str = "# hull_pitch_deg = { value = 0.0, u = 0.3 }  # degrees, bow up\n";
+const AXIS_HEIGHT: &str =
+    "# axis_height = { value = 0.5, u = 0.002 }  # m, of the axis above the suspension points\n";
 
 /// The lines written so far.
 #[derive(Default)]
-struct Lines(String);
+struct Lines {
+    text: String,
+    /// Whether what is usual and not stated is written as a comment.
+    is_to_fill_in: bool,
+}
 
 impl Lines {
+    fn to_fill_in() -> Self {
+        Self {
+            is_to_fill_in: true,
+            ..Self::default()
+        }
+    }
+
     fn header(&mut self, header: &str) {
-        self.0.push('\n');
+        self.text.push('\n');
         self.subheader(header);
     }
 
     fn subheader(&mut self, header: &str) {
-        self.0.push_str(header);
-        self.0.push('\n');
+        self.text.push_str(header);
+        self.text.push('\n');
     }
 
     fn key(&mut self, key: &str, value: String) {
-        self.0.push_str(&format!("{key} = {value}\n"));
+        self.text.push_str(&format!("{key} = {value}\n"));
+    }
+
+    /// Lines that a reader may fill in.
+    fn hint(&mut self, lines: &str) {
+        if self.is_to_fill_in {
+            self.text.push_str(lines);
+        }
+    }
+
+    /// A quantity, or the line to fill in where it is not stated.
+    fn quantity_or(&mut self, key: &str, value: Option<Quantity>, hint: &str) {
+        match value {
+            Some(value) => self.key(key, quantity(value)),
+            None => self.hint(hint),
+        }
     }
 
     fn key_if<T>(&mut self, key: &str, value: Option<T>, write: impl Fn(T) -> String) {
@@ -69,13 +136,14 @@ impl Lines {
 fn body(text: &mut Lines, body: &Body) {
     text.header("[body]");
     text.key_unless_empty("name", &body.name);
-    text.key_if("mass", body.mass_kg, quantity);
+    text.quantity_or("mass", body.mass_kg, MASS);
     text.key_if("length_overall", body.length_overall_m, number);
     text.key_if("density", body.density_kg_m3, number);
 }
 
 fn site(text: &mut Lines, site: &Site) {
     if *site == Site::default() {
+        text.hint(SITE);
         return;
     }
     text.header("[site]");
@@ -102,7 +170,9 @@ fn swing(text: &mut Lines, swing: &Swing) {
     if !swing.amplitude_deg.is_empty() {
         text.key("amplitude_deg", by_mode(&swing.amplitude_deg, number));
     }
-    if !swing.excited.is_empty() {
+    if swing.excited.is_empty() {
+        text.hint(EXCITED);
+    } else {
         let names = swing
             .excited
             .iter()
@@ -151,12 +221,18 @@ fn suspension(text: &mut Lines, suspension: &Suspension) {
         "orientation",
         quoted(name_of(suspension.orientation, ORIENTATIONS)),
     );
-    text.key_if("line_length", suspension.line_length_m, quantity);
-    text.key_if("spacing", suspension.spacing_m, quantity);
-    text.key_if("top_spacing", suspension.top_spacing_m, quantity);
-    text.key_if("hull_pitch_deg", suspension.hull_pitch_deg, quantity);
+    // A kind has no lines to fill in of another.
+    let of = |kind: SuspensionKind, hint: &'static str| {
+        if suspension.kind == kind { hint } else { "" }
+    };
+    let lines = |hint| of(SuspensionKind::Bifilar, hint);
+    text.quantity_or("line_length", suspension.line_length_m, lines(LINE_LENGTH));
+    text.quantity_or("spacing", suspension.spacing_m, lines(SPACING));
+    text.quantity_or("top_spacing", suspension.top_spacing_m, lines(TOP_SPACING));
+    text.quantity_or("hull_pitch_deg", suspension.hull_pitch_deg, HULL_PITCH);
     text.key_if("points_moved", suspension.points_moved_m, quantity);
-    text.key_if("axis_height", suspension.axis_height_m, quantity);
+    let axis = of(SuspensionKind::Compound, AXIS_HEIGHT);
+    text.quantity_or("axis_height", suspension.axis_height_m, axis);
 }
 
 fn incline(text: &mut Lines, incline: &Incline) {
@@ -181,7 +257,9 @@ fn recorded(text: &mut Lines, recorded: &Recorded) {
     if recorded.origin_ns != 0 {
         text.key("origin_ns", recorded.origin_ns.to_string());
     }
+    text.key_unless_empty("measured_on", &recorded.measured_on);
     text.key_unless_empty("phone", &recorded.phone);
+    text.key_unless_empty("logger", &recorded.logger);
     text.key_if("bias", recorded.bias.as_deref(), quoted);
     if !recorded.notes.is_empty() {
         let each = recorded
@@ -208,18 +286,23 @@ fn recorded(text: &mut Lines, recorded: &Recorded) {
         "events",
         events.map(|e| format!("{{ t = {}, key = {} }}", number(e.t_s), quoted(&e.key))),
     );
-    let repairs = recorded.repairs.iter().map(|repair| {
-        let (from, to) = (optional("from", repair.from_s), optional("to", repair.to_s));
-        let kind = named("kind", repair.kind, REPAIR_KINDS);
-        let sensor = named("sensor", repair.sensor, SENSORS);
-        let count = repair.count.map(|count| format!(", count = {count}"));
-        format!(
-            "{{ text = {}{kind}{sensor}{}{from}{to} }}",
-            quoted(&repair.text),
-            count.unwrap_or_default()
-        )
+    for one in &recorded.repairs {
+        repair(text, one);
+    }
+}
+
+fn repair(text: &mut Lines, repair: &RecordedRepair) {
+    text.subheader("[[recorded.repair]]");
+    text.key("text", quoted(&repair.text));
+    text.key_if("kind", repair.kind, |kind| {
+        quoted(name_of(kind, REPAIR_KINDS))
     });
-    list(text, "repairs", repairs);
+    text.key_if("sensor", repair.sensor, |sensor| {
+        quoted(name_of(sensor, SENSORS))
+    });
+    text.key_if("count", repair.count, |count| count.to_string());
+    text.key_if("from", repair.from_s, number);
+    text.key_if("to", repair.to_s, number);
 }
 
 fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
@@ -227,12 +310,6 @@ fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
     if !lines.is_empty() {
         text.key(key, format!("[\n{}]", lines.concat()));
     }
-}
-
-fn named<T: PartialEq>(key: &str, value: Option<T>, names: &[(&'static str, T)]) -> String {
-    value
-        .map(|value| format!(", {key} = {}", quoted(name_of(value, names))))
-        .unwrap_or_default()
 }
 
 fn optional(key: &str, value: Option<f64>) -> String {

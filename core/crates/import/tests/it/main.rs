@@ -2,4 +2,6 @@
 
 #![allow(missing_docs)]
 
+mod grow;
+mod kept;
 mod told;

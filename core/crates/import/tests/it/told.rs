@@ -48,7 +48,7 @@ fn repairs(folder: &Path) -> Vec<Repair> {
 }
 
 /// phyphox rows of a gyroscope: `stamp` gives the time of a row, `z` its rate about z.
-fn phyphox(rows: usize, stamp: impl Fn(usize) -> f64, z: impl Fn(usize) -> f64) -> String {
+pub fn phyphox(rows: usize, stamp: impl Fn(usize) -> f64, z: impl Fn(usize) -> f64) -> String {
     let header = r#""Time (s)","Gyroscope x (rad/s)","Gyroscope y (rad/s)","Gyroscope z (rad/s)""#;
     let row = |i: usize| format!("{},{},0.5,{}\n", stamp(i), i as f64 / 8.0, z(i));
     format!("{header}\n{}", (0..rows).map(row).collect::<String>())

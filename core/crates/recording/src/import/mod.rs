@@ -9,6 +9,7 @@
 mod clock;
 mod columns;
 mod detect;
+mod facts;
 mod gcsv;
 mod imported;
 mod json;
@@ -30,6 +31,7 @@ use std::collections::BTreeMap;
 
 use gyradius_base::{Error, Result};
 
+pub use facts::Facts;
 pub use imported::{Format, Imported, ImportedData, ImportedRecording};
 pub use mapping::{ColumnMapping, MappedColumn};
 pub use options::{ImportOptions, Platform};
@@ -78,6 +80,10 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
                 .members()
                 .filter_map(|(name, bytes)| trials::note(bytes, name));
             first.notes.extend(notes);
+        }
+        let facts = Facts::of(&source);
+        for recording in &mut found {
+            recording.facts = facts.clone().recorded_by(recording.format);
         }
         if found.is_empty() {
             barren.push(source);
