@@ -23,9 +23,11 @@ mod physics_toolbox;
 mod sensor_logger;
 mod sensorlog;
 mod source;
+mod sqlite;
 pub(crate) mod table;
 mod trials;
 mod units;
+mod workbook;
 
 use std::collections::BTreeMap;
 
