@@ -20,7 +20,7 @@ from .critique import FORMAT as CRITIQUE
 from .critique import Critique
 from .critique_tables import show_critique
 from .files import can_be_written, only_writer, write_whole
-from .imports import describe_exports, import_files, import_into
+from .imports import STATED, ImportPlan, describe_exports, import_files, import_into, pair
 from .interrupt import heard_during
 from .measurement import Measurement
 from .outcome import end_without_result, reason_without_result, reported, with_reason, write_json
@@ -184,14 +184,6 @@ def import_(
     with reported(error_console(), json):
         of_session: dict[str, object] = {"--replace": replace, "--title": title, "--mass": mass, "--gravity": gravity}
         _refuse_options(output, into, {"--swing": swing, "--like": like}, of_session)
-        if output is None and into is None:
-            system = None if platform is None else platform.value
-            found = heard_during(describe_exports, files, mapping=map_ or [], trial=trial, platform=system)
-            if json is not None:
-                write_json(dumps({"found": found}, ensure_ascii=False, indent=2), json)
-            for line in [*found, "To write a session: the same command with -o DIR"]:
-                output_console(json).print(line, soft_wrap=True)
-            return
         known: dict[str, Any] = {
             "mapping": map_ or [],
             "trial": trial,
@@ -206,17 +198,29 @@ def import_(
             "points_moved": reading(points_moved),
             "axis_height": reading(axis_height),
         }
+        new: dict[str, Any] = {"mass": reading(mass), "gravity": reading(gravity), "title": title, "replace": replace}
+        if output is None and into is None:
+            plan = ImportPlan(**{name: _paired(name, value) for name, value in (known | new).items()})
+            found = heard_during(describe_exports, files, plan)
+            if json is not None:
+                write_json(dumps({"found": found}, ensure_ascii=False, indent=2), json)
+            for line in found:
+                output_console(json).print(line, soft_wrap=True)
+            return
         if into is not None:
             notes = heard_during(import_into, files, into, swing=swing, like=like, **known)
         else:
-            known |= {"mass": reading(mass), "gravity": reading(gravity), "title": title, "replace": replace}
-            notes = heard_during(import_files, files, output, **known)
+            notes = heard_during(import_files, files, output, **known, **new)
         written = output if into is None else into
         if json is not None:
             write_json(dumps({"session": str(written), "notes": notes}, ensure_ascii=False, indent=2), json)
         for note in notes:
             output_console(json).print(f"  note: {note}", soft_wrap=True)
         output_console(json).print(f"Session: {written}", soft_wrap=True)
+
+
+def _paired(name: str, value: Any) -> Any:
+    return pair(value) if name in STATED else value
 
 
 def _refuse_options(

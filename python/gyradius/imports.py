@@ -5,18 +5,25 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from . import _core
 from .files import only_writer
+from .matlab import readable
 
 # A number, or a number with one standard uncertainty.
 Stated = float | tuple[float, float]
 Pair = tuple[float, float]
 
 SESSION_FILE = "session.toml"
+
+#: What may carry an uncertainty.
+STATED = frozenset(
+    ("mass", "gravity", "line_length", "spacing", "top_spacing", "hull_pitch", "points_moved", "axis_height")
+)
 
 
 @dataclass(frozen=True)
@@ -81,17 +88,17 @@ def import_files(
         title=title or Path(output).name,
         suspension=suspension,
         orientation=orientation,
-        mass=_pair(mass),
-        gravity=_pair(gravity),
-        line_length=_pair(line_length),
-        spacing=_pair(spacing),
-        top_spacing=_pair(top_spacing),
-        hull_pitch=_pair(hull_pitch),
-        points_moved=_pair(points_moved),
-        axis_height=_pair(axis_height),
+        mass=pair(mass),
+        gravity=pair(gravity),
+        line_length=pair(line_length),
+        spacing=pair(spacing),
+        top_spacing=pair(top_spacing),
+        hull_pitch=pair(hull_pitch),
+        points_moved=pair(points_moved),
+        axis_height=pair(axis_height),
     )
-    with only_writer(Path(output)):
-        return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
+    with readable(files) as found, only_writer(Path(output)):
+        return [*found.not_used, *_core.import_files(found.paths, os.fspath(output), plan)]
 
 
 def import_into(
@@ -129,43 +136,33 @@ def import_into(
         orientation=orientation,
         swing=swing,
         like=like,
-        line_length=_pair(line_length),
-        spacing=_pair(spacing),
-        top_spacing=_pair(top_spacing),
-        hull_pitch=_pair(hull_pitch),
-        points_moved=_pair(points_moved),
-        axis_height=_pair(axis_height),
+        line_length=pair(line_length),
+        spacing=pair(spacing),
+        top_spacing=pair(top_spacing),
+        hull_pitch=pair(hull_pitch),
+        points_moved=pair(points_moved),
+        axis_height=pair(axis_height),
     )
     folder = Path(session)
     folder = folder.parent if folder.name == SESSION_FILE else folder
-    paths = [os.fspath(file) for file in files]
-    if not folder.is_dir():
-        # The core says what is wrong with it; a folder that is not there is not made.
-        return _core.import_into(paths, os.fspath(session), plan)
-    with only_writer(folder):
-        return _core.import_into(paths, os.fspath(session), plan)
+    # The core says what is wrong with a folder that is not there; it is not made.
+    lock = only_writer(folder) if folder.is_dir() else nullcontext()
+    with readable(files) as found, lock:
+        return [*found.not_used, *_core.import_into(found.paths, os.fspath(session), plan)]
 
 
-def describe_exports(
-    files: Iterable[str | os.PathLike[str]],
-    *,
-    mapping: Sequence[str] = (),
-    trial: str | int | None = None,
-    platform: Literal["android", "ios"] | None = None,
-) -> list[str]:
-    """What exports hold and what an import would tell, line by line; nothing is written.
+def describe_exports(files: Iterable[str | os.PathLike[str]], plan: ImportPlan) -> list[str]:
+    """What exports hold, what an import would tell and the command for it, line by line; nothing is written.
 
     A table that is not recognised is an error that proposes a mapping.
     """
-    plan = ImportPlan(
-        mapping=[*mapping],
-        trial=None if trial is None else str(trial),
-        platform=platform,
-    )
-    return _core.describe_exports([os.fspath(file) for file in files], plan)
+    with readable(files) as found:
+        lines = _core.describe_exports(found.paths, plan)
+        return [*found.not_used, *(found.renamed(line) for line in lines)]
 
 
-def _pair(stated: Stated | None) -> Pair | None:
+def pair(stated: Stated | None) -> Pair | None:
+    """A figure as the core takes it."""
     if stated is None:
         return None
     # NaN: nobody stated one, and the session is written without.

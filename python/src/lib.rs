@@ -45,7 +45,7 @@ mod _core {
     #[pymodule_export]
     use super::routes::{evaluate_route, routes};
     #[pymodule_export]
-    use super::session::{Session, load};
+    use super::session::{Session, load, load_tables};
     #[pymodule_export]
     use super::simulation::{Rig, Simulation, read_rig};
 

@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::gather::{Gathered, gather, split};
-use super::input::options;
+use super::gather::{Gathered, gather};
 use super::places::Places;
 use gyradius_base::error::Result;
-use gyradius_recording::import::{Platform, import_inputs};
+use gyradius_recording::import::Platform;
 use gyradius_recording::{
     Body, Overwrite, Quantity, Recorded, SESSION_FILE, Session, Site, Suspension, SuspensionKind,
     read_session, write_files, write_session_to_fill_in,
@@ -96,26 +95,6 @@ fn state_what_all_say(session: &mut Session) {
         all.iter_mut().for_each(|one| one.logger.clear());
     }
     all.retain(Recorded::says_anything);
-}
-
-/// What exports hold, line by line: every recording with its format, sensors and samples, and what
-/// an import would tell. Nothing is written. Fails as reading does; a table that is not known is an
-/// error that proposes a mapping.
-pub fn describe_exports(files: &[PathBuf], request: &ImportRequest) -> Result<Vec<String>> {
-    let (recorded, exported) = split(files)?;
-    let mut lines: Vec<String> = recorded
-        .iter()
-        .map(|file| format!("{}: a recorder's file", file.display()))
-        .collect();
-    if !exported.is_empty() {
-        let mut options = options(&request.mapping, request.platform)?;
-        options.trial.clone_from(&request.trial);
-        for recording in import_inputs(&exported, &options)?.recordings {
-            lines.push(format!("{}: {}", recording.name, recording.summary()));
-            lines.extend(recording.told().into_iter().map(|text| format!("  {text}")));
-        }
-    }
-    Ok(lines)
 }
 
 pub(crate) fn draft_note(missing: &[&str]) -> String {

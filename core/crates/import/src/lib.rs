@@ -3,6 +3,7 @@
 //!
 //! May know `recording`, `recorder`, `signal` (a light gate's edges become periods).
 
+mod describe;
 mod draft;
 mod gather;
 mod grow;
@@ -11,6 +12,7 @@ mod input;
 mod loaded;
 mod places;
 
+pub use describe::describe_exports;
 pub use grow::{Growth, import_into};
-pub use import::{ImportRequest, describe_exports, import_session};
-pub use loaded::{Loaded, load_any};
+pub use import::{ImportRequest, import_session};
+pub use loaded::{Loaded, load_any, load_tables};
