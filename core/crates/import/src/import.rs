@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::gather::{Gathered, gather};
 use super::places::Places;
-use gyradius_base::error::Result;
+use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::Platform;
 use gyradius_recording::{
     Body, Overwrite, Quantity, Recorded, SESSION_FILE, Session, Site, Suspension, SuspensionKind,
@@ -46,6 +46,7 @@ pub fn import_session(
     request: &ImportRequest,
     overwrite: Overwrite,
 ) -> Result<Vec<String>> {
+    refuse_session_there(folder, overwrite)?;
     let Gathered {
         swings,
         recorded,
@@ -73,6 +74,18 @@ pub fn import_session(
         .collect();
     write_files(&paths, overwrite)?;
     Ok(notes)
+}
+
+/// A session is added to, or replaced as a whole: its text may hold what a person wrote.
+fn refuse_session_there(folder: &Path, overwrite: Overwrite) -> Result<()> {
+    let file = folder.join(SESSION_FILE);
+    if overwrite == Overwrite::Replace || !file.exists() {
+        return Ok(());
+    }
+    Err(Error::Unwritable {
+        file: file.display().to_string(),
+        reason: "it exists already and is not overwritten (--into adds swings to it)".to_owned(),
+    })
 }
 
 /// The day, the phone and the program stand at the top where all recordings have the same.

@@ -345,6 +345,23 @@ swing = [{ id = "a", periods_s = { yaw = 4.0 }, suspension = { kind = "compound"
     assert!(refused(&file, &folder, &titled, &growth).contains("title"));
 }
 
+#[test]
+fn a_session_that_is_there_is_not_written_anew() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = session(dir.path(), KEPT);
+    let file = [export(dir.path(), "yaw.csv", 1.0)];
+    let error = import_session(&file, &folder, &request(&[]), Overwrite::Refuse);
+    let text = error.unwrap_err().to_string();
+    assert!(
+        text.contains("exists already") && text.contains("--into"),
+        "{text}"
+    );
+    assert_eq!(
+        (text_of(&folder), names(&folder).len()),
+        (KEPT.to_owned(), 1)
+    );
+}
+
 /// Every commented line becomes a key once its mark is taken off.
 #[test]
 fn a_written_session_has_lines_to_fill_in_that_are_right() {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{json, sqlite, trials, workbook};
+use crate::recorder::NamedTables;
 use crate::store::Store;
 use gyradius_base::{Error, Result};
 
@@ -100,7 +101,7 @@ fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
 }
 
 /// The tables of a file that holds several, archives apart; `None` where it is none of that.
-fn tables_inside(bytes: &[u8], name: &str) -> Option<Result<Vec<(String, Vec<u8>)>>> {
+fn tables_inside(bytes: &[u8], name: &str) -> Option<Result<NamedTables>> {
     if json::looks_like_json(bytes) {
         Some(json::tables(bytes, name))
     } else if sqlite::looks_like_sqlite(bytes) {

@@ -30,7 +30,7 @@ pub fn convert(file: impl AsRef<Path>, folder: impl AsRef<Path>, name: &str) -> 
 }
 
 /// The same without writing: what the session says of the file, and its tables by name and bytes.
-pub fn converted(file: impl AsRef<Path>, name: &str) -> Result<(Recorded, Vec<(String, Vec<u8>)>)> {
+pub fn converted(file: impl AsRef<Path>, name: &str) -> Result<(Recorded, NamedTables)> {
     let file = file.as_ref();
     let (contents, origin_ns) = held(file)?;
     let mut tables = Vec::new();
@@ -42,6 +42,9 @@ pub fn converted(file: impl AsRef<Path>, name: &str) -> Result<(Recorded, Vec<(S
     }
     Ok((contents.recorded(name, origin_ns), tables))
 }
+
+/// Tables by name and bytes.
+pub type NamedTables = Vec<(String, Vec<u8>)>;
 
 /// All of a file but its samples, and the stamp of the first.
 fn held(file: &Path) -> Result<(Contents, i64)> {
