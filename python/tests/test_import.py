@@ -159,3 +159,22 @@ def test_what_does_not_fit_a_session_is_refused(tmp_path: Path, options: list[st
     assert_refused(run("import", tmp_path / "up.csv", *placed), 2, told)
     assert not (tmp_path / "t").exists()
     assert not (tmp_path / "gone").exists()
+
+
+def test_import_alone_gives_the_next_command(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    done = run("import", tmp_path / "yaw.csv", "--mass", "100")
+    assert done.returncode == 0, done.stderr
+    command = done.stdout.splitlines()[-1]
+    assert command.strip().startswith("gyradius import")
+    assert command.endswith("--output SESSION --mass=100 --line-length M:U --spacing M:U")
+    assert [path.name for path in tmp_path.iterdir()] == ["yaw.csv"]
+
+
+def test_what_is_usual_and_not_stated_stands_as_comments(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    assert run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *SIZES).returncode == 0
+    text = (tmp_path / "s" / "session.toml").read_text()
+    for key in ("mass", "gravity", "excited", "top_spacing", "hull_pitch_deg"):
+        assert f"# {key} = " in text
+    assert '# name = "phone"' in text

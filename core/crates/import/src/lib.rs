@@ -1,5 +1,5 @@
 //! What a user hands over: a session, a bare recording, or the exports and recorder's files that
-//! become a session.
+//! become a session or are added to one.
 //!
 //! May know `recording`, `recorder`, `signal` (a light gate's edges become periods).
 

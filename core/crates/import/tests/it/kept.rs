@@ -118,6 +118,27 @@ fn sensor_loggers_metadata_and_sensorlogs_dates_are_kept() {
 }
 
 #[test]
+fn loose_files_of_one_folder_keep_each_its_day() {
+    let dir = tempfile::tempdir().unwrap();
+    let header = "loggingTime(txt),gyroRotationX(rad/s),gyroRotationY(rad/s),gyroRotationZ(rad/s)";
+    let files = [1, 2].map(|day| {
+        let row = |i: i32| format!("2024-03-0{day} 12:00:00.{:03} +0100,{i},{day},3\n", 10 * i);
+        let path = dir.path().join(format!("day{day}.csv"));
+        let rows: String = (0..30).map(row).collect();
+        fs::write(&path, format!("{header}\n{rows}")).unwrap();
+        path
+    });
+    let session = imported(dir.path(), &files);
+    let days: Vec<&str> = session
+        .recorded
+        .iter()
+        .map(|one| &*one.measured_on)
+        .collect();
+    assert_eq!(days, ["2024-03-01", "2024-03-02"]);
+    assert_eq!((&*session.measured_on, &*session.logger), ("", "SensorLog"));
+}
+
+#[test]
 fn a_recorders_file_says_its_phone() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("yaw.gyr");

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::clock::date_of_text;
 use super::imported::Format;
-use super::source::Source;
+use super::source::{Source, stem};
 use super::table::Table;
 
 /// What an export says of a recording beside its samples; empty where it says nothing.
@@ -18,19 +18,48 @@ pub struct Facts {
     pub logger: String,
 }
 
-impl Facts {
-    /// The facts of a source, by the small tables that apps put beside the samples and by columns
-    /// of dates.
-    pub(super) fn of(source: &Source) -> Self {
-        let mut facts = Self::default();
+/// The facts of a source: of the small tables that apps put beside the samples, and of each table
+/// of samples.
+pub(super) struct FactsOfSource {
+    beside: Facts,
+    of_samples: Vec<(String, Facts)>,
+    is_archive: bool,
+}
+
+impl FactsOfSource {
+    pub fn new(source: &Source) -> Self {
+        let mut all = Self {
+            beside: Facts::default(),
+            of_samples: Vec::new(),
+            is_archive: source.archive.is_some(),
+        };
         for (name, bytes) in source.members() {
-            if let Ok(table) = Table::open(bytes, name) {
-                facts.take(of_table(&table));
+            let Ok(table) = Table::open(bytes, name) else {
+                continue;
+            };
+            match beside_samples(&table) {
+                Some(facts) => all.beside.take(facts),
+                None => all
+                    .of_samples
+                    .push((stem(name).to_owned(), of_samples(&table))),
+            }
+        }
+        all
+    }
+
+    /// Those of one recording: loose files of one folder may be of several days.
+    pub fn of(&self, recording: &str) -> Facts {
+        let mut facts = self.beside.clone();
+        for (name, own) in &self.of_samples {
+            if self.is_archive || name == recording {
+                facts.take(own.clone());
             }
         }
         facts
     }
+}
 
+impl Facts {
     /// The same, with the program where the format alone names it.
     pub(super) fn recorded_by(mut self, format: Format) -> Self {
         if let (true, Some(logger)) = (self.logger.is_empty(), format.logger()) {
@@ -53,45 +82,55 @@ impl Facts {
     }
 }
 
-/// What one table says; phyphox and Sensor Logger have tables of their own for it.
-fn of_table(table: &Table) -> Facts {
+/// What a table says that phyphox or Sensor Logger puts beside the samples.
+fn beside_samples(table: &Table) -> Option<Facts> {
     let find = |wanted: &str| table.find(|column| column.eq_ignore_ascii_case(wanted));
-    let day = |column: usize| {
-        let texts = table.texts_of(column).unwrap_or_default();
-        texts.iter().find_map(|text| date_of_text(text))
-    };
+    let day = |column: usize| day_of(table, column);
     if let (Some(property), Some(value)) = (find("property"), find("value")) {
         let properties = pairs(table, property, value);
         let of = |key: &str| properties.get(key).cloned().unwrap_or_default();
-        return Facts {
+        return Some(Facts {
             phone: of("devicemodel"),
             logger: with_version("phyphox", &of("version")),
             ..Facts::default()
-        };
+        });
     }
     if let (Some(_), Some(column)) = (find("experiment time"), find("system time text")) {
-        return Facts {
+        return Some(Facts {
             measured_on: day(column).unwrap_or_default(),
             ..Facts::default()
-        };
+        });
     }
     if let (Some(_), Some(device)) = (find("platform"), find("device name")) {
         let first = |column: Option<usize>| {
             let texts = column.and_then(|column| table.texts_of(column).ok());
             texts.into_iter().flatten().next().unwrap_or_default()
         };
-        return Facts {
+        return Some(Facts {
             measured_on: find("recording time").and_then(day).unwrap_or_default(),
             phone: first(Some(device)),
             logger: with_version("Sensor Logger", &first(find("appVersion"))),
-        };
+        });
     }
+    None
+}
+
+/// What a table of samples says: the day by SensorLog's column, the program by Gyroflow's preamble.
+fn of_samples(table: &Table) -> Facts {
     let dated = table.find(|column| column.to_lowercase().starts_with("loggingtime"));
     Facts {
-        measured_on: dated.and_then(day).unwrap_or_default(),
+        measured_on: dated
+            .and_then(|column| day_of(table, column))
+            .unwrap_or_default(),
         logger: preamble(table, "vendor"),
         ..Facts::default()
     }
+}
+
+/// The first day that a column tells.
+fn day_of(table: &Table, column: usize) -> Option<String> {
+    let texts = table.texts_of(column).unwrap_or_default();
+    texts.iter().find_map(|text| date_of_text(text))
 }
 
 /// The value of a line such as `vendor,name` above the header, as Gyroflow logs have it.

@@ -41,6 +41,7 @@ pub use source::Input;
 pub use units::{Dimension, Unit, from_core_motion, stamp_from_core_motion};
 
 use detect::Content;
+use facts::FactsOfSource;
 use source::Source;
 use table::Table;
 
@@ -83,9 +84,9 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
                 .filter_map(|(name, bytes)| trials::note(bytes, name));
             first.notes.extend(notes);
         }
-        let facts = Facts::of(&source);
+        let facts = FactsOfSource::new(&source);
         for recording in &mut found {
-            recording.facts = facts.clone().recorded_by(recording.format);
+            recording.facts = facts.of(&recording.name).recorded_by(recording.format);
         }
         if found.is_empty() {
             barren.push(source);

@@ -40,6 +40,11 @@ pub(super) fn tables(bytes: &[u8], file: &str) -> Result<Vec<(String, Vec<u8>)>>
         let text = database.as_csv(&table).map_err(damaged)?;
         tables.push((format!("{}.csv", table.name), text));
     }
+    if tables.is_empty() {
+        // Until a program closes a database, what is new stands in the file beside it.
+        let found = "no table; where a file `…-wal` lies beside it, open and close it with a program for databases";
+        return Err(damaged(found.to_owned()));
+    }
     Ok(tables)
 }
 

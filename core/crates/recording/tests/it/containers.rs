@@ -62,6 +62,12 @@ fn a_database_that_is_cut_or_goes_round_in_circles_is_an_error() {
             "{text}"
         );
     }
+    // Page 1 without a cell: no table.
+    let mut empty = whole[..512].to_vec();
+    empty[103..105].copy_from_slice(&[0, 0]);
+    empty[100] = 13;
+    let text = refused("a.sqlite", empty);
+    assert!(text.contains("no table") && text.contains("-wal"), "{text}");
     // The table on page 2 spans several pages: its root has its children's numbers from byte 12 on,
     // and that of the last at byte 8. It becomes its own last child.
     let mut circle = whole.clone();
