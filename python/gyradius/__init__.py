@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         ParameterResult,
         SwingTrace,
     )
-    from .imports import import_files
+    from .imports import import_files, import_into
     from .live import Live
     from .measurement import (
         AmplitudePoint,
@@ -108,6 +108,7 @@ __all__ = [
     "decompose",
     "evaluate_route",
     "import_files",
+    "import_into",
     "load",
     "plan",
     "read_recorder",
@@ -135,7 +136,7 @@ _MODULES = {
         "ParameterResult",
         "SwingTrace",
     ),
-    "imports": ("import_files",),
+    "imports": ("import_files", "import_into"),
     "live": ("Live",),
     "measurement": (
         "AmplitudePoint",

@@ -20,7 +20,7 @@ from .critique import FORMAT as CRITIQUE
 from .critique import Critique
 from .critique_tables import show_critique
 from .files import can_be_written, only_writer, write_whole
-from .imports import describe_exports, import_files
+from .imports import STATED, ImportPlan, describe_exports, import_files, import_into, pair
 from .interrupt import heard_during
 from .measurement import Measurement
 from .outcome import end_without_result, reason_without_result, reported, with_reason, write_json
@@ -151,14 +151,23 @@ def import_(
         Path | None,
         typer.Option("-o", "--output", metavar="DIR", help="The session folder to write; without it, what is found."),
     ] = None,
+    into: Annotated[
+        Path | None, typer.Option(metavar="SESSION", help="A session folder that is there: swings are added to it.")
+    ] = None,
+    swing: Annotated[
+        str | None, typer.Option(metavar="ID", help="With --into: the planned swing that FILE is the recording of.")
+    ] = None,
+    like: Annotated[
+        str | None, typer.Option(metavar="ID", help="With --into: hung like this swing, but for what is stated.")
+    ] = None,
     map_: Map = None,
     trial: Annotated[str | None, typer.Option(metavar="K", help="One of several trials in a file.")] = None,
     platform: Annotated[Platform | None, typer.Option(help="The phone's system, where a file does not say.")] = None,
     flag_width: Annotated[float | None, typer.Option(metavar="M", help="Flag in a light gate, m.")] = None,
     replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
     title: Annotated[str, typer.Option(help="The session's title.")] = "",
-    suspension: Annotated[Suspension, typer.Option(help="How it hung.")] = Suspension.bifilar,
-    orientation: Annotated[Orientation, typer.Option(help="What joins the points.")] = Orientation.athwartships,
+    suspension: Annotated[Suspension | None, typer.Option(help="How all FILEs hung (bifilar).")] = None,
+    orientation: Annotated[Orientation | None, typer.Option(help="What joins the points (athwartships).")] = None,
     mass: Annotated[str | None, stated("kg, everything that swings")] = None,
     gravity: Annotated[str | None, stated("m/s²")] = None,
     line_length: Annotated[str | None, stated("m")] = None,
@@ -169,42 +178,63 @@ def import_(
     axis_height: Annotated[str | None, stated("m, of the swing axis (compound)")] = None,
     json: Json = None,
 ) -> None:
-    """Write a session from phone exports, or say what they hold."""
+    """Write a session from phone exports, add them to one, or say what they hold.
+
+    Options hold for all FILEs: import files that hung otherwise by themselves, with --into.
+    """
     with reported(error_console(), json):
-        if output is None:
-            system = None if platform is None else platform.value
-            found = heard_during(describe_exports, files, mapping=map_ or [], trial=trial, platform=system)
+        of_session: dict[str, object] = {"--replace": replace, "--title": title, "--mass": mass, "--gravity": gravity}
+        _refuse_options(output, into, {"--swing": swing, "--like": like}, of_session)
+        known: dict[str, Any] = {
+            "mapping": map_ or [],
+            "trial": trial,
+            "platform": None if platform is None else platform.value,
+            "flag_width": flag_width,
+            "suspension": None if suspension is None else suspension.value,
+            "orientation": None if orientation is None else orientation.value,
+            "line_length": reading(line_length),
+            "spacing": reading(spacing),
+            "top_spacing": reading(top_spacing),
+            "hull_pitch": reading(hull_pitch),
+            "points_moved": reading(points_moved),
+            "axis_height": reading(axis_height),
+        }
+        new: dict[str, Any] = {"mass": reading(mass), "gravity": reading(gravity), "title": title, "replace": replace}
+        if output is None and into is None:
+            plan = ImportPlan(**{name: _paired(name, value) for name, value in (known | new).items()})
+            found = heard_during(describe_exports, files, plan)
             if json is not None:
                 write_json(dumps({"found": found}, ensure_ascii=False, indent=2), json)
-            for line in [*found, "To write a session: the same command with -o DIR"]:
+            for line in found:
                 output_console(json).print(line, soft_wrap=True)
             return
-        notes = heard_during(
-            import_files,
-            files,
-            output,
-            mapping=map_ or [],
-            trial=trial,
-            platform=None if platform is None else platform.value,
-            flag_width=flag_width,
-            replace=replace,
-            title=title,
-            suspension=suspension.value,
-            orientation=orientation.value,
-            mass=reading(mass),
-            gravity=reading(gravity),
-            line_length=reading(line_length),
-            spacing=reading(spacing),
-            top_spacing=reading(top_spacing),
-            hull_pitch=reading(hull_pitch),
-            points_moved=reading(points_moved),
-            axis_height=reading(axis_height),
-        )
+        if into is not None:
+            notes = heard_during(import_into, files, into, swing=swing, like=like, **known)
+        else:
+            notes = heard_during(import_files, files, output, **known, **new)
+        written = output if into is None else into
         if json is not None:
-            write_json(dumps({"session": str(output), "notes": notes}, ensure_ascii=False, indent=2), json)
+            write_json(dumps({"session": str(written), "notes": notes}, ensure_ascii=False, indent=2), json)
         for note in notes:
             output_console(json).print(f"  note: {note}", soft_wrap=True)
-        output_console(json).print(f"Session: {output}", soft_wrap=True)
+        output_console(json).print(f"Session: {written}", soft_wrap=True)
+
+
+def _paired(name: str, value: Any) -> Any:
+    return pair(value) if name in STATED else value
+
+
+def _refuse_options(
+    output: Path | None, into: Path | None, of_into: dict[str, object], of_output: dict[str, object]
+) -> None:
+    """Refuse options of a new session for one that is there, and the other way round."""
+    if output is not None and into is not None:
+        raise _core.InputError("--into: expected it without -o, which writes a new session")
+    wrong = of_into if into is None else of_output
+    for name, given in wrong.items():
+        if given:
+            reason = "--into is missing" if into is None else "the session is there already and keeps its own"
+            raise _core.InputError(f"{name}: {reason}")
 
 
 @app.command()

@@ -5,16 +5,25 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
 from . import _core
 from .files import only_writer
+from .matlab import readable
 
 # A number, or a number with one standard uncertainty.
 Stated = float | tuple[float, float]
 Pair = tuple[float, float]
+
+SESSION_FILE = "session.toml"
+
+#: What may carry an uncertainty.
+STATED = frozenset(
+    ("mass", "gravity", "line_length", "spacing", "top_spacing", "hull_pitch", "points_moved", "axis_height")
+)
 
 
 @dataclass(frozen=True)
@@ -22,21 +31,23 @@ class ImportPlan:
     """What is known of the session beside its recordings; lengths in m, each with its standard uncertainty."""
 
     mapping: list[str]
-    trial: str | None
-    platform: str | None
-    flag_width: float | None
-    replace: bool
-    title: str
-    suspension: str
-    orientation: str
-    mass: Pair | None
-    gravity: Pair | None
-    line_length: Pair | None
-    spacing: Pair | None
-    top_spacing: Pair | None
-    hull_pitch: Pair | None
-    points_moved: Pair | None
-    axis_height: Pair | None
+    trial: str | None = None
+    platform: str | None = None
+    flag_width: float | None = None
+    replace: bool = False
+    title: str = ""
+    suspension: str | None = None
+    orientation: str | None = None
+    swing: str | None = None
+    like: str | None = None
+    mass: Pair | None = None
+    gravity: Pair | None = None
+    line_length: Pair | None = None
+    spacing: Pair | None = None
+    top_spacing: Pair | None = None
+    hull_pitch: Pair | None = None
+    points_moved: Pair | None = None
+    axis_height: Pair | None = None
 
 
 def import_files(
@@ -49,8 +60,8 @@ def import_files(
     flag_width: float | None = None,
     replace: bool = False,
     title: str = "",
-    suspension: Literal["bifilar", "compound"] = "bifilar",
-    orientation: Literal["athwartships", "fore_and_aft"] = "athwartships",
+    suspension: Literal["bifilar", "compound"] | None = None,
+    orientation: Literal["athwartships", "fore_and_aft"] | None = None,
     mass: Stated | None = None,
     gravity: Stated | None = None,
     line_length: Stated | None = None,
@@ -65,7 +76,8 @@ def import_files(
     ``mapping`` says of a CSV that is not recognised which column is which, and its unit: ``"gx=xGyro:deg/s"``.
     ``trial`` is one of several trials in a file, as the file numbers or names them.
     ``platform`` is the phone's system where a file's signs depend on it and the file does not say;
-    ``flag_width`` is that of the flag in a light gate's beam.
+    ``flag_width`` is that of the flag in a light gate's beam. The suspension is bifilar and athwartships where nothing
+    else is stated.
     """
     plan = ImportPlan(
         mapping=[*mapping],
@@ -76,52 +88,81 @@ def import_files(
         title=title or Path(output).name,
         suspension=suspension,
         orientation=orientation,
-        mass=_pair(mass),
-        gravity=_pair(gravity),
-        line_length=_pair(line_length),
-        spacing=_pair(spacing),
-        top_spacing=_pair(top_spacing),
-        hull_pitch=_pair(hull_pitch),
-        points_moved=_pair(points_moved),
-        axis_height=_pair(axis_height),
+        mass=pair(mass),
+        gravity=pair(gravity),
+        line_length=pair(line_length),
+        spacing=pair(spacing),
+        top_spacing=pair(top_spacing),
+        hull_pitch=pair(hull_pitch),
+        points_moved=pair(points_moved),
+        axis_height=pair(axis_height),
     )
-    with only_writer(Path(output)):
-        return _core.import_files([os.fspath(file) for file in files], os.fspath(output), plan)
+    with readable(files) as found, only_writer(Path(output)):
+        return [*found.not_used, *_core.import_files(found.paths, os.fspath(output), plan)]
 
 
-def describe_exports(
+def import_into(
     files: Iterable[str | os.PathLike[str]],
+    session: str | os.PathLike[str],
     *,
+    swing: str | None = None,
+    like: str | None = None,
     mapping: Sequence[str] = (),
     trial: str | int | None = None,
     platform: Literal["android", "ios"] | None = None,
+    flag_width: float | None = None,
+    suspension: Literal["bifilar", "compound"] | None = None,
+    orientation: Literal["athwartships", "fore_and_aft"] | None = None,
+    line_length: Stated | None = None,
+    spacing: Stated | None = None,
+    top_spacing: Stated | None = None,
+    hull_pitch: Stated | None = None,
+    points_moved: Stated | None = None,
+    axis_height: Stated | None = None,
 ) -> list[str]:
-    """What exports hold and what an import would tell, line by line; nothing is written.
+    """Add phone exports to a session folder that is there, one new swing for each; returns what a reader must know.
 
-    A table that is not recognised is an error that proposes a mapping.
+    Nothing that the session holds is dropped. A swing that the session has without its recording (from a plan) gets
+    the recording of its name, or the one that is imported with its id as ``swing``; dimensions that are stated take the
+    place of the planned ones. ``like`` is the id of a swing that the new ones hung like, but for what is stated. What
+    is stated holds for all of ``files``: files that hung otherwise are imported by another call.
     """
     plan = ImportPlan(
         mapping=[*mapping],
         trial=None if trial is None else str(trial),
         platform=platform,
-        flag_width=None,
-        replace=False,
-        title="",
-        suspension="bifilar",
-        orientation="athwartships",
-        mass=None,
-        gravity=None,
-        line_length=None,
-        spacing=None,
-        top_spacing=None,
-        hull_pitch=None,
-        points_moved=None,
-        axis_height=None,
+        flag_width=flag_width,
+        suspension=suspension,
+        orientation=orientation,
+        swing=swing,
+        like=like,
+        line_length=pair(line_length),
+        spacing=pair(spacing),
+        top_spacing=pair(top_spacing),
+        hull_pitch=pair(hull_pitch),
+        points_moved=pair(points_moved),
+        axis_height=pair(axis_height),
     )
-    return _core.describe_exports([os.fspath(file) for file in files], plan)
+    folder = Path(session)
+    folder = folder.parent if folder.name == SESSION_FILE else folder
+    # The core says what is wrong with a folder that is not there; it is not made.
+    lock = only_writer(folder) if folder.is_dir() else nullcontext()
+    with readable(files) as found, lock:
+        return [*found.not_used, *_core.import_into(found.paths, os.fspath(session), plan)]
 
 
-def _pair(stated: Stated | None) -> Pair | None:
+def describe_exports(files: Iterable[str | os.PathLike[str]], plan: ImportPlan) -> list[str]:
+    """What exports hold, what an import would tell and the command for it, line by line; nothing is written.
+
+    A table that is not recognised is an error that proposes a mapping.
+    """
+    with readable(files) as found:
+        lines = _core.describe_exports(found.paths, plan)
+        return [*found.not_used, *(found.renamed(line) for line in lines)]
+
+
+def pair(stated: Stated | None) -> Pair | None:
+    """A figure as the core takes it."""
     if stated is None:
         return None
     # NaN: nobody stated one, and the session is written without.

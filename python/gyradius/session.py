@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from . import _core
 from . import critique as critiques
 from .critique import Critique
+from .matlab import is_matlab, tables
 from .measurement import Measurement, view
 
 if TYPE_CHECKING:
@@ -68,7 +69,10 @@ def load(path: str | os.PathLike[str], *, mapping: Iterable[str] = ()) -> Sessio
 
     ``mapping`` names the columns of a CSV that is not recognised: ``"gx=xGyro:deg/s"``.
     """
-    return Session(_core.load(os.fspath(path), list(mapping)))
+    file = os.fspath(path)
+    if is_matlab(file):
+        return Session(_core.load_tables(file, tables(file)[0], list(mapping)))
+    return Session(_core.load(file, list(mapping)))
 
 
 def shipped_sessions() -> dict[str, Path]:

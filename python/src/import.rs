@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::import::{self, ImportRequest, import_session};
+use gyradius_core::import::{self, Growth, ImportRequest, import_session};
 use gyradius_core::recording::import::Platform;
 use gyradius_core::recording::{Orientation, Overwrite, Quantity, Suspension, SuspensionKind};
 use gyradius_core::{Error, Result};
@@ -19,8 +19,10 @@ pub struct Plan {
     flag_width: Option<f64>,
     replace: bool,
     title: String,
-    suspension: String,
-    orientation: String,
+    suspension: Option<String>,
+    orientation: Option<String>,
+    swing: Option<String>,
+    like: Option<String>,
     mass: Stated,
     gravity: Stated,
     line_length: Stated,
@@ -52,6 +54,20 @@ pub fn import_files(
     })
 }
 
+/// Add swings to a session folder from phone exports; returns what a reader must know.
+#[pyfunction]
+pub fn import_into(
+    py: Python<'_>,
+    files: Vec<PathBuf>,
+    folder: PathBuf,
+    plan: Plan,
+) -> PyResult<Vec<String>> {
+    detached(py, || {
+        let growth = plan.growth()?;
+        import::import_into(&files, &folder, &plan.request()?, &growth)
+    })
+}
+
 /// What phone exports hold, line by line; nothing is written.
 #[pyfunction]
 pub fn describe_exports(py: Python<'_>, files: Vec<PathBuf>, plan: Plan) -> PyResult<Vec<String>> {
@@ -72,27 +88,23 @@ impl Plan {
         })
     }
 
+    /// Which swings of a session the recordings are, and how new ones hung.
+    fn growth(&self) -> Result<Growth> {
+        Ok(Growth {
+            swing: self.swing.clone(),
+            like: self.like.clone(),
+            kind: self.suspension.as_deref().map(kind).transpose()?,
+            orientation: self.orientation.as_deref().map(orientation).transpose()?,
+        })
+    }
+
     fn hanging(&self) -> Result<Suspension> {
-        let kind = match self.suspension.as_str() {
-            "bifilar" => SuspensionKind::Bifilar,
-            "compound" => SuspensionKind::Compound,
-            "free" => SuspensionKind::Free,
-            other => return Err(Error::argument("suspension", "bifilar or compound", other)),
-        };
-        let orientation = match self.orientation.as_str() {
-            "athwartships" => Orientation::Athwartships,
-            "fore_and_aft" => Orientation::ForeAndAft,
-            other => {
-                return Err(Error::argument(
-                    "orientation",
-                    "athwartships or fore_and_aft",
-                    other,
-                ));
-            }
-        };
+        let Growth {
+            kind, orientation, ..
+        } = self.growth()?;
         Ok(Suspension {
-            kind,
-            orientation,
+            kind: kind.unwrap_or(SuspensionKind::Bifilar),
+            orientation: orientation.unwrap_or(Orientation::Athwartships),
             line_length_m: quantity(self.line_length),
             spacing_m: quantity(self.spacing),
             top_spacing_m: quantity(self.top_spacing),
@@ -100,6 +112,31 @@ impl Plan {
             points_moved_m: quantity(self.points_moved),
             axis_height_m: quantity(self.axis_height),
         })
+    }
+}
+
+fn kind(name: &str) -> Result<SuspensionKind> {
+    match name {
+        "bifilar" => Ok(SuspensionKind::Bifilar),
+        "compound" => Ok(SuspensionKind::Compound),
+        "free" => Ok(SuspensionKind::Free),
+        other => Err(Error::argument(
+            "suspension",
+            "bifilar, compound or free",
+            other,
+        )),
+    }
+}
+
+fn orientation(name: &str) -> Result<Orientation> {
+    match name {
+        "athwartships" => Ok(Orientation::Athwartships),
+        "fore_and_aft" => Ok(Orientation::ForeAndAft),
+        other => Err(Error::argument(
+            "orientation",
+            "athwartships or fore_and_aft",
+            other,
+        )),
     }
 }
 

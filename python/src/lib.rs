@@ -31,7 +31,7 @@ mod _core {
     #[pymodule_export]
     use super::errors::{CancelledError, GyradiusError, InputError, NoResultError, silence_panics};
     #[pymodule_export]
-    use super::import::{describe_exports, import_files};
+    use super::import::{describe_exports, import_files, import_into};
     #[pymodule_export]
     use super::live::Live;
     #[pymodule_export]
@@ -45,7 +45,7 @@ mod _core {
     #[pymodule_export]
     use super::routes::{evaluate_route, routes};
     #[pymodule_export]
-    use super::session::{Session, load};
+    use super::session::{Session, load, load_tables};
     #[pymodule_export]
     use super::simulation::{Rig, Simulation, read_rig};
 

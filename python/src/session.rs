@@ -6,7 +6,7 @@ use std::sync::Arc;
 use gyradius_core::Result;
 use gyradius_core::diagnosis::{CauseId, Progress, criticise};
 use gyradius_core::identification::{Analysis, MeasureOptions, analyse, measure_recording};
-use gyradius_core::import::{Loaded, load_any};
+use gyradius_core::import::{self, Loaded, load_any};
 use gyradius_core::planning::{Request, plan_on, plan_to_tell_apart};
 use pyo3::prelude::*;
 
@@ -103,6 +103,19 @@ fn measured(loaded: &Loaded, limits: &[String]) -> Result<Analysis> {
 #[pyfunction]
 pub fn load(py: Python<'_>, path: PathBuf, mapping: Vec<String>) -> PyResult<Session> {
     detached(py, || load_any(&path, &mapping)).map(|loaded| Session {
+        loaded: Arc::new(loaded),
+    })
+}
+
+/// Read a bare recording from tables, by name and bytes, into which a file was taken apart.
+#[pyfunction]
+pub fn load_tables(
+    py: Python<'_>,
+    path: PathBuf,
+    tables: Vec<(String, Vec<u8>)>,
+    mapping: Vec<String>,
+) -> PyResult<Session> {
+    detached(py, || import::load_tables(&path, tables, &mapping)).map(|loaded| Session {
         loaded: Arc::new(loaded),
     })
 }

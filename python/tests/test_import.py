@@ -109,3 +109,72 @@ def test_unknown_table_names_its_header(tmp_path: Path) -> None:
 
 def test_missing_export(tmp_path: Path) -> None:
     assert_refused(run("import", tmp_path / "nothing.zip", "-o", tmp_path / "s"), 2, "nothing.zip")
+
+
+SIZES = ["--line-length", "2.0:0.001", "--spacing", "1.0:0.001"]
+
+
+def test_a_session_grows_and_keeps_its_text(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    (tmp_path / "up.csv").write_text(swing_csv(period_s=2.5))
+    assert run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *SIZES).returncode == 0
+    file = tmp_path / "s" / "session.toml"
+    file.write_text(file.read_text() + "# mine\n")
+    before = file.read_text()
+    done = run("import", tmp_path / "up.csv", "--into", tmp_path / "s", "--like", "yaw", "--hull-pitch", "12:0.2")
+    assert done.returncode == 0, done.stderr
+    assert file.read_text().startswith(before)
+    assert "hull_pitch_deg = { value = 12.0, u = 0.2 }" in file.read_text()[len(before) :]
+    assert gyradius.load(tmp_path / "s").swing_ids == ["yaw", "up"]
+
+
+def test_a_planned_swing_gets_its_recording(tmp_path: Path) -> None:
+    plan = gyradius.plan(mass=622.0, length=6.35, beam=1.73, boat_type="keelboat", wanted=["k_yaw=0.2%"])
+    folder = tmp_path / "planned"
+    folder.mkdir()
+    (folder / "session.toml").write_text(plan.session_toml())
+    first = next(step.id for step in plan.steps if isinstance(step, gyradius.PlannedSwing))
+    (tmp_path / "take.csv").write_text(swing_csv())
+    notes = gyradius.import_into([tmp_path / "take.csv"], folder, swing=first)
+    assert any(first in note for note in notes)
+    assert (folder / f"{first}.csv").is_file()
+    assert (folder / "session.toml").read_text() == plan.session_toml()
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--into", "s"], "line_length and spacing"),
+        (["--into", "s", *SIZES, "-o", "t"], "without -o"),
+        (["--into", "s", *SIZES, "--title", "T"], "--title"),
+        (["--into", "gone", *SIZES], "gone"),
+        (["--like", "yaw", "-o", "t"], "--into is missing"),
+    ],
+)
+def test_what_does_not_fit_a_session_is_refused(tmp_path: Path, options: list[str], told: str) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    (tmp_path / "up.csv").write_text(swing_csv(period_s=2.5))
+    assert run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *SIZES).returncode == 0
+    placed = [str(tmp_path / option) if option in ("s", "t", "gone") else option for option in options]
+    assert_refused(run("import", tmp_path / "up.csv", *placed), 2, told)
+    assert not (tmp_path / "t").exists()
+    assert not (tmp_path / "gone").exists()
+
+
+def test_import_alone_gives_the_next_command(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    done = run("import", tmp_path / "yaw.csv", "--mass", "100")
+    assert done.returncode == 0, done.stderr
+    command = done.stdout.splitlines()[-1]
+    assert command.strip().startswith("gyradius import")
+    assert command.endswith("--output SESSION --mass=100 --line-length M:U --spacing M:U")
+    assert [path.name for path in tmp_path.iterdir()] == ["yaw.csv"]
+
+
+def test_what_is_usual_and_not_stated_stands_as_comments(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    assert run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *SIZES).returncode == 0
+    text = (tmp_path / "s" / "session.toml").read_text()
+    for key in ("mass", "gravity", "excited", "top_spacing", "hull_pitch_deg"):
+        assert f"# {key} = " in text
+    assert '# name = "phone"' in text

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::import::is_recorded;
+use super::gather::is_recorded;
 use super::input::{options, read_exported};
 use gyradius_base::error::{Error, Result};
-use gyradius_recording::import::{ImportedData, import_inputs};
+use gyradius_recording::import::{ImportedData, Input, import_inputs};
 use gyradius_recording::{LoadedSession, Recording, SESSION_FILE, Store, load_session, load_store};
 
 /// What was loaded.
@@ -90,7 +90,23 @@ fn bare(path: &Path, mapping: &[String]) -> Result<Loaded> {
             "a file of the phone's recorder, which becomes a session with `gyradius import`";
         return Err(no_phone(path, found));
     }
-    let imported = import_inputs(&[read_exported(path)?], &options(mapping, None)?)?;
+    recording(path, read_exported(path)?, mapping)
+}
+
+/// Reads a bare recording from the tables of a file that another program took apart; `file` is what
+/// messages call it.
+pub fn load_tables(
+    file: &Path,
+    tables: Vec<(String, Vec<u8>)>,
+    mapping: &[String],
+) -> Result<Loaded> {
+    let store = Store::from_files(&file.display().to_string(), tables)?;
+    recording(file, Input::Folder(store), mapping)
+}
+
+/// The one recording that an export holds.
+fn recording(path: &Path, input: Input, mapping: &[String]) -> Result<Loaded> {
+    let imported = import_inputs(&[input], &options(mapping, None)?)?;
     let mut data = imported
         .recordings
         .into_iter()

@@ -48,7 +48,7 @@ pub use session::{
 };
 pub use store::Store;
 pub use toml_read::read_session;
-pub use toml_write::write_session;
+pub use toml_write::{write_session, write_session_to_fill_in, write_swings_to_fill_in};
 
 pub use domain::Domain;
 pub use keys::{AssumedU, Table};

@@ -14,8 +14,14 @@ pub struct Recorded {
     pub file: String,
     /// Stamp of t = 0, ns of the phone's clock; 0 where it is not known.
     pub origin_ns: i64,
+    /// When it was recorded, as the file says; empty where it does not.
+    #[serde(default)]
+    pub measured_on: String,
     /// Model of the phone; empty where it is not known.
     pub phone: String,
+    /// Program that recorded; empty where it is not known.
+    #[serde(default)]
+    pub logger: String,
     /// The phone's own estimate of the gyroscope's bias, not taken off: file name in the session,
     /// `t,gx,gy,gz`.
     pub bias: Option<String>,
@@ -83,6 +89,15 @@ impl From<&Repair> for RecordedRepair {
 }
 
 impl Recorded {
+    /// Whether anything is known beside the name of the file.
+    pub fn says_anything(&self) -> bool {
+        *self
+            != Self {
+                file: self.file.clone(),
+                ..Self::default()
+            }
+    }
+
     /// When the swing was disturbed, s of the recording.
     pub(super) fn disturbed_s(&self) -> impl Iterator<Item = f64> {
         self.events

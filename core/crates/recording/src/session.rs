@@ -15,6 +15,12 @@ pub struct Session {
     /// When it was measured, as people write it (`2026-05-04`); empty where nobody said.
     #[serde(default)]
     pub measured_on: String,
+    /// Model of the phone; empty where nobody said.
+    #[serde(default)]
+    pub phone: String,
+    /// Program that recorded; empty where nobody said.
+    #[serde(default)]
+    pub logger: String,
     /// The body that swings.
     pub body: Body,
     /// Where it swings.

@@ -23,6 +23,8 @@ pub const ROOT: &[&str] = &[
     "format",
     "title",
     "measured_on",
+    "phone",
+    "logger",
     "body",
     "site",
     "attachment",
@@ -121,13 +123,11 @@ pub fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Result<Par
         .map(attachment)
         .collect::<Result<Vec<_>>>()?;
     refuse_heavier_than_body(root, &body, &attachments)?;
-    let (title, measured_on) = (
-        root.text_or_empty("title")?,
-        root.text_or_empty("measured_on")?,
-    );
     let mut session = Session {
-        title,
-        measured_on,
+        title: root.text_or_empty("title")?,
+        measured_on: root.text_or_empty("measured_on")?,
+        phone: root.text_or_empty("phone")?,
+        logger: root.text_or_empty("logger")?,
         body,
         site,
         attachments,

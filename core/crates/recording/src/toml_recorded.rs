@@ -10,11 +10,14 @@ use gyradius_base::error::Result;
 pub(crate) const RECORDED: &[&str] = &[
     "file",
     "origin_ns",
+    "measured_on",
     "phone",
+    "logger",
     "bias",
     "sensors",
     "notes",
     "events",
+    "repair",
     "repairs",
 ];
 const SENSOR: &[&str] = &["stream", "name", "full_scale"];
@@ -27,7 +30,9 @@ pub(crate) fn recorded(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<
     files.push(NamedFile::new(&named, &file));
     let mut recorded = Recorded {
         file,
+        measured_on: table.text_or_empty("measured_on")?,
         phone: table.text_or_empty("phone")?,
+        logger: table.text_or_empty("logger")?,
         ..Recorded::default()
     };
     if let Some(origin) = table.get("origin_ns") {
@@ -51,11 +56,12 @@ pub(crate) fn recorded(table: &Table<'_>, files: &mut Vec<NamedFile>) -> Result<
         .iter()
         .map(event)
         .collect::<Result<_>>()?;
-    recorded.repairs = table
-        .tables("repairs", REPAIR)?
-        .iter()
-        .map(repair)
-        .collect::<Result<_>>()?;
+    // The name of the list in sessions that were written before it had tables of its own.
+    for list in ["repairs", "repair"] {
+        for one in table.tables(list, REPAIR)? {
+            recorded.repairs.push(repair(&one)?);
+        }
+    }
     Ok(recorded)
 }
 

@@ -6,7 +6,7 @@ use super::names::{
     EXCITATIONS, INSTRUMENTS, KINDS, MODES, ORIENTATIONS, REPAIR_KINDS, SENSORS, name_of,
 };
 use super::quantity::Quantity;
-use super::recorded::Recorded;
+use super::recorded::{Recorded, RecordedRepair};
 use super::session::{
     AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Session, Site,
     Suspension, SuspensionKind, Swing, SwingData,
@@ -15,10 +15,35 @@ use super::toml_read::FORMAT;
 
 /// The text of a `session.toml` that reads back to an equal session, if the session is a valid one.
 pub fn write_session(session: &Session) -> String {
-    let mut text = Lines::default();
+    written(session, Lines::default())
+}
+
+/// The same with what is usual and not stated as comments, to be filled in by hand.
+pub fn write_session_to_fill_in(session: &Session) -> String {
+    written(session, Lines::to_fill_in())
+}
+
+/// The tables of swings and recordings alone, to be put at the end of a session's text, with what
+/// is usual and not stated as comments.
+pub fn write_swings_to_fill_in(swings: &[Swing], recorded: &[Recorded]) -> String {
+    let mut text = Lines::to_fill_in();
+    let none = Session::default();
+    let figures = Figures(&none);
+    for one in swings {
+        swing(&mut text, one, &figures, "");
+    }
+    for one in recorded {
+        self::recorded(&mut text, one);
+    }
+    text.text
+}
+
+fn written(session: &Session, mut text: Lines) -> String {
     text.key("format", quoted(FORMAT));
     text.key_unless_empty("title", &session.title);
     text.key_unless_empty("measured_on", &session.measured_on);
+    text.key_unless_empty("phone", &session.phone);
+    text.key_unless_empty("logger", &session.logger);
     for one in &session.instruments {
         instrument(&mut text, one);
     }
@@ -29,6 +54,9 @@ pub fn write_session(session: &Session) -> String {
         let mass = figures.written(&format!("attachment[{}].mass", i + 1), one.mass_kg);
         attachment(&mut text, one, mass);
     }
+    if session.attachments.is_empty() {
+        text.hint(PHONE);
+    }
     for (i, one) in session.swings.iter().enumerate() {
         swing(&mut text, one, &figures, &format!("swing[{}]", i + 1));
     }
@@ -38,7 +66,7 @@ pub fn write_session(session: &Session) -> String {
     for one in &session.recorded {
         recorded(&mut text, one);
     }
-    text.0
+    text.text
 }
 
 /// Writes figures with the instruments that they were read with.
@@ -67,24 +95,58 @@ fn instrument(text: &mut Lines, instrument: &Instrument) {
     text.key("scale_u", number(instrument.scale_u));
     text.key("zero_u", number(instrument.zero_u));
 }
+/// Keys that are usual and may be missing; the figures are examples.
+const MASS: &str =
+    "# mass = { value = 100.0, u = 0.2 }  # kg, everything that swings, attachments too\n";
+const SITE: &str = "\n# [site]\n# gravity = { value = 9.81, u = 0.005 }  # m/s2; or latitude_deg and altitude (m)\n";
+const PHONE: &str = "\n# [[attachment]]  # rides on the hull and is taken off the result\n\
+    # name = \"phone\"\n# mass = { value = 0.2, u = 0.001 }  # kg\n\
+    # position = [0.0, 0.0, 0.0]  # m, forward, to port, up, from the mid-point of the suspension points\n";
+const EXCITED: &str =
+    "# excited = [\"yaw\", \"sway\"]  # what was set going: yaw, sway, surge, pitch, roll\n";
+const LINE_LENGTH: &str = "# line_length = { value = 3.0, u = 0.003 }  # m, of the lines\n";
+const SPACING: &str =
+    "# spacing = { value = 1.5, u = 0.002 }  # m, between the points on the hull\n";
+const TOP_SPACING: &str = "# top_spacing = { value = 1.5, u = 0.002 }  # m, between the points above; without it, spacing\n";
+const HULL_PITCH: &str = "# hull_pitch_deg = { value = 0.0, u = 0.3 }  # degrees, bow up\n";
+const AXIS_HEIGHT: &str =
+    "# axis_height = { value = 0.5, u = 0.002 }  # m, of the axis above the suspension points\n";
 
 /// The lines written so far.
 #[derive(Default)]
-struct Lines(String);
+struct Lines {
+    text: String,
+    /// Whether what is usual and not stated is written as a comment.
+    is_to_fill_in: bool,
+}
 
 impl Lines {
+    fn to_fill_in() -> Self {
+        Self {
+            is_to_fill_in: true,
+            ..Self::default()
+        }
+    }
+
     fn header(&mut self, header: &str) {
-        self.0.push('\n');
+        self.text.push('\n');
         self.subheader(header);
     }
 
     fn subheader(&mut self, header: &str) {
-        self.0.push_str(header);
-        self.0.push('\n');
+        self.text.push_str(header);
+        self.text.push('\n');
     }
 
     fn key(&mut self, key: &str, value: String) {
-        self.0.push_str(&format!("{key} = {value}\n"));
+        self.text.push_str(&format!("{key} = {value}\n"));
+    }
+
+    /// Lines that a reader may fill in.
+    fn hint(&mut self, lines: &str) {
+        if self.is_to_fill_in {
+            self.text.push_str(lines);
+        }
     }
 
     fn key_if<T>(&mut self, key: &str, value: Option<T>, write: impl Fn(T) -> String) {
@@ -103,15 +165,17 @@ impl Lines {
 fn body(text: &mut Lines, body: &Body, figures: &Figures) {
     text.header("[body]");
     text.key_unless_empty("name", &body.name);
-    text.key_if("mass", body.mass_kg, |mass| {
-        figures.written("body.mass", mass)
-    });
+    match body.mass_kg {
+        Some(mass) => text.key("mass", figures.written("body.mass", mass)),
+        None => text.hint(MASS),
+    }
     text.key_if("length_overall", body.length_overall_m, number);
     text.key_if("density", body.density_kg_m3, number);
 }
 
 fn site(text: &mut Lines, site: &Site) {
     if *site == Site::default() {
+        text.hint(SITE);
         return;
     }
     text.header("[site]");
@@ -148,7 +212,9 @@ fn swing(text: &mut Lines, swing: &Swing, figures: &Figures, key: &str) {
             by_mode(&swing.amplitude_deg, |_, degrees| number(degrees)),
         );
     }
-    if !swing.excited.is_empty() {
+    if swing.excited.is_empty() {
+        text.hint(EXCITED);
+    } else {
         let names = swing
             .excited
             .iter()
@@ -209,19 +275,32 @@ fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key:
         Some(Quantity::new(0.5 * figure.value, 0.5 * figure.u))
     };
     let across = |across: Option<Quantity>| across.filter(|_| !is_round);
+    // A kind has no lines to fill in of another.
+    let of = |kind: SuspensionKind, hint: &'static str| {
+        if suspension.kind == kind { hint } else { "" }
+    };
+    let lines = |hint| of(SuspensionKind::Bifilar, hint);
+    let axis = of(SuspensionKind::Compound, AXIS_HEIGHT);
     let stated = [
-        ("line_length", suspension.line_length_m),
-        ("spacing", across(suspension.spacing_m)),
-        ("top_spacing", across(suspension.top_spacing_m)),
-        ("radius", half(suspension.spacing_m)),
-        ("top_radius", half(suspension.top_spacing_m)),
-        ("hull_pitch_deg", suspension.hull_pitch_deg),
-        ("points_moved", suspension.points_moved_m),
-        ("axis_height", suspension.axis_height_m),
+        ("line_length", suspension.line_length_m, lines(LINE_LENGTH)),
+        ("spacing", across(suspension.spacing_m), lines(SPACING)),
+        (
+            "top_spacing",
+            across(suspension.top_spacing_m),
+            lines(TOP_SPACING),
+        ),
+        ("radius", half(suspension.spacing_m), ""),
+        ("top_radius", half(suspension.top_spacing_m), ""),
+        ("hull_pitch_deg", suspension.hull_pitch_deg, HULL_PITCH),
+        ("points_moved", suspension.points_moved_m, ""),
+        ("axis_height", suspension.axis_height_m, axis),
     ];
-    for (name, figure) in stated {
+    for (name, figure, hint) in stated {
         let written = |figure| figures.written(&format!("{key}.suspension.{name}"), figure);
-        text.key_if(name, figure, written);
+        match figure {
+            Some(figure) => text.key(name, written(figure)),
+            None => text.hint(hint),
+        }
     }
 }
 
@@ -248,7 +327,9 @@ fn recorded(text: &mut Lines, recorded: &Recorded) {
     if recorded.origin_ns != 0 {
         text.key("origin_ns", recorded.origin_ns.to_string());
     }
+    text.key_unless_empty("measured_on", &recorded.measured_on);
     text.key_unless_empty("phone", &recorded.phone);
+    text.key_unless_empty("logger", &recorded.logger);
     text.key_if("bias", recorded.bias.as_deref(), quoted);
     if !recorded.notes.is_empty() {
         let each = recorded
@@ -275,18 +356,23 @@ fn recorded(text: &mut Lines, recorded: &Recorded) {
         "events",
         events.map(|e| format!("{{ t = {}, key = {} }}", number(e.t_s), quoted(&e.key))),
     );
-    let repairs = recorded.repairs.iter().map(|repair| {
-        let (from, to) = (optional("from", repair.from_s), optional("to", repair.to_s));
-        let kind = named("kind", repair.kind, REPAIR_KINDS);
-        let sensor = named("sensor", repair.sensor, SENSORS);
-        let count = repair.count.map(|count| format!(", count = {count}"));
-        format!(
-            "{{ text = {}{kind}{sensor}{}{from}{to} }}",
-            quoted(&repair.text),
-            count.unwrap_or_default()
-        )
+    for one in &recorded.repairs {
+        repair(text, one);
+    }
+}
+
+fn repair(text: &mut Lines, repair: &RecordedRepair) {
+    text.subheader("[[recorded.repair]]");
+    text.key("text", quoted(&repair.text));
+    text.key_if("kind", repair.kind, |kind| {
+        quoted(name_of(kind, REPAIR_KINDS))
     });
-    list(text, "repairs", repairs);
+    text.key_if("sensor", repair.sensor, |sensor| {
+        quoted(name_of(sensor, SENSORS))
+    });
+    text.key_if("count", repair.count, |count| count.to_string());
+    text.key_if("from", repair.from_s, number);
+    text.key_if("to", repair.to_s, number);
 }
 
 fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
@@ -294,12 +380,6 @@ fn list(text: &mut Lines, key: &str, entries: impl Iterator<Item = String>) {
     if !lines.is_empty() {
         text.key(key, format!("[\n{}]", lines.concat()));
     }
-}
-
-fn named<T: PartialEq>(key: &str, value: Option<T>, names: &[(&'static str, T)]) -> String {
-    value
-        .map(|value| format!(", {key} = {}", quoted(name_of(value, names))))
-        .unwrap_or_default()
 }
 
 fn optional(key: &str, value: Option<f64>) -> String {

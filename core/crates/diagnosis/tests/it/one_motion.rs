@@ -12,8 +12,8 @@ use crate::told::told_in_every_language;
 use gyradius_diagnosis::{CauseId, Critique, DiscrepancyKind, ParameterName, Status, criticise};
 use gyradius_recording::import::{ColumnMapping, ImportOptions, ImportedData, import_files};
 use gyradius_recording::{
-    Body, Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording,
-    Session, Site, Suspension, SuspensionKind, Swing, SwingData, Triad,
+    Excitation, LoadedData, LoadedSession, LoadedSwing, Orientation, Quantity, Recording, Session,
+    Suspension, SuspensionKind, Swing, SwingData, Triad,
 };
 use gyradius_test_support::rng;
 use rand::RngExt;
@@ -121,13 +121,8 @@ fn session(
     };
     let session = Session {
         title: "one motion".into(),
-        measured_on: String::new(),
-        body: Body::default(),
-        site: Site::default(),
-        attachments: vec![],
         swings: vec![swing],
-        inclines: vec![],
-        recorded: vec![],
+        ..Session::default()
     };
     let data = vec![LoadedSwing {
         id: "swing".into(),

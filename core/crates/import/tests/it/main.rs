@@ -2,4 +2,7 @@
 
 #![allow(missing_docs)]
 
+mod described;
+mod grow;
+mod kept;
 mod told;

@@ -48,7 +48,7 @@ fn repairs(folder: &Path) -> Vec<Repair> {
 }
 
 /// phyphox rows of a gyroscope: `stamp` gives the time of a row, `z` its rate about z.
-fn phyphox(rows: usize, stamp: impl Fn(usize) -> f64, z: impl Fn(usize) -> f64) -> String {
+pub fn phyphox(rows: usize, stamp: impl Fn(usize) -> f64, z: impl Fn(usize) -> f64) -> String {
     let header = r#""Time (s)","Gyroscope x (rad/s)","Gyroscope y (rad/s)","Gyroscope z (rad/s)""#;
     let row = |i: usize| format!("{},{},0.5,{}\n", stamp(i), i as f64 / 8.0, z(i));
     format!("{header}\n{}", (0..rows).map(row).collect::<String>())
@@ -124,4 +124,46 @@ fn a_session_without_anything_to_tell_holds_nothing_more() {
     let (notes, folder) = import(dir.path(), "clean.csv", &text);
     assert_eq!(notes, Vec::<String>::new());
     assert_eq!(load_session(&folder).unwrap().session.recorded, []);
+}
+
+/// Exports whose right reading is known from outside (`../shared/cases`, skipped aloud without it):
+/// each has a gyroscope, and what is written of it is read back.
+#[test]
+fn the_shared_exports_become_sessions_with_a_gyroscope() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../../shared/cases");
+    if !cases.is_dir() {
+        println!("skipped: no ../shared/cases beside this clone");
+        return;
+    }
+    for file in [
+        "sensor-logger-json-sqlite/rec.sqlite",
+        "sensor-logger-json-sqlite/2023-10-28.json",
+        "sensor-logger-json-sqlite/ios_unc.zip",
+        "sensor-logger-json-sqlite/wrist.zip",
+        "sensor-logger-json-sqlite/Gyroscope.csv",
+        "phyphox-bluetooth/puck.zip",
+        "phyphox-bluetooth/bmi.csv",
+        "phyphox-bluetooth/tag.csv",
+        "phyphox-bluetooth/t_s.csv",
+    ] {
+        let dir = tempfile::tempdir().unwrap();
+        let folder = dir.path().join("session");
+        let files = [cases.join(file)];
+        import_session(&files, &folder, &request(&[]), Overwrite::Refuse)
+            .unwrap_or_else(|error| panic!("{file}: {error}"));
+        let loaded = load_session(&folder).unwrap();
+        let LoadedData::Recording(recording) = &loaded.data[0].data else {
+            panic!("{file}: {:?}", loaded.data[0])
+        };
+        assert!(recording.gyroscope.is_some(), "{file}");
+        if file.ends_with("unc.zip") || file.ends_with("wrist.zip") {
+            let session = &loaded.session;
+            let facts = (&*session.measured_on, &*session.phone, &*session.logger);
+            assert_eq!(
+                facts,
+                ("2023-10-28", "iPhone", "Sensor Logger 1.29"),
+                "{file}"
+            );
+        }
+    }
 }

@@ -24,6 +24,12 @@ pub(super) fn seconds_of_text(text: &str) -> Option<(f64, bool)> {
     Some((of_date + clock + half_day, date.is_some()))
 }
 
+/// The day in a text that begins with a date, as `2024-05-06`.
+pub(super) fn date_of_text(text: &str) -> Option<String> {
+    let date = text.trim().split([' ', 'T', '_']).next()?;
+    days(date).map(|_| date.replace('/', "-"))
+}
+
 /// Times in order: where only the clock is written, it goes on past midnight.
 pub(super) fn unwrapped(texts: &[String]) -> Vec<Option<f64>> {
     let mut days_s = 0.0;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::facts::Facts;
 use super::source::stem;
 use crate::recorded::{Recorded, RecordedRepair};
 use crate::samples::{GateEvents, Recording, Repair, RepairKind, Sensor, SingleChannel, Track};
@@ -41,6 +42,20 @@ impl Format {
             Format::Mapped => "by the mapping",
         }
     }
+
+    /// The program, where one alone writes the format.
+    pub(super) const fn logger(self) -> Option<&'static str> {
+        match self {
+            Format::SensorLogger => Some("Sensor Logger"),
+            Format::PhysicsToolbox => Some("Physics Toolbox"),
+            Format::SensorLog => Some("SensorLog"),
+            Format::Native
+            | Format::Phyphox
+            | Format::LightGate
+            | Format::Gcsv
+            | Format::Mapped => None,
+        }
+    }
 }
 
 /// What an import yields.
@@ -63,6 +78,8 @@ pub struct ImportedRecording {
     pub format: Format,
     /// The data.
     pub data: ImportedData,
+    /// The day, the phone and the program.
+    pub facts: Facts,
     /// What a reader should know: choices made, and what looks doubtful.
     pub notes: Vec<String>,
     /// Columns, files and sensors of the export that are not used.
@@ -100,6 +117,7 @@ impl ImportedRecording {
             name: stem(file).to_owned(),
             format,
             data,
+            facts: Facts::default(),
             notes,
             not_used: Vec::new(),
         }
@@ -156,7 +174,7 @@ impl ImportedRecording {
     }
 
     /// What a session keeps of it for `file`, so that a later analysis tells it too; `None` where
-    /// there is nothing to tell. `found_again` are the repairs that reading `file` finds by itself.
+    /// there is nothing to keep. `found_again` are the repairs that reading `file` finds by itself.
     pub fn recorded(&self, file: &str, found_again: &[Repair]) -> Option<Recorded> {
         let left_out = |text: &String| RecordedRepair {
             text: text.clone(),
@@ -172,8 +190,12 @@ impl ImportedRecording {
             .collect();
         let notes = [("import".to_owned(), self.notes.join("; "))];
         let notes = notes.into_iter().filter(|note| !note.1.is_empty());
-        (!repairs.is_empty() || !self.notes.is_empty()).then(|| Recorded {
+        let holds = !repairs.is_empty() || !self.notes.is_empty() || self.facts != Facts::default();
+        holds.then(|| Recorded {
             file: file.to_owned(),
+            measured_on: self.facts.measured_on.clone(),
+            phone: self.facts.phone.clone(),
+            logger: self.facts.logger.clone(),
             notes: notes.collect(),
             repairs,
             ..Recorded::default()

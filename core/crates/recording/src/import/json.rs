@@ -106,7 +106,8 @@ fn text_of(value: &Value) -> String {
     }
 }
 
-fn quoted(cell: &str) -> String {
+/// A cell of a table, in quotes where it needs them.
+pub(super) fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r', ';', '\t', '|']) {
         format!("\"{}\"", cell.replace('"', "\"\""))
     } else {

@@ -23,7 +23,7 @@ use gyradius_base::{Error, Result};
 /// `lx,ly,lz` (gravity taken out); `y` (a rangefinder's track); `angle` and `rate` (about the axis
 /// of the motion). `tg`, `ta` and `tl` are clocks of one sensor alone. A column is named as the
 /// header names it or by `#` and its number, from 1; `x@Gyro` is the column `x` of the file, or of
-/// the rows tagged, `Gyro`. `t=row:100Hz` counts the rows. Separator, decimal mark and the line of
+/// the rows tagged, `Gyro`. `t=row:100Hz`, or `t=frame:100/s`, counts the rows. Separator, decimal mark and the line of
 /// the header are found by themselves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ColumnMapping {
@@ -230,7 +230,10 @@ impl ColumnMapping {
         let own = self.columns.contains_key(wanted.clock);
         let mapped = self.column(if own { wanted.clock } else { "t" })?;
         let is_rate = mapped.unit.quantity == Dimension::Time;
-        let clock = if matches!(mapped.name.as_str(), "" | "row") && is_rate {
+        // A column of that name numbers the frames itself.
+        let counts = matches!(mapped.name.as_str(), "" | "row" | "frame")
+            && table.find(|column| column == mapped.name).is_none();
+        let clock = if counts && is_rate {
             Clock::Rows {
                 rate_hz: 1.0 / mapped.unit.factor,
             }

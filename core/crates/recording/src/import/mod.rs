@@ -9,6 +9,7 @@
 mod clock;
 mod columns;
 mod detect;
+mod facts;
 mod gcsv;
 mod imported;
 mod json;
@@ -22,14 +23,17 @@ mod physics_toolbox;
 mod sensor_logger;
 mod sensorlog;
 mod source;
+mod sqlite;
 pub(crate) mod table;
 mod trials;
 mod units;
+mod workbook;
 
 use std::collections::BTreeMap;
 
 use gyradius_base::{Error, Result};
 
+pub use facts::Facts;
 pub use imported::{Format, Imported, ImportedData, ImportedRecording};
 pub use mapping::{ColumnMapping, MappedColumn};
 pub use options::{ImportOptions, Platform};
@@ -37,6 +41,7 @@ pub use source::Input;
 pub use units::{Dimension, Unit, from_core_motion, stamp_from_core_motion};
 
 use detect::Content;
+use facts::FactsOfSource;
 use source::Source;
 use table::Table;
 
@@ -78,6 +83,10 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
                 .members()
                 .filter_map(|(name, bytes)| trials::note(bytes, name));
             first.notes.extend(notes);
+        }
+        let facts = FactsOfSource::new(&source);
+        for recording in &mut found {
+            recording.facts = facts.of(&recording.name).recorded_by(recording.format);
         }
         if found.is_empty() {
             barren.push(source);

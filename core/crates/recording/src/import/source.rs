@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::{json, trials};
+use super::{json, sqlite, trials, workbook};
+use crate::recorder::NamedTables;
 use crate::store::Store;
 use gyradius_base::{Error, Result};
 
@@ -27,12 +28,26 @@ pub enum Input {
 }
 
 impl Source {
+    /// The tables of one file that holds several.
+    fn archived(name: &str, files: Vec<(String, Vec<u8>)>) -> Self {
+        Self {
+            name: name.to_owned(),
+            archive: Some(name.to_owned()),
+            files,
+            ignored: Vec::new(),
+        }
+    }
+
     /// Names and bytes in order.
     pub fn members(&self) -> impl Iterator<Item = (&str, &[u8])> {
         self.files
             .iter()
             .map(|(name, bytes)| (name.as_str(), bytes.as_slice()))
     }
+}
+
+fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
 }
 
 /// Archives by themselves; loose files together with those of the same folder.
@@ -47,16 +62,11 @@ pub(super) fn sources(inputs: &[Input]) -> Result<Vec<Source>> {
                 continue;
             }
         };
-        if json::looks_like_json(bytes) {
-            sources.push(Source {
-                name: name.clone(),
-                archive: Some(name.clone()),
-                files: json::tables(bytes, name)?,
-                ignored: Vec::new(),
-            });
+        if let Some(tables) = tables_inside(bytes, name) {
+            sources.push(Source::archived(name, tables?));
             continue;
         }
-        if bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06") {
+        if is_zip(bytes) {
             sources.extend(archive(name, bytes)?);
             continue;
         }
@@ -83,7 +93,22 @@ pub(super) fn sources(inputs: &[Input]) -> Result<Vec<Source>> {
 
 /// An archive by folders: some programs put several recordings into one.
 fn archive(name: &str, bytes: &[u8]) -> Result<Vec<Source>> {
-    stored(&Store::from_zip_bytes(name, bytes)?)
+    let store = Store::from_zip_bytes(name, bytes)?;
+    if workbook::is_workbook(&store.names()?) {
+        return Ok(vec![Source::archived(name, workbook::tables(bytes, name)?)]);
+    }
+    stored(&store)
+}
+
+/// The tables of a file that holds several, archives apart; `None` where it is none of that.
+fn tables_inside(bytes: &[u8], name: &str) -> Option<Result<NamedTables>> {
+    if json::looks_like_json(bytes) {
+        Some(json::tables(bytes, name))
+    } else if sqlite::looks_like_sqlite(bytes) {
+        Some(sqlite::tables(bytes, name))
+    } else {
+        None
+    }
 }
 
 /// An archive or a folder by its folders.
@@ -98,11 +123,8 @@ fn stored(store: &Store) -> Result<Vec<Source>> {
             found: found.to_owned(),
         })
     };
-    if names
-        .iter()
-        .any(|member| member == "[Content_Types].xml" || member.starts_with("xl/"))
-    {
-        return refused("an Excel workbook (xlsx); export as CSV");
+    if workbook::is_workbook(&names) {
+        return refused("an unpacked Excel workbook (xlsx); hand over the file itself");
     }
     if names.iter().any(|member| member == "session.toml") {
         return refused("a session, which needs no import");
@@ -114,15 +136,18 @@ fn stored(store: &Store) -> Result<Vec<Source>> {
         if is_table(member) {
             let bytes = store.read(member)?;
             let files = folders.entry(folder(member)).or_default();
-            if !json::looks_like_json(&bytes) {
-                files.push((member.clone(), bytes));
-            } else if let Ok(tables) = json::tables(&bytes, &store.describe(member)) {
-                files.extend(tables);
-            } else {
-                ignored
+            let shown = store.describe(member);
+            let inside = match is_zip(&bytes) {
+                true => Some(workbook::tables(&bytes, &shown)),
+                false => tables_inside(&bytes, &shown),
+            };
+            match inside {
+                None => files.push((member.clone(), bytes)),
+                Some(Ok(tables)) => files.extend(tables),
+                Some(Err(_)) => ignored
                     .entry(folder(member))
                     .or_default()
-                    .push(member.clone());
+                    .push(member.clone()),
             }
         } else if !shadow {
             ignored
@@ -160,7 +185,9 @@ fn stored(store: &Store) -> Result<Vec<Source>> {
 fn is_table(member: &str) -> bool {
     let base = base(member);
     let ending = base.rsplit('.').next().unwrap_or_default().to_lowercase();
-    let known = ["csv", "txt", "tsv", "json", "gcsv", "log", "dat"];
+    let known = [
+        "csv", "txt", "tsv", "json", "gcsv", "log", "dat", "sqlite", "sqlite3", "db", "xlsx",
+    ];
     known.contains(&ending.as_str()) && !base.starts_with("._")
 }
 

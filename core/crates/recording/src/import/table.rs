@@ -346,12 +346,9 @@ fn text_bytes<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, [u8]>> {
         [0x89, b'H', b'D', b'F', ..] => refused(
             "an HDF5 or MATLAB v7.3 file; in MATLAB, `writetable` or `writematrix` writes CSV",
         ),
-        _ if bytes.starts_with(b"SQLite format 3") => {
-            refused("a SQLite database; let the app export CSV or JSON instead")
-        }
-        _ if bytes.starts_with(b"MATLAB 5.0") => {
-            refused("a MATLAB file; `writetable` or `writematrix` writes CSV")
-        }
+        _ if bytes.starts_with(b"MATLAB 5.0") => refused(
+            "a MATLAB file, which the command `gyradius import` alone reads; `writetable` or `writematrix` writes CSV",
+        ),
         [0xFF, 0xFE, rest @ ..] => wide(rest, u16::from_le_bytes),
         [0xFE, 0xFF, rest @ ..] => wide(rest, u16::from_be_bytes),
         [0xEF, 0xBB, 0xBF, rest @ ..] => Ok(Cow::Borrowed(rest)),

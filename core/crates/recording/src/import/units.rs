@@ -103,7 +103,8 @@ fn plain_unit(name: &str) -> Option<(Dimension, f64)> {
         _ => {
             let rate = name
                 .strip_suffix("Hz")
-                .or_else(|| name.strip_suffix("fps"))?;
+                .or_else(|| name.strip_suffix("fps"))
+                .or_else(|| name.strip_suffix("/s"))?;
             let rate_hz: f64 = rate.trim().parse().ok()?;
             let usable = rate_hz.is_finite() && rate_hz > 0.0;
             return usable.then_some((Dimension::Time, 1.0 / rate_hz));

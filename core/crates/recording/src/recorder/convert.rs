@@ -21,34 +21,47 @@ use gyradius_base::error::{Error, Result};
 /// [`Error::Malformed`] and [`Error::Unwritable`] as reading and writing do; files that are there
 /// already are replaced in one step.
 pub fn convert(file: impl AsRef<Path>, folder: impl AsRef<Path>, name: &str) -> Result<Recorded> {
-    let contents = Contents::of(file.as_ref())?;
-    let Some(origin_ns) = contents.origin_ns else {
-        return Err(Error::no_result(
-            file.as_ref().display().to_string(),
-            "the recorder's file holds no samples",
-        ));
-    };
-    let table = format!("{name}.csv");
-    let sensors: Vec<(Stream, &str)> = COLUMNS
-        .into_iter()
-        .filter(|(stream, _)| contents.holds[stream.index()])
-        .collect();
-    write_table(
-        file.as_ref(),
-        &folder.as_ref().join(&table),
-        origin_ns,
-        &sensors,
-    )?;
-    let bias = contents.holds[Stream::GyroscopeBias.index()].then(|| format!("{name}-bias.csv"));
-    if let Some(bias) = &bias {
-        write_table(
-            file.as_ref(),
-            &folder.as_ref().join(bias),
-            origin_ns,
-            &[BIAS_COLUMNS],
-        )?;
+    let file = file.as_ref();
+    let (contents, origin_ns) = held(file)?;
+    for table in contents.tables(name) {
+        write_table(file, &folder.as_ref().join(&table.name), origin_ns, &table)?;
     }
-    Ok(contents.recorded(table, bias, origin_ns))
+    Ok(contents.recorded(name, origin_ns))
+}
+
+/// The same without writing: what the session says of the file, and its tables by name and bytes.
+pub fn converted(file: impl AsRef<Path>, name: &str) -> Result<(Recorded, NamedTables)> {
+    let file = file.as_ref();
+    let (contents, origin_ns) = held(file)?;
+    let mut tables = Vec::new();
+    for table in contents.tables(name) {
+        let mut bytes = Vec::new();
+        let fail = |error: std::io::Error| Error::unwritable(&table.name, "", &error);
+        write_rows(file, &mut bytes, origin_ns, &table, &fail)?;
+        tables.push((table.name, bytes));
+    }
+    Ok((contents.recorded(name, origin_ns), tables))
+}
+
+/// Tables by name and bytes.
+pub type NamedTables = Vec<(String, Vec<u8>)>;
+
+/// All of a file but its samples, and the stamp of the first.
+fn held(file: &Path) -> Result<(Contents, i64)> {
+    let contents = Contents::of(file)?;
+    match contents.origin_ns {
+        Some(origin_ns) => Ok((contents, origin_ns)),
+        None => Err(Error::no_result(
+            file.display().to_string(),
+            "the recorder's file holds no samples",
+        )),
+    }
+}
+
+/// A table to be written: its file's name, and the streams with the names of their columns.
+struct Columns {
+    name: String,
+    streams: Vec<(Stream, &'static str)>,
 }
 
 /// The streams of a recording with the names of their columns.
@@ -91,7 +104,27 @@ impl Contents {
         Ok(contents)
     }
 
-    fn recorded(self, file: String, bias: Option<String>, origin_ns: i64) -> Recorded {
+    /// The tables that the file becomes.
+    fn tables(&self, name: &str) -> Vec<Columns> {
+        let streams = COLUMNS
+            .into_iter()
+            .filter(|(stream, _)| self.holds[stream.index()]);
+        let samples = Columns {
+            name: table_name(name),
+            streams: streams.collect(),
+        };
+        let bias = self.bias_name(name).map(|name| Columns {
+            name,
+            streams: vec![BIAS_COLUMNS],
+        });
+        std::iter::once(samples).chain(bias).collect()
+    }
+
+    fn bias_name(&self, name: &str) -> Option<String> {
+        self.holds[Stream::GyroscopeBias.index()].then(|| format!("{name}-bias.csv"))
+    }
+
+    fn recorded(self, name: &str, origin_ns: i64) -> Recorded {
         let since = |stamp_ns: i64| seconds(stamp_ns, origin_ns);
         let sensor = |info: super::types::SensorInfo| RecordedSensor {
             stream: info.stream.name().to_owned(),
@@ -105,10 +138,12 @@ impl Contents {
             ..RecordedRepair::default()
         };
         Recorded {
-            file,
+            file: table_name(name),
+            bias: self.bias_name(name),
             origin_ns,
+            measured_on: String::new(),
             phone: self.header.phone,
-            bias,
+            logger: String::new(),
             sensors: self.header.sensors.into_iter().map(sensor).collect(),
             notes: self.header.notes,
             events: self
@@ -124,26 +159,44 @@ impl Contents {
     }
 }
 
+fn table_name(name: &str) -> String {
+    format!("{name}.csv")
+}
+
 /// One CSV table of some of the streams; replaced by renaming, so that nobody sees half of it.
-fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &str)]) -> Result<()> {
+fn write_table(file: &Path, path: &Path, origin_ns: i64, table: &Columns) -> Result<()> {
     let doing = format!("converting `{}`", file.display());
     let fail = |error: std::io::Error| Error::unwritable(path.display(), &doing, &error);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(fail)?;
     }
     let mut out = BufWriter::new(Partial::create(path).map_err(fail)?);
+    write_rows(file, &mut out, origin_ns, table, &fail)?;
+    let partial = out.into_inner().map_err(|error| fail(error.into_error()))?;
+    partial.take_place().map_err(fail)
+}
+
+/// Header and rows of a table, in constant memory.
+fn write_rows(
+    file: &Path,
+    out: &mut impl Write,
+    origin_ns: i64,
+    table: &Columns,
+    fail: &impl Fn(std::io::Error) -> Error,
+) -> Result<()> {
     let mut rows: String = std::iter::once("t")
-        .chain(columns.iter().map(|column| column.1))
+        .chain(table.streams.iter().map(|column| column.1))
         .collect::<Vec<_>>()
         .join(",");
     rows.push('\n');
-    let mut merge = Merge::new(origin_ns, columns.len());
+    let mut merge = Merge::new(origin_ns, table.streams.len());
     let mut reader = Reader::open(file)?;
     while let Some(piece) = reader.next_piece()? {
         let Piece::Samples(samples) = piece else {
             continue;
         };
-        let Some(group) = columns.iter().position(|column| column.0 == samples.stream) else {
+        let of_table = |column: &(Stream, &str)| column.0 == samples.stream;
+        let Some(group) = table.streams.iter().position(of_table) else {
             continue;
         };
         merge.push(group, &samples, &mut rows);
@@ -151,7 +204,5 @@ fn write_table(file: &Path, path: &Path, origin_ns: i64, columns: &[(Stream, &st
         rows.clear();
     }
     merge.finish(&mut rows);
-    out.write_all(rows.as_bytes()).map_err(fail)?;
-    let partial = out.into_inner().map_err(|error| fail(error.into_error()))?;
-    partial.take_place().map_err(fail)
+    out.write_all(rows.as_bytes()).map_err(fail)
 }

@@ -22,7 +22,7 @@ mod whole;
 mod writer;
 
 pub use block::SYNC;
-pub use convert::convert;
+pub use convert::{NamedTables, convert, converted};
 pub use damage::{Damage, DamageKind};
 pub use reader::Reader;
 pub use types::{END, Event, Header, Piece, Samples, SensorInfo, Stream};

@@ -14,13 +14,13 @@ use proptest::prelude::*;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/import/");
 const SHARED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../shared/data/");
-const ROWS: usize = 40;
+pub const ROWS: usize = 40;
 
-fn bytes(name: &str) -> Vec<u8> {
+pub fn bytes(name: &str) -> Vec<u8> {
     std::fs::read(format!("{FOLDER}{name}")).unwrap()
 }
 
-fn import(names: &[&str]) -> Imported {
+pub fn import(names: &[&str]) -> Imported {
     let inputs: Vec<_> = names
         .iter()
         .map(|name| ((*name).to_owned(), bytes(name)))
@@ -28,7 +28,7 @@ fn import(names: &[&str]) -> Imported {
     import_files(&inputs, &ImportOptions::default()).unwrap()
 }
 
-fn one(imported: &Imported) -> &Recording {
+pub fn one(imported: &Imported) -> &Recording {
     assert_eq!(imported.recordings.len(), 1, "{imported:?}");
     recording(&imported.recordings[0].data)
 }
@@ -61,7 +61,7 @@ fn time(row: usize) -> f64 {
 
 /// Compares with the fixtures' motion: `value` gives a row's three axes; stamps to rounding, values
 /// to 1e-12 relative.
-fn assert_triad(
+pub fn assert_triad(
     triad: Option<&Triad>,
     rows: impl Iterator<Item = usize>,
     value: impl Fn(f64) -> [f64; 3],
@@ -85,11 +85,11 @@ fn assert_triad(
     }
 }
 
-fn gyro(i: f64) -> [f64; 3] {
+pub fn gyro(i: f64) -> [f64; 3] {
     [i / 8.0, -i / 4.0, 1.5]
 }
 
-fn acc(_: f64) -> [f64; 3] {
+pub fn acc(_: f64) -> [f64; 3] {
     [0.25, -0.5, 9.75]
 }
 
@@ -585,12 +585,13 @@ proptest! {
 
     #[test]
     fn damaged_exports_never_panic(
-        which in 0..8usize,
+        which in 0..12usize,
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0..4u8), 1..12),
     ) {
         let name = [
             "phyphox-tab-comma.csv", "phyphox-android.zip", "sensor-logger-android.zip", "sensorlog-dates.csv",
             "physics-toolbox-semicolon.csv", "light-gate.csv", "native.csv", "phyphox-padded-ios.csv",
+            "sensor-logger-utf8.sqlite", "sensor-logger-utf16.sqlite", "phyphox.xlsx", "phyphox-padded.xlsx",
         ][which];
         let mut bytes = bytes(name);
         for (at, byte, kind) in edits {

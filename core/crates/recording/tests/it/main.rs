@@ -2,6 +2,7 @@
 
 #![allow(missing_docs)]
 
+mod containers;
 mod import;
 mod recorder;
 mod recording_csv;

@@ -503,3 +503,27 @@ swing = [ { id = "a", recording = "./a.csv", suspension = { kind = "bifilar", or
     assert_eq!(read(&SMALL.replace('\n', "\r\n")).unwrap(), plain);
     assert_eq!(read(&format!("\u{feff}{SMALL}")).unwrap(), plain);
 }
+
+#[test]
+fn what_an_import_found_is_read_under_both_names_of_its_list() {
+    let told = "text = \"lost\", kind = \"not_imported\"";
+    let inline = format!("repairs = [{{ {told} }}]");
+    let tables = format!("[[recorded.repair]]\n{}", told.replace(", ", "\n"));
+    for list in [inline, tables] {
+        let recorded = format!(
+            "\n[[recorded]]\nfile = \"a.csv\"\nmeasured_on = \"2024-05-06\"\nphone = \"P\"\nlogger = \"L\"\n{list}\n"
+        );
+        let session = read(&format!("{SMALL}{recorded}")).unwrap();
+        let one = &session.recorded[0];
+        assert_eq!(
+            (&*one.measured_on, &*one.phone, &*one.logger),
+            ("2024-05-06", "P", "L")
+        );
+        assert_eq!(one.repairs.len(), 1);
+        assert_eq!(one.repairs[0].text, "lost");
+    }
+    let top = SMALL.replacen("[body]", "phone = \"P\"\nlogger = \"L\"\n[body]", 1);
+    let session = read(&top).unwrap();
+    assert_eq!((&*session.phone, &*session.logger), ("P", "L"));
+    assert!(refused(&top.replace("phone", "phon")).contains("`phon`"));
+}

@@ -8,7 +8,7 @@ use gyradius_recording::{
     AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
     Quantity, Recorded, RecordedEvent, RecordedRepair, RecordedSensor, RepairKind, Sensor, Session,
     Site, Store, Suspension, SuspensionKind, Swing, SwingData, load_store, read_session,
-    session_zip_bytes, write_session,
+    session_zip_bytes, write_session, write_session_to_fill_in,
 };
 use gyradius_test_support::cases;
 use proptest::collection::{btree_map, vec};
@@ -195,7 +195,7 @@ fn finite() -> impl Strategy<Value = f64> {
 }
 
 prop_compose! {
-    fn recorded()(file in file(), origin_ns in any::<i64>(), phone in text(), bias in of(file()),
+    fn recorded()(file in file(), origin_ns in any::<i64>(), measured_on in text(), phone in text(), logger in text(), bias in of(file()),
         notes in btree_map(text(), text(), 0..3),
         sensors in vec((text(), text(), of(positive())), 0..3),
         events in vec((finite(), text()), 0..3),
@@ -207,7 +207,7 @@ prop_compose! {
             from_s, to_s, text, kind: Some(RepairKind::Saturation), sensor: Some(Sensor::Gyroscope), count: Some(7),
         };
         Recorded {
-            file, origin_ns, phone, bias, notes,
+            file, origin_ns, measured_on, phone, logger, bias, notes,
             sensors: sensors.into_iter().map(sensor).collect(),
             events: events.into_iter().map(event).collect(),
             repairs: repairs.into_iter().map(repair).collect(),
@@ -216,13 +216,13 @@ prop_compose! {
 }
 
 prop_compose! {
-    fn session()(title in text(), measured_on in text(), body in body(), site in site(), attachments in vec(attachment(), 0..3),
+    fn session()(title in text(), measured_on in text(), phone in text(), logger in text(), body in body(), site in site(), attachments in vec(attachment(), 0..3),
         mut swings in vec(swing(), 1..4), inclines in vec(incline(), 0..3), recorded in vec(recorded(), 0..2)) -> Session
     {
         for (index, swing) in swings.iter_mut().enumerate() {
             swing.id.push_str(&index.to_string());
         }
-        Session { title, measured_on, body, site, attachments, swings, inclines, recorded }
+        Session { title, measured_on, phone, logger, body, site, attachments, swings, inclines, recorded }
     }
 }
 
@@ -256,6 +256,12 @@ proptest! {
     #[test]
     fn a_written_session_reads_back_equal(session in session()) {
         let text = write_session(&session);
+        prop_assert_eq!(read_session(&text, "session.toml").map_err(|e| format!("{e}\n{text}")), Ok(session));
+    }
+
+    #[test]
+    fn lines_to_fill_in_change_nothing(session in session()) {
+        let text = write_session_to_fill_in(&session);
         prop_assert_eq!(read_session(&text, "session.toml").map_err(|e| format!("{e}\n{text}")), Ok(session));
     }
 
