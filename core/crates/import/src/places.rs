@@ -1,6 +1,7 @@
 //! Ids and file names that swings get in a session, and those that are taken.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use gyradius_base::error::{Error, Result};
 
@@ -56,12 +57,24 @@ impl Places {
         Err(Error::argument("swing", expected, format!("`{id}`")))
     }
 
-    /// The place of a recording: the planned swing that is meant or has its name, or a new one. A
+    /// The place of a recording: the planned swing that is meant, or whose id or file has its name,
+    /// or a new one. A
     /// recording may have a file for the bias beside it.
     pub fn of(&mut self, name: &str, with_bias: bool) -> Result<Place> {
-        let plain = plain(name);
-        let wanted = self.meant.as_ref().unwrap_or(&plain);
-        let planned = self.planned.iter().position(|(id, _)| id == wanted);
+        let wanted = plain(name);
+        let planned = match &self.meant {
+            Some(meant) => self.planned.iter().position(|(id, _)| id == meant),
+            None => {
+                let by_id = self.planned.iter().position(|(id, _)| plain(id) == wanted);
+                by_id.or_else(|| {
+                    let is_it = |file: &str| {
+                        let stem = Path::new(file).file_stem().unwrap_or_default();
+                        plain(&stem.to_string_lossy()) == wanted
+                    };
+                    self.planned.iter().position(|(_, file)| is_it(file))
+                })
+            }
+        };
         if let Some(planned) = planned {
             let (id, file) = self.planned.remove(planned);
             return Ok(Place {
@@ -77,7 +90,7 @@ impl Places {
                 "several; import each by itself",
             ));
         }
-        Ok(self.free(plain, with_bias))
+        Ok(self.free(wanted, with_bias))
     }
 
     /// The name, with a number where its id or its files are taken.
@@ -115,5 +128,8 @@ fn plain(name: &str) -> String {
         c if c.is_alphanumeric() || c == '_' => c,
         _ => '-',
     };
+    if name.is_empty() {
+        return "recording".to_owned();
+    }
     name.chars().map(plain).collect()
 }

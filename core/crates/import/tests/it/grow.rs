@@ -185,10 +185,12 @@ fn the_same_samples_again_are_refused() {
 fn a_planned_swing_gets_its_recording_by_its_name_or_by_its_id() {
     for (name, swing) in [
         ("yaw.csv", None),
+        ("first yaw.csv", None),
         ("phyphox 17.csv", Some("yaw".to_owned())),
     ] {
         let dir = tempfile::tempdir().unwrap();
-        let planned = format!("{KEPT}\n{PLANNED}");
+        // The id, and the name of the file.
+        let planned = format!("{KEPT}\n{PLANNED}").replace("takes/yaw", "takes/first yaw");
         let folder = session(dir.path(), &planned);
         let file = [export(dir.path(), name, 1.0)];
         let growth = Growth {
@@ -201,7 +203,7 @@ fn a_planned_swing_gets_its_recording_by_its_name_or_by_its_id() {
         let loaded = load_session(&folder).unwrap();
         assert_eq!(loaded.session.swings.len(), 2);
         assert!(matches!(loaded.data[1].data, LoadedData::Recording(_)));
-        assert!(folder.join("takes/yaw.csv").is_file());
+        assert!(folder.join("takes/first yaw.csv").is_file());
     }
 }
 
