@@ -113,7 +113,7 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
         let shown = name != QuantityName::Psi || has_tilted_swings(system);
         let averaged = spread.derive(|x| hull.scalar(&name, x));
         let Some(averaged) = averaged else {
-            if shown && name != QuantityName::CmDepth {
+            if shown && is_supported(system, &name) {
                 not_determined.push((name, None));
             }
             continue;

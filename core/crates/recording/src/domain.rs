@@ -8,6 +8,9 @@ use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 /// Gravity between the equator (9.780) and the poles (9.832) against the standard value.
 const STANDARD_GRAVITY_U_M_S2: f64 = 0.015;
 
+/// No figure of a body that swings is larger, in SI units: a slip of the keyboard or a damaged file.
+pub(crate) const MOST: f64 = 1e12;
+
 /// The unit of the last digit of a number as it is written: 0.001 of `4.391`, 10 of `12e1`.
 fn last_digit(written: &str) -> f64 {
     let written = written.trim().replace('_', "").to_lowercase();
@@ -50,7 +53,7 @@ impl Domain {
         Self {
             what,
             low,
-            high: f64::MAX,
+            high: MOST,
             closed: false,
             usual: Usual::Exact,
         }
@@ -61,7 +64,7 @@ impl Domain {
         Self {
             what,
             low,
-            high: f64::MAX,
+            high: MOST,
             closed: true,
             usual: Usual::Exact,
         }
@@ -132,7 +135,7 @@ impl Domain {
     pub(crate) const TIME: Self = Self::between("a finite time in s", f64::MIN, f64::MAX);
     pub(crate) const FULL_SCALE: Self = Self::above("a sensor's full scale above 0", 0.0);
     pub(crate) const COORDINATE: Self =
-        Self::between("a finite length in m", f64::MIN, f64::MAX).usually(Self::TAPE);
+        Self::between("a finite length in m", -MOST, MOST).usually(Self::TAPE);
     /// From the Moon (1.6) to Jupiter (25): what lies outside is in another unit.
     pub(crate) const GRAVITY: Self =
         Self::between("an acceleration in m/s² from 1 to 30", 1.0, 30.0).usually(Usual::Gravity);

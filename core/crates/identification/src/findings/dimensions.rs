@@ -50,7 +50,7 @@ fn warned(key: &str, kind: Kind, arguments: Vec<(&str, Argument)>) -> Finding {
 }
 
 fn metres(value: f64) -> Argument {
-    Argument::Figure(format!("{value} m"))
+    Argument::Figure(format!("{} m", (value * 1e4).round() / 1e4))
 }
 
 fn gravity_stated(session: &Session) -> Option<Finding> {

@@ -19,6 +19,9 @@ use gyradius_mechanics::small_modes;
 const HORIZONS: [f64; 5] = [1.5, 3.0, 7.0, 16.0, 40.0];
 /// Information below this share of a prior's own is left out of the joint estimate's rows.
 const LEAST_INFORMATION: f64 = 0.1;
+/// A body whose slowest motion takes so many periods of its fastest is none that anybody swings, and
+/// its simulation takes as many more steps.
+const MOST_STIFF: f64 = 30.0;
 /// A hull pitched by more tells bow from stern, degrees.
 const TELLING_PITCH_DEG: f64 = 3.0;
 
@@ -167,7 +170,11 @@ impl SwingModel<'_> {
             index,
         } = self.setup;
         let body = swing_body(layout, x, swing, index)?;
-        Ok(small_modes(&swing_rig(layout, x, swing, index)?, &body)?.period_s(0))
+        let modes = small_modes(&swing_rig(layout, x, swing, index)?, &body)?;
+        if modes.period_s(0) > MOST_STIFF * modes.period_s(3) {
+            return Err(no_start());
+        }
+        Ok(modes.period_s(0))
     }
 
     /// A start followed over longer and longer horizons.

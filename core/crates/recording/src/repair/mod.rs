@@ -14,6 +14,7 @@ pub use saturation::{CUT_STEPS, RUN_SAMPLES, RUNS, STATED_RANGE};
 pub(crate) use series::RawSeries;
 pub use stamps::median_interval_s;
 
+use super::domain::MOST;
 use super::samples::{Repair, RepairKind};
 use gyradius_base::{Error, Result};
 use series::Fates;
@@ -85,7 +86,8 @@ fn repair(raw: RawSeries, window: &stamps::Window, shared: usize, sampling: Samp
     }
     for channel in &raw.channels {
         for (fate, value) in fates.iter_mut().zip(channel) {
-            if !value.is_finite() {
+            // Beyond all that a sensor reads it is a damaged cell.
+            if !value.is_finite() || value.abs() > MOST {
                 fate.get_or_insert(RepairKind::NotANumber);
             }
         }

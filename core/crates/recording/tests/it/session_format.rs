@@ -527,3 +527,90 @@ fn what_an_import_found_is_read_under_both_names_of_its_list() {
     assert_eq!((&*session.phone, &*session.logger), ("P", "L"));
     assert!(refused(&top.replace("phone", "phon")).contains("`phon`"));
 }
+
+/// Figures with an instrument: its errors are shared, the usual u is that of the reading alone.
+#[test]
+fn figures_name_the_instrument_that_they_were_read_with() {
+    let tape = "[[instrument]]\nid = \"tape-1\"\nkind = \"tape\"\nscale_u = 5e-4\nzero_u = 1e-3\n";
+    let text = SMALL.replace(
+        "spacing = 1.5",
+        "spacing = { value = 1.5, instrument = \"tape-1\" }",
+    ) + tape;
+    let session = read(&text).unwrap();
+    let key = "swing[1].suspension.spacing";
+    let tape = session.instrument(key).unwrap();
+    assert_eq!((tape.scale_u, tape.zero_u), (5e-4, 1e-3));
+    let own = session.swings[0].suspension.spacing_m.unwrap();
+    assert_eq!(own, Quantity::new(1.5, 2e-3));
+    // √(0.002² + (0.0005 · 1.5)² + 0.001²)
+    let whole = session.reading(key, own);
+    assert!((whole.u - 2.358_495_3e-3).abs() < 1e-9, "{whole:?}");
+    assert!(
+        session
+            .instrument("swing[1].suspension.line_length")
+            .is_none()
+    );
+}
+
+#[test]
+fn an_instrument_that_is_not_there_or_reads_something_else_is_refused() {
+    let named = SMALL.replace(
+        "spacing = 1.5",
+        "spacing = { value = 1.5, instrument = \"t\" }",
+    );
+    assert_refused(
+        &named,
+        11,
+        &["[[instrument]]", "swing[1].suspension.spacing"],
+    );
+    let clock = format!("{named}[[instrument]]\nid = \"t\"\nkind = \"clock\"\n");
+    assert_refused(&clock, 11, &["a tape", "a clock"]);
+    let twice = format!("{clock}[[instrument]]\nid = \"t\"\nkind = \"tape\"\n");
+    assert_refused(&twice, 15, &["unlike all before it"]);
+}
+
+#[test]
+fn three_lines_have_a_radius_and_a_free_body_has_nothing() {
+    let bifilar =
+        "kind = \"bifilar\"\norientation = \"athwartships\"\nline_length = 3.0\nspacing = 1.5\n";
+    let with = |text: &str| SMALL.replace(bifilar, text);
+    let trifilar = "kind = \"trifilar\"\nline_length = 3.0\nradius = { value = 0.25, u = 0.001 }\n";
+    let session = read(&with(trifilar)).unwrap();
+    let hung = &session.swings[0].suspension;
+    assert_eq!(hung.kind, SuspensionKind::Trifilar);
+    assert_eq!(hung.spacing_m, Some(Quantity::new(0.5, 0.002)));
+    assert_eq!(
+        read(&gyradius_recording::write_session(&session)).unwrap(),
+        session
+    );
+    let free = read(&with("kind = \"free\"\n")).unwrap();
+    assert_eq!(free.swings[0].suspension.kind, SuspensionKind::Free);
+    assert_eq!(
+        read(&gyradius_recording::write_session(&free)).unwrap(),
+        free
+    );
+    let both = format!("{trifilar}spacing = 0.5\n");
+    assert_refused(&with(&both), 11, &["radius"]);
+    assert_refused(
+        &with("kind = \"free\"\nline_length = 3.0\n"),
+        9,
+        &["nothing is stated"],
+    );
+    let round = format!("{bifilar}radius = 0.5\n");
+    assert_refused(&with(&round), 12, &["trifilar"]);
+}
+
+/// A place has one u for each coordinate: stated, or what a tape has at the largest of them.
+#[test]
+fn a_position_has_an_uncertainty() {
+    let beam = |position: &str| {
+        let text = format!("[[attachment]]\nmass = 1.0\nposition = {position}\n");
+        read(&(SMALL.to_owned() + &text)).unwrap().attachments[0].clone()
+    };
+    let stated = beam("{ value = [0.4, -2.0, 0.1], u = 0.005 }");
+    assert_eq!(
+        (stated.position_m, stated.position_u_m),
+        ([0.4, -2.0, 0.1], 0.005)
+    );
+    assert!((beam("[0.4, -2.0, 0.1]").position_u_m - 0.003).abs() < 1e-12);
+}

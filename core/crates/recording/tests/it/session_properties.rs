@@ -5,10 +5,11 @@
 use std::collections::BTreeMap;
 
 use gyradius_recording::{
-    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, ModeName, Orientation,
-    Quantity, Recorded, RecordedEvent, RecordedRepair, RecordedSensor, RepairKind, Sensor, Session,
-    Site, Store, Suspension, SuspensionKind, Swing, SwingData, load_store, read_session,
-    session_zip_bytes, write_session, write_session_to_fill_in,
+    AddedMass, Attachment, Body, End, Excitation, Incline, InclineAngle, Instrument,
+    InstrumentKind, ModeName, Orientation, Quantity, Recorded, RecordedEvent, RecordedRepair,
+    RecordedSensor, RepairKind, Sensor, Session, Site, Store, Suspension, SuspensionKind, Swing,
+    SwingData, load_store, read_session, session_zip_bytes, write_session,
+    write_session_to_fill_in,
 };
 use gyradius_test_support::cases;
 use proptest::collection::{btree_map, vec};
@@ -222,8 +223,33 @@ prop_compose! {
         for (index, swing) in swings.iter_mut().enumerate() {
             swing.id.push_str(&index.to_string());
         }
-        Session { title, measured_on, phone, logger, body, site, attachments, swings, inclines, recorded }
+        let instruments = instruments(&swings);
+        let read_with = instruments.1;
+        let instruments = instruments.0;
+        Session { title, measured_on, phone, logger, body, site, attachments, swings, inclines, recorded, instruments, read_with }
     }
+}
+
+/// A tape that every spacing was read with, where there is one.
+fn instruments(swings: &[Swing]) -> (Vec<Instrument>, BTreeMap<String, String>) {
+    let read = |(i, swing): (usize, &Swing)| {
+        swing.suspension.spacing_m?;
+        let key = format!("swing[{}].suspension.spacing", i + 1);
+        Some((key, "a \"tape\"".to_owned()))
+    };
+    let read_with: BTreeMap<_, _> = swings.iter().enumerate().filter_map(read).collect();
+    let tape = Instrument {
+        id: "a \"tape\"".into(),
+        kind: InstrumentKind::Tape,
+        scale_u: 5e-4,
+        zero_u: 0.0,
+    };
+    let instruments = if read_with.is_empty() {
+        vec![]
+    } else {
+        vec![tape]
+    };
+    (instruments, read_with)
 }
 
 fn files_named(session: &Session) -> Vec<String> {
