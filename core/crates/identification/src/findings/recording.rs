@@ -9,6 +9,7 @@ use gyradius_signal::{ChannelGroup, FittedMode};
 use num_complex::Complex64;
 
 use super::rate::{Sampled, sampled_enough};
+use super::support::of_axes;
 use super::{Finding, FindingKind as Kind, Severity};
 use crate::measurement::SwingResult;
 use crate::modes::ChannelMap;
@@ -74,6 +75,7 @@ pub fn of_recording(
         found.extend(gravity(evidence, gravity_m_s2));
         found.extend(too_few_samples(evidence));
         found.extend(not_described(evidence));
+        found.extend(of_axes(evidence));
     }
     found.into_iter().map(|one| one.of_swing(id)).collect()
 }

@@ -15,6 +15,7 @@ use crate::estimate::{Observed, Solution, System};
 use crate::measurement::Measurement;
 use crate::modes::PhoneMotion;
 use crate::names::QuantityName;
+use crate::observe::Evidence;
 use crate::swing_work::SwingWork;
 
 /// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %,
@@ -35,6 +36,7 @@ const EXPLAINED: f64 = 1.5;
 /// More of the specific force along the axis of a turn than scale errors and misaligned axes of
 /// phones make (some 2 %).
 const ALONG_THE_AXIS: f64 = 0.1;
+const MOSTLY_ALONG: f64 = 0.5;
 /// Third differences of two records of one sensor: of white noise that is the same they correlate
 /// fully, of another they do not; rounding takes some.
 const SAME_NOISE: f64 = 0.7;
@@ -138,23 +140,46 @@ pub fn not_one_motion(session: &Session, works: &[SwingWork]) -> Vec<Finding> {
         {
             return None;
         }
-        let along = (0..evidence.found.modes.len()).filter_map(|mode| along_the_axis(work, mode));
-        let most = along.fold(0.0, f64::max);
-        let key = match most > ALONG_THE_AXIS {
-            true => "axes_disagree",
-            false => "sensors_disagree",
+        let most = most_along_the_axis(evidence);
+        let found = match most > ALONG_THE_AXIS {
+            true => axes_disagree(Severity::Warned, most),
+            false => {
+                let what = (Kind::SensorsDisagree, Severity::Warned);
+                Finding::new(what, "sensors_disagree", [])
+            }
         };
-        let arguments = [("percent", Argument::Number(100.0 * most, 0))];
-        let found = Finding::new((Kind::SensorsDisagree, Severity::Warned), key, arguments);
-        Some(found.of_swing(&swing.id).with("along_the_axis", most))
+        Some(found.of_swing(&swing.id))
     };
     works.iter().zip(&session.swings).filter_map(told).collect()
 }
 
+fn axes_disagree(severity: Severity, share: f64) -> Finding {
+    let arguments = [("percent", Argument::Number(100.0 * share, 0))];
+    let found = Finding::new(
+        (Kind::SensorsDisagree, severity),
+        "axes_disagree",
+        arguments,
+    );
+    found.with("along_the_axis", share)
+}
+
+/// Where most of the force lies along the axis of a turn the axes are not those of one phone, and a
+/// mode's shape says nothing of what it is.
+pub fn of_axes(evidence: &Evidence) -> Option<Finding> {
+    let most = most_along_the_axis(evidence);
+    (most > MOSTLY_ALONG && !evidence.map.gravity_free)
+        .then(|| axes_disagree(Severity::Refused, most))
+}
+
+fn most_along_the_axis(evidence: &Evidence) -> f64 {
+    let modes = 0..evidence.found.modes.len();
+    let shares = modes.filter_map(|mode| along_the_axis(evidence, mode));
+    shares.fold(0.0, f64::max)
+}
+
 /// Share of a mode's specific force that lies along the axis it turns about. A point of a body that
 /// turns about an axis, and shifts across it, is accelerated across it, and so does gravity tilt.
-fn along_the_axis(work: &SwingWork, mode: usize) -> Option<f64> {
-    let evidence = work.evidence.as_ref()?;
+fn along_the_axis(evidence: &Evidence, mode: usize) -> Option<f64> {
     let (first, second) = (evidence.map.gyroscope?, evidence.map.accelerometer?);
     let mode = &evidence.found.modes[mode];
     let part = |first: usize| {

@@ -439,3 +439,68 @@ fn a_contradiction_widens_what_it_touches() {
     let u = |result: &Measurement| figure(result, &QuantityName::KYaw).unwrap().1;
     assert!(u(&wrong) < 3.0 * u(&right), "{} {}", u(&right), u(&wrong));
 }
+
+/// Two loggers read one sensor: other digits and another clock, the same noise.
+#[test]
+fn two_loggers_of_one_phone_count_once() {
+    let csv = SWING.csv("logged");
+    let other = |line: &str| {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let rounded: Vec<String> = cells[1..].iter().map(|v| format!("{v:.3}")).collect();
+        format!("{:.4},{}\n", cells[0] + 1_700_000_000.0, rounded.join(","))
+    };
+    // The other was started 0.4 s later.
+    let rest: String = csv.lines().skip(41).map(other).collect();
+    let again = format!("t,gx,gy,gz,ax,ay,az\n{rest}");
+    let result = measured(&recorded(&[&csv, &again], 2.0 * HALF_SPACING_M));
+    let found = of_kind(&result, FindingKind::DuplicateRecording);
+    assert_eq!(found, [Severity::Refused], "{:?}", result.findings);
+    // Another swing of the same hull is another measurement.
+    let second = SWING.csv("another");
+    let result = measured(&recorded(&[&csv, &second], 2.0 * HALF_SPACING_M));
+    assert_eq!(of_kind(&result, FindingKind::DuplicateRecording), []);
+}
+
+/// A record of little more than one period is mostly baseline: what oscillates beside it is not the
+/// motion, and no period is stated.
+#[test]
+fn oscillations_that_are_not_the_motion_are_refused() {
+    let short = Yaw {
+        duration_s: 2.0,
+        amplitude_rad: 0.5,
+        ..SWING
+    };
+    let whole = SWING.csv("whole");
+    let csv = short.csv("short");
+    let result = measured(&recorded(&[&whole, &csv], 2.0 * HALF_SPACING_M));
+    assert_near(&result, &QuantityName::KYaw, GYRADIUS_M, 4.0);
+    let true_s = TAU * GYRADIUS_M / HALF_SPACING_M * (LINES_M / GRAVITY).sqrt();
+    for mode in &result.swings[1].modes {
+        let off = (mode.period_s / true_s - 1.0).abs();
+        assert!(off < 0.05, "{mode:?} {true_s}");
+    }
+}
+
+/// Axes of one sensor that are exchanged show a turn along which the force lies.
+#[test]
+fn exchanged_axes_are_told() {
+    // The gyroscope's y and z: yaw looks like pitch.
+    let exchanged = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [t, gx, gy, gz, ax, ay, az] = cells[..] else {
+            panic!("{line}");
+        };
+        format!("{t},{gx},{gz},{gy},{ax},{ay},{az}\n")
+    };
+    let csv = SWING.csv("exchanged");
+    let rest: String = csv.lines().skip(1).map(exchanged).collect();
+    let turned = format!("t,gx,gy,gz,ax,ay,az\n{rest}");
+    let result = measured(&recorded(&[&turned], 2.0 * HALF_SPACING_M));
+    let found = of_kind(&result, FindingKind::SensorsDisagree);
+    let stated = figure(&result, &QuantityName::KYaw);
+    assert!(
+        !found.is_empty() || stated.is_none(),
+        "{:?} {stated:?}",
+        result.findings
+    );
+}

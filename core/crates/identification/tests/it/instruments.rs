@@ -390,3 +390,97 @@ fn the_sway_in_a_list_of_periods_gives_the_ratio() {
     // The tape of the lines gave u = 0.0011; the spacing's own is k · 0.001/1.8 = 0.00059.
     assert!(u < 0.0007, "{u}");
 }
+
+/// Figures that cannot be: each is named, and what is missing is explained.
+#[test]
+fn figures_that_cannot_be_are_told() {
+    let hanging = Hanging {
+        read: [3.0, 1.8],
+        is: [3.0, 1.8],
+    };
+    let swing = hanging.swing("a", "u = 1e-3", true);
+    let riding = |text: &str| format!("[[attachment]]\nname = \"beam\"\n{text}\n");
+    let kinds = |text: &str| -> Vec<(FindingKind, Option<String>)> {
+        let found = typed(text).findings.into_iter();
+        found.map(|one| (one.kind, one.channel)).collect()
+    };
+    let has = |text: &str, kind: FindingKind, channel: &str| {
+        let found = kinds(text);
+        let is_it = |one: &(FindingKind, Option<String>)| {
+            one.0 == kind && one.1.as_deref() == Some(channel)
+        };
+        assert!(found.iter().any(is_it), "{channel}: {found:?}");
+    };
+    let with = |attachment: &str| session(&[riding(attachment), swing.clone()], "");
+    let implausible = FindingKind::ImplausibleSize;
+    has(
+        &with("mass = 40.0\nposition = [0.0, 0.0, 0.0]"),
+        implausible,
+        "mass",
+    );
+    has(
+        &with("mass = 1.0\nposition = [60.0, 0.0, 0.0]"),
+        implausible,
+        "position",
+    );
+    // 1 kg at 60 m has more moment of inertia than the 110 kg m² of everything.
+    let missing = FindingKind::NotIdentifiable;
+    has(
+        &with("mass = 1.0\nposition = [60.0, 0.0, 0.0]"),
+        missing,
+        "k_yaw_m",
+    );
+    let plain = session(std::slice::from_ref(&swing), "");
+    has(&plain.replace("9.80665", "1.62"), implausible, "gravity");
+    let frequency = hanging.periods()[0].recip();
+    let typed_as = format!("yaw = {{ value = {frequency:?}");
+    let period = format!("yaw = {{ value = {:?}", hanging.periods()[0]);
+    let swings = [hanging
+        .swing("a", "u = 1e-3", false)
+        .replace(&period, &typed_as)];
+    has(&session(&swings, ""), implausible, "k_yaw_m");
+    assert!(
+        !kinds(&plain).iter().any(|(kind, _)| *kind == implausible),
+        "{:?}",
+        kinds(&plain)
+    );
+}
+
+/// Of a session that contradicts itself the figure that is wrong is among the suspects, a typed
+/// period too, and none that would have to be wrong by more than a slip.
+#[test]
+fn a_misread_sway_is_among_the_suspects() {
+    let hanging = Hanging {
+        read: [3.0, 1.8],
+        is: [3.0, 1.8],
+    };
+    let sway = format!("sway = {{ value = {:?}", hanging.periods()[1]);
+    let misread = format!("sway = {{ value = {:?}", hanging.periods()[1] * 1.025);
+    let swing = hanging
+        .swing("a", "u = 1e-3", true)
+        .replace(&sway, &misread);
+    let result = typed(&session(&[swing], ""));
+    let (value, u) = k_yaw(&result);
+    // By the sway 1.05/1.025, by the tape 1.05.
+    assert!(
+        (value - GYRADIUS_M).abs() < 3.0 * u && u > 0.005,
+        "{value} {u}"
+    );
+    let told = result
+        .findings
+        .iter()
+        .find(|f| f.kind == FindingKind::Contradiction);
+    assert!(
+        told.is_some_and(|f| f.message.english.contains("sway period")),
+        "{told:?}"
+    );
+    // The period of yaw for both: no slip of 30 % explains it.
+    let both = format!("sway = {{ value = {:?}", hanging.periods()[0]);
+    let swing = hanging.swing("a", "u = 1e-3", true).replace(&sway, &both);
+    let result = typed(&session(&[swing], ""));
+    let stated = result.quantities.get("k_yaw_m").map(|_| k_yaw(&result));
+    assert!(
+        stated.is_none_or(|(value, u)| (value - GYRADIUS_M).abs() < 3.0 * u),
+        "{stated:?}"
+    );
+}
