@@ -68,6 +68,30 @@ class Repair:
 
 
 @dataclass(frozen=True, slots=True)
+class Modulation:
+    """What a second motion does to a list of periods, eq. (14): C exp(−t/τ_m) sin(2π t/T_m + φ_m), s."""
+
+    c_s: float
+    c_se_s: float
+    t_m_s: float
+    t_m_se_s: float
+    tau_m_s: float | None
+    phase_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodTrend:
+    """A list of periods against time, eq. (14): T_0 (1 + b t) and the modulation, s; t from the first entry."""
+
+    t0_s: float
+    t0_se_s: float
+    b_per_s: float
+    b_se_per_s: float
+    scatter_s: float
+    modulation: Modulation | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class SwingResult:
     """One swing's modes, strongest first."""
 
@@ -78,6 +102,7 @@ class SwingResult:
     span_s: tuple[float, float] | None
     rms_over_noise: float | None
     simulated: bool
+    trend: PeriodTrend | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,7 +259,15 @@ def view(core: _core.Measurement) -> Measurement:
 
 def _swing(item: dict[str, Any]) -> SwingResult:
     modes = tuple(_mode(mode) for mode in item["modes"])
-    return record(SwingResult, {**item, "modes": modes, "repairs": records(Repair, item["repairs"])})
+    parts = {"modes": modes, "repairs": records(Repair, item["repairs"]), "trend": _trend(item.get("trend"))}
+    return record(SwingResult, {**item, **parts})
+
+
+def _trend(item: dict[str, Any] | None) -> PeriodTrend | None:
+    if item is None:
+        return None
+    modulation = item.get("modulation")
+    return record(PeriodTrend, {**item, "modulation": modulation and record(Modulation, modulation)})
 
 
 def _mode(item: dict[str, Any]) -> ModeResult:

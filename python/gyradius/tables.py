@@ -9,7 +9,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from .measurement import Claim, Measurement, ModeResult, Quantity, SwingResult
+from .measurement import Claim, Measurement, ModeResult, PeriodTrend, Quantity, SwingResult
 from .numbers import interval, short, with_u
 
 UNITS = {
@@ -20,6 +20,9 @@ UNITS = {
     "psi_deg": "°",
     "principal_gyradii_m": "m",
     "inertia_kg_m2": "kg m²",
+    "inertia_yaw_kg_m2": "kg m²",
+    "inertia_pitch_kg_m2": "kg m²",
+    "inertia_roll_kg_m2": "kg m²",
 }
 # Lines of a budget that are worth a row; the rest is in the JSON and the report.
 BUDGET_ROWS = 5
@@ -80,7 +83,20 @@ def _swings(swings: tuple[SwingResult, ...]) -> RenderableType:
             table.add_row("" if place else swing.id, *_mode_cells(mode), style="dim" if mode.parasitic else "")
         table.add_section()
     notes = [Text(f"  {swing.id}: {repair.text}", style="dim") for swing in swings for repair in swing.repairs]
+    notes += [Text(f"  {swing.id}: {_trend(swing.trend)}", style="dim") for swing in swings if swing.trend]
     return Group(table, *notes, *(warning_line(f"{swing.id}: {text}") for swing in swings for text in swing.warnings))
+
+
+def _trend(trend: PeriodTrend) -> str:
+    """Eq. (14) of a list of periods, in one line."""
+    text = f"periods by (14): T₀ = {with_u(trend.t0_s, trend.t0_se_s, 's')}"
+    if trend.b_per_s:
+        text += f", b = {with_u(trend.b_per_s, trend.b_se_per_s, '1/s')}"
+    if (wave := trend.modulation) is not None:
+        text += f", C = {with_u(wave.c_s, wave.c_se_s, 's')}, T_m = {with_u(wave.t_m_s, wave.t_m_se_s, 's')}"
+        if wave.tau_m_s is not None:
+            text += f", τ_m = {short(wave.tau_m_s)} s"
+    return text
 
 
 def _mode_cells(mode: ModeResult) -> tuple[str, ...]:

@@ -5,6 +5,10 @@ The right values are those of the cases' own notes (closed forms, a second integ
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
 import pytest
 from conftest import SHARED
 
@@ -20,6 +24,13 @@ WITHIN = 3.3
 
 def measured(case: str) -> gyradius.Measurement:
     return gyradius.load(CASES / case).measure()
+
+
+def typed(text: str) -> gyradius.Measurement:
+    """A session that is its text alone."""
+    with TemporaryDirectory() as folder:
+        (Path(folder) / "session.toml").write_text(text, encoding="utf-8")
+        return gyradius.load(folder).measure()
 
 
 def near(result: gyradius.Measurement, **expected: float) -> None:
@@ -121,3 +132,59 @@ def test_a_resonance_of_yaw_and_pitch_is_told() -> None:
     assert finding.numbers["yaw_period_s"] == pytest.approx(2.712, abs=2e-3)
     assert finding.numbers["in_phase_period_s"] == pytest.approx(2.766, abs=4e-3)
     assert "noise_mismatch" in kinds(result, "warned")
+
+
+def test_one_tape_is_told_apart_from_two() -> None:
+    # Spacings 1.8 and 1.9 m, lengths 3 and 3.5 m by one tape of 0.1 %; the sways tell its scale, and k is 1.05 m.
+    session = (CASES / "tape" / "session.toml").read_text(encoding="utf-8")
+    tape = '\n[[instrument]]\nid = "tape-1"\nkind = "tape"\nscale_u = 0.001\n'
+    figure = r"((?:line_length|spacing) = \{ value = [\d.]+), u = [\d.]+"
+    read = re.sub(figure, r'\1, u = 0, instrument = "tape-1"', session)
+    separate, shared = typed(session), typed(read + tape)
+    assert separate.quantities["k_yaw_m"].u == pytest.approx(0.00074, rel=0.02)
+    near(shared, k_yaw_m=1.05)
+    assert shared.quantities["k_yaw_m"].u < 1e-4
+
+
+def test_a_light_gate_shows_the_sway_too() -> None:
+    result = measured("photogate")
+    trend = result.swings[0].trend
+    assert trend is not None
+    assert trend.modulation is not None
+    # T_m = 25.243 s, T_y = 4.3923 s and amplitude.
+    assert trend.modulation.t_m_s == pytest.approx(25.243, abs=WITHIN * trend.modulation.t_m_se_s)
+    assert [mode.mode for mode in result.swings[0].modes] == ["yaw", "sway"]
+    assert result.quantities["k_yaw_m"].u == pytest.approx(0.0006, rel=0.1)
+
+
+def test_a_single_rate_is_measured() -> None:
+    wheel = CASES / "single-axis-rate" / "wheel.csv"
+    result = gyradius.load(wheel, mapping=["t=time:s", "gz=angular_velocity:rad/s"]).measure()
+    mode = result.swings[0].modes[0]
+    # 1.4291 s at 0.15 rad.
+    assert mode.period_observed_s == pytest.approx(1.4291, abs=WITHIN * mode.period_se_s)
+    assert mode.amplitude == pytest.approx(0.15, rel=0.02)
+
+
+def test_a_large_swing_of_an_encoder_is_no_sum_of_oscillations() -> None:
+    angle = CASES / "angle-column" / "angle.csv"
+    result = gyradius.load(angle, mapping=["t=time:s", "angle=angle:rad"]).measure()
+    assert "large_amplitude" in kinds(result, "refused")
+    assert not result.swings[0].modes
+
+
+def test_constant_channels_change_nothing_of_a_criticism() -> None:
+    zeros, noise = (gyradius.load(CASES / "zero-channel" / name).critique() for name in ("zeros", "tiny-noise"))
+    assert zeros.verdict.status == noise.verdict.status
+    rms = [critique.baseline.rms_over_noise for critique in (zeros, noise)]
+    assert rms[0] == pytest.approx(rms[1], rel=0.01)
+
+
+def test_a_record_too_short_for_a_criticism_says_so() -> None:
+    with pytest.raises(gyradius.NoResultError, match=r"too short.*6 periods"):
+        gyradius.load(CASES / "too-short").critique()
+
+
+def test_a_phone_off_the_middle_plane_belongs_to_the_body() -> None:
+    result = measured("offplane-phone/session")
+    near(result, k_pitch_m=0.3520, k_yaw_m=0.3030)
