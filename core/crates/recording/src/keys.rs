@@ -9,7 +9,7 @@ use std::fmt::Display;
 
 use toml_edit::{Item, Key, TableLike, Value};
 
-use super::domain::Domain;
+use super::domain::{Domain, MOST};
 use super::member_path::plain_member_path;
 use super::quantity::Quantity;
 use super::session::InstrumentKind;
@@ -304,6 +304,9 @@ impl<'a> Field<'a> {
     pub fn number(&self, domain: Domain) -> Result<f64> {
         match plain_number(self.item).filter(|&value| domain.holds(value)) {
             Some(value) => Ok(value),
+            None if plain_number(self.item).is_some_and(|value| value.abs() > MOST) => {
+                Err(self.expected(format!("{domain}, at most {MOST:e}")))
+            }
             None => Err(self.expected(domain)),
         }
     }

@@ -350,10 +350,15 @@ fn triad(stamps: impl Strategy<Value = Vec<u32>>) -> impl Strategy<Value = Optio
         t_s.sort_by(f64::total_cmp);
         t_s.dedup();
         let n = t_s.len();
-        let axis = || prop::collection::vec(prop::num::f64::NORMAL | prop::num::f64::ZERO, n);
+        let axis = || prop::collection::vec(readings(), n);
         (Just(t_s), [axis(), axis(), axis()]).prop_map(|(t_s, axes)| Triad { t_s, axes })
     });
     prop::option::of(samples)
+}
+
+/// What a sensor may read: more than 1e12 in SI units is a damaged cell.
+fn readings() -> impl Strategy<Value = f64> {
+    prop_oneof![-1e3..1e3, -1e12..1e12, Just(0.0), 1e-300..1e-290]
 }
 
 fn kept_and_left_out(recording: &Recording, sensor: Sensor, triad: &Option<Triad>) -> usize {

@@ -566,7 +566,7 @@ fn an_instrument_that_is_not_there_or_reads_something_else_is_refused() {
     let clock = format!("{named}[[instrument]]\nid = \"t\"\nkind = \"clock\"\n");
     assert_refused(&clock, 11, &["a tape", "a clock"]);
     let twice = format!("{clock}[[instrument]]\nid = \"t\"\nkind = \"tape\"\n");
-    assert_refused(&twice, 15, &["unlike all before it"]);
+    assert_refused(&twice, 16, &["unlike all before it"]);
 }
 
 #[test]
