@@ -299,30 +299,33 @@ fn too_few_samples(evidence: &Evidence) -> Option<Finding> {
     )
 }
 
-/// The oscillations that were found must make up most of what moves: else the motion is not among
-/// them, and what they say of periods is of something else.
+/// The oscillations that were found must make up most of what moves in a sensor: else the motion is
+/// not among them, and what they say of periods is of something else. The first sensor that sees the
+/// motion decides, the gyroscope where there is one.
 fn not_described(evidence: &Evidence) -> Option<Finding> {
     let mut first = 0;
-    let (mut most, mut share) = (0.0, 1.0);
     for group in &evidence.groups {
-        for (c, channel) in group.channels.iter().enumerate() {
-            let noise = evidence.found.noise.get(first + c).copied().unwrap_or(0.0);
+        let square = |channel: &Vec<f64>| {
             let count = channel.len().max(1) as f64;
             let mean = channel.iter().sum::<f64>() / count;
-            let square = channel.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count;
-            let left = square / (noise * noise).max(f64::MIN_POSITIVE);
-            // By noise: what stands out of it most is what moves.
-            if noise > 0.0 && left > most {
-                (most, share) = (left, described(evidence, first + c, group) / square);
-            }
-        }
+            channel.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count
+        };
+        let squares = group.channels.iter().map(square).enumerate();
+        let (strongest, square) = squares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let channel = first + strongest;
+        let noise = evidence.found.noise.get(channel).copied().unwrap_or(0.0);
         first += group.channels.len();
-    }
-    (most > STANDS_OUT && share < LEAST_DESCRIBED && !evidence.found.modes.is_empty()).then(|| {
+        if noise == 0.0 || square < STANDS_OUT * noise * noise {
+            continue;
+        }
+        let share = described(evidence, channel, group) / square;
         let refused = (Kind::NoiseMismatch, Severity::Refused);
         let percent = number(100.0 * share, 0);
-        Finding::new(refused, "not_described", [("percent", percent)]).with("share", share)
-    })
+        return (share < LEAST_DESCRIBED && !evidence.found.modes.is_empty()).then(|| {
+            Finding::new(refused, "not_described", [("percent", percent)]).with("share", share)
+        });
+    }
+    None
 }
 
 /// Mean square of the oscillations in a channel.
