@@ -3913,6 +3913,10 @@ public struct Attachment: Equatable, Hashable {
      */
     public let positionM: Vector3
     /**
+     * Standard uncertainty of each of its coordinates, m.
+     */
+    public let positionUM: Double
+    /**
      * Gyradii about its own centre and hull axes, m (0 for a point).
      */
     public let gyradiiM: Vector3
@@ -3930,11 +3934,15 @@ public struct Attachment: Equatable, Hashable {
          * Centre of mass, hull axes, from the mid-point of the suspension points, m.
          */positionM: Vector3, 
         /**
+         * Standard uncertainty of each of its coordinates, m.
+         */positionUM: Double, 
+        /**
          * Gyradii about its own centre and hull axes, m (0 for a point).
          */gyradiiM: Vector3) {
         self.name = name
         self.massKg = massKg
         self.positionM = positionM
+        self.positionUM = positionUM
         self.gyradiiM = gyradiiM
     }
 
@@ -3957,6 +3965,7 @@ public struct FfiConverterTypeAttachment: FfiConverterRustBuffer {
                 name: FfiConverterString.read(from: &buf), 
                 massKg: FfiConverterTypeQuantity.read(from: &buf), 
                 positionM: FfiConverterTypeVector3.read(from: &buf), 
+                positionUM: FfiConverterDouble.read(from: &buf), 
                 gyradiiM: FfiConverterTypeVector3.read(from: &buf)
         )
     }
@@ -3965,6 +3974,7 @@ public struct FfiConverterTypeAttachment: FfiConverterRustBuffer {
         FfiConverterString.write(value.name, into: &buf)
         FfiConverterTypeQuantity.write(value.massKg, into: &buf)
         FfiConverterTypeVector3.write(value.positionM, into: &buf)
+        FfiConverterDouble.write(value.positionUM, into: &buf)
         FfiConverterTypeVector3.write(value.gyradiiM, into: &buf)
     }
 }
@@ -7202,6 +7212,115 @@ public func FfiConverterTypeModelResult_lift(_ buf: RustBuffer) throws -> ModelR
 #endif
 public func FfiConverterTypeModelResult_lower(_ value: ModelResult) -> RustBuffer {
     return FfiConverterTypeModelResult.lower(value)
+}
+
+
+/**
+ * The modulation of eq. (14).
+ */
+public struct ModulationResult: Equatable, Hashable {
+    /**
+     * C, s.
+     */
+    public let cS: Double
+    /**
+     * Its standard error, s.
+     */
+    public let cSeS: Double
+    /**
+     * T_m, s: the beat of the two motions.
+     */
+    public let tMS: Double
+    /**
+     * Its standard error, s.
+     */
+    public let tMSeS: Double
+    /**
+     * τ_m, s; absent where no decay is seen.
+     */
+    public let tauMS: Double?
+    /**
+     * φ_m, rad.
+     */
+    public let phaseRad: Double
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * C, s.
+         */cS: Double, 
+        /**
+         * Its standard error, s.
+         */cSeS: Double, 
+        /**
+         * T_m, s: the beat of the two motions.
+         */tMS: Double, 
+        /**
+         * Its standard error, s.
+         */tMSeS: Double, 
+        /**
+         * τ_m, s; absent where no decay is seen.
+         */tauMS: Double?, 
+        /**
+         * φ_m, rad.
+         */phaseRad: Double) {
+        self.cS = cS
+        self.cSeS = cSeS
+        self.tMS = tMS
+        self.tMSeS = tMSeS
+        self.tauMS = tauMS
+        self.phaseRad = phaseRad
+    }
+
+    
+
+    
+}
+
+#if compiler(>=6)
+extension ModulationResult: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeModulationResult: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> ModulationResult {
+        return
+            try ModulationResult(
+                cS: FfiConverterDouble.read(from: &buf), 
+                cSeS: FfiConverterDouble.read(from: &buf), 
+                tMS: FfiConverterDouble.read(from: &buf), 
+                tMSeS: FfiConverterDouble.read(from: &buf), 
+                tauMS: FfiConverterOptionDouble.read(from: &buf), 
+                phaseRad: FfiConverterDouble.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: ModulationResult, into buf: inout [UInt8]) {
+        FfiConverterDouble.write(value.cS, into: &buf)
+        FfiConverterDouble.write(value.cSeS, into: &buf)
+        FfiConverterDouble.write(value.tMS, into: &buf)
+        FfiConverterDouble.write(value.tMSeS, into: &buf)
+        FfiConverterOptionDouble.write(value.tauMS, into: &buf)
+        FfiConverterDouble.write(value.phaseRad, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeModulationResult_lift(_ buf: RustBuffer) throws -> ModulationResult {
+    return try FfiConverterTypeModulationResult.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeModulationResult_lower(_ value: ModulationResult) -> RustBuffer {
+    return FfiConverterTypeModulationResult.lower(value)
 }
 
 
@@ -12242,6 +12361,10 @@ public struct SwingResult: Equatable, Hashable {
      */
     public let rmsOverNoise: Double?
     /**
+     * What a list of periods follows, eq. (14).
+     */
+    public let trend: TrendResult?
+    /**
      * Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
      */
     public let simulated: Bool
@@ -12268,6 +12391,9 @@ public struct SwingResult: Equatable, Hashable {
          * Residual over noise: 1 where the fit explains everything.
          */rmsOverNoise: Double?, 
         /**
+         * What a list of periods follows, eq. (14).
+         */trend: TrendResult?, 
+        /**
          * Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
          */simulated: Bool) {
         self.id = id
@@ -12276,6 +12402,7 @@ public struct SwingResult: Equatable, Hashable {
         self.repairs = repairs
         self.warnings = warnings
         self.rmsOverNoise = rmsOverNoise
+        self.trend = trend
         self.simulated = simulated
     }
 
@@ -12301,6 +12428,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
                 repairs: FfiConverterSequenceTypeRepair.read(from: &buf), 
                 warnings: FfiConverterSequenceTypeSentence.read(from: &buf), 
                 rmsOverNoise: FfiConverterOptionDouble.read(from: &buf), 
+                trend: FfiConverterOptionTypeTrendResult.read(from: &buf), 
                 simulated: FfiConverterBool.read(from: &buf)
         )
     }
@@ -12312,6 +12440,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
         FfiConverterSequenceTypeRepair.write(value.repairs, into: &buf)
         FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
         FfiConverterOptionDouble.write(value.rmsOverNoise, into: &buf)
+        FfiConverterOptionTypeTrendResult.write(value.trend, into: &buf)
         FfiConverterBool.write(value.simulated, into: &buf)
     }
 }
@@ -12690,6 +12819,116 @@ public func FfiConverterTypeTrace_lift(_ buf: RustBuffer) throws -> Trace {
 #endif
 public func FfiConverterTypeTrace_lower(_ value: Trace) -> RustBuffer {
     return FfiConverterTypeTrace.lower(value)
+}
+
+
+/**
+ * A list of periods against time, eq. (14): T(t) = T_0 (1 + b t) + C exp(−t/τ_m) sin(2π t/T_m +
+ * φ_m), t from the first entry.
+ */
+public struct TrendResult: Equatable, Hashable {
+    /**
+     * T_0, s.
+     */
+    public let t0S: Double
+    /**
+     * Its standard error, s.
+     */
+    public let t0SeS: Double
+    /**
+     * b, 1/s; 0 where none is seen.
+     */
+    public let bPerS: Double
+    /**
+     * Its standard error, 1/s.
+     */
+    public let bSePerS: Double
+    /**
+     * The modulation by a second motion, where there is one.
+     */
+    public let modulation: ModulationResult?
+    /**
+     * Scatter of the periods about the curve, s.
+     */
+    public let scatterS: Double
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * T_0, s.
+         */t0S: Double, 
+        /**
+         * Its standard error, s.
+         */t0SeS: Double, 
+        /**
+         * b, 1/s; 0 where none is seen.
+         */bPerS: Double, 
+        /**
+         * Its standard error, 1/s.
+         */bSePerS: Double, 
+        /**
+         * The modulation by a second motion, where there is one.
+         */modulation: ModulationResult?, 
+        /**
+         * Scatter of the periods about the curve, s.
+         */scatterS: Double) {
+        self.t0S = t0S
+        self.t0SeS = t0SeS
+        self.bPerS = bPerS
+        self.bSePerS = bSePerS
+        self.modulation = modulation
+        self.scatterS = scatterS
+    }
+
+    
+
+    
+}
+
+#if compiler(>=6)
+extension TrendResult: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeTrendResult: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> TrendResult {
+        return
+            try TrendResult(
+                t0S: FfiConverterDouble.read(from: &buf), 
+                t0SeS: FfiConverterDouble.read(from: &buf), 
+                bPerS: FfiConverterDouble.read(from: &buf), 
+                bSePerS: FfiConverterDouble.read(from: &buf), 
+                modulation: FfiConverterOptionTypeModulationResult.read(from: &buf), 
+                scatterS: FfiConverterDouble.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: TrendResult, into buf: inout [UInt8]) {
+        FfiConverterDouble.write(value.t0S, into: &buf)
+        FfiConverterDouble.write(value.t0SeS, into: &buf)
+        FfiConverterDouble.write(value.bPerS, into: &buf)
+        FfiConverterDouble.write(value.bSePerS, into: &buf)
+        FfiConverterOptionTypeModulationResult.write(value.modulation, into: &buf)
+        FfiConverterDouble.write(value.scatterS, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeTrendResult_lift(_ buf: RustBuffer) throws -> TrendResult {
+    return try FfiConverterTypeTrendResult.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeTrendResult_lower(_ value: TrendResult) -> RustBuffer {
+    return FfiConverterTypeTrendResult.lower(value)
 }
 
 
@@ -15880,6 +16119,14 @@ public enum SuspensionKind: Equatable, Hashable {
      * Two inverted Vs: a fixed horizontal axis.
      */
     case compound
+    /**
+     * Three lines on a circle about the vertical axis.
+     */
+    case trifilar
+    /**
+     * Nothing is stated.
+     */
+    case free
 
 
 
@@ -15905,6 +16152,10 @@ public struct FfiConverterTypeSuspensionKind: FfiConverterRustBuffer {
         
         case 2: return .compound
         
+        case 3: return .trifilar
+        
+        case 4: return .free
+        
         default: throw UniffiInternalError.unexpectedEnumCase
         }
     }
@@ -15919,6 +16170,14 @@ public struct FfiConverterTypeSuspensionKind: FfiConverterRustBuffer {
         
         case .compound:
             writeInt(&buf, Int32(2))
+        
+        
+        case .trifilar:
+            writeInt(&buf, Int32(3))
+        
+        
+        case .free:
+            writeInt(&buf, Int32(4))
         
         }
     }
@@ -16476,6 +16735,30 @@ fileprivate struct FfiConverterOptionTypeLiveEstimate: FfiConverterRustBuffer {
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
+fileprivate struct FfiConverterOptionTypeModulationResult: FfiConverterRustBuffer {
+    typealias SwiftType = ModulationResult?
+
+    public static func write(_ value: SwiftType, into buf: inout [UInt8]) {
+        guard let value = value else {
+            writeInt(&buf, Int8(0))
+            return
+        }
+        writeInt(&buf, Int8(1))
+        FfiConverterTypeModulationResult.write(value, into: &buf)
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SwiftType {
+        switch try readInt(&buf) as Int8 {
+        case 0: return nil
+        case 1: return try FfiConverterTypeModulationResult.read(from: &buf)
+        default: throw UniffiInternalError.unexpectedOptionalTag
+        }
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
 fileprivate struct FfiConverterOptionTypeMoving: FfiConverterRustBuffer {
     typealias SwiftType = Moving?
 
@@ -16804,6 +17087,30 @@ fileprivate struct FfiConverterOptionTypeTilt: FfiConverterRustBuffer {
         switch try readInt(&buf) as Int8 {
         case 0: return nil
         case 1: return try FfiConverterTypeTilt.read(from: &buf)
+        default: throw UniffiInternalError.unexpectedOptionalTag
+        }
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+fileprivate struct FfiConverterOptionTypeTrendResult: FfiConverterRustBuffer {
+    typealias SwiftType = TrendResult?
+
+    public static func write(_ value: SwiftType, into buf: inout [UInt8]) {
+        guard let value = value else {
+            writeInt(&buf, Int8(0))
+            return
+        }
+        writeInt(&buf, Int8(1))
+        FfiConverterTypeTrendResult.write(value, into: &buf)
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SwiftType {
+        switch try readInt(&buf) as Int8 {
+        case 0: return nil
+        case 1: return try FfiConverterTypeTrendResult.read(from: &buf)
         default: throw UniffiInternalError.unexpectedOptionalTag
         }
     }
