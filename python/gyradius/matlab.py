@@ -35,7 +35,8 @@ class Readable:
 
     def renamed(self, text: str) -> str:
         """A text of the core with the files that the user knows."""
-        for place, file in self.places.items():
+        # Longest first: one place is the beginning of another.
+        for place, file in sorted(self.places.items(), key=lambda pair: -len(pair[0])):
             text = text.replace(place, file)
         return text
 

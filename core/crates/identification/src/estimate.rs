@@ -208,6 +208,17 @@ impl<'a> System<'a> {
     /// What every observation, then every free parameter's prior, exceeds the prediction by, in
     /// standard uncertainties.
     pub fn rows(&self, x: &[f64], free: &[usize]) -> Option<DVector<f64>> {
+        let mut rows = self.plain_rows(x, free)?;
+        for group in self.correlated(free) {
+            group.whiten(&mut rows);
+        }
+        rows.iter()
+            .all(|r| r.is_finite())
+            .then(|| DVector::from_vec(rows))
+    }
+
+    /// The same before what instruments share is taken out.
+    pub(super) fn plain_rows(&self, x: &[f64], free: &[usize]) -> Option<Vec<f64>> {
         let predicted = self.predict(x)?;
         let observed = self
             .observations
@@ -218,13 +229,7 @@ impl<'a> System<'a> {
             let prior = self.layout.parameters[*i].prior;
             (prior.value - x[*i]) / prior.u
         });
-        let mut rows: Vec<f64> = observed.chain(priors).collect();
-        for group in self.correlated(free) {
-            group.whiten(&mut rows);
-        }
-        rows.iter()
-            .all(|r| r.is_finite())
-            .then(|| DVector::from_vec(rows))
+        Some(observed.chain(priors).collect())
     }
 
     /// The rows that share errors of instruments.

@@ -42,6 +42,7 @@ use super::sentences::{inputs, message, name, plain};
 use super::spread::Spread;
 pub use super::swing_work::SwingWork;
 use super::swing_work::WEAKEST_DB;
+use super::theory::sways_as_pendulum;
 use super::twin::{Correction, corrections};
 
 /// Name and version of the result's format.
@@ -720,10 +721,13 @@ fn beaten_sway(yaw: Quantity, trend: &PeriodTrend, hanging: &Hanging) -> Option<
     let frequency = |sign: f64| 1.0 / yaw.value + sign / modulation.t_m_s;
     let sway = [1.0, -1.0].map(|sign| 1.0 / frequency(sign));
     let distance = |period: &f64| (period / stated_s).ln().abs();
-    let near = sway
+    let mut near = sway
         .into_iter()
         .filter(|period| distance(period) < NEAR_SWAY);
-    let period_s = near.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    // Where both are near, the stated lines do not tell which it is.
+    let (Some(period_s), None) = (near.next(), near.next()) else {
+        return None;
+    };
     let u_hz = (yaw.u / yaw.value.powi(2)).hypot(modulation.t_m_se_s / modulation.t_m_s.powi(2));
     Some(Quantity::new(period_s, period_s * period_s * u_hz))
 }
@@ -737,11 +741,13 @@ fn observations(
 ) -> Vec<Observation> {
     let mut all = Vec::new();
     for (i, work) in works.iter().enumerate() {
-        let kind = session.swings[i].suspension.kind;
-        let shows = |mode: ModeName| match kind {
+        let hung = &session.swings[i].suspension;
+        let shows = |mode: ModeName| match hung.kind {
             SuspensionKind::Bifilar => mode != ModeName::Compound,
             SuspensionKind::Compound => mode == ModeName::Compound,
-            SuspensionKind::Trifilar => matches!(mode, ModeName::Yaw | ModeName::Sway),
+            SuspensionKind::Trifilar => {
+                mode == ModeName::Yaw || (mode == ModeName::Sway && sways_as_pendulum(hung))
+            }
             SuspensionKind::Free => false,
         };
         for (m, observed) in work

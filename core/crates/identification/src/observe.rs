@@ -262,7 +262,9 @@ fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> Option<Messag
     let Some(strongest) = strongest else {
         return Some(message("no_shapes", []));
     };
-    let swing = swing?;
+    let Some(swing) = swing else {
+        return Some(message("no_shapes", []));
+    };
     if swing.suspension.kind == SuspensionKind::Compound {
         named[strongest].name = ModeName::Compound;
         return None;

@@ -110,7 +110,11 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
     let mut determined: Vec<(QuantityName, Derived)> = Vec::new();
     let (mut left_out, mut not_determined) = (Vec::new(), Vec::new());
     for name in QuantityName::SCALARS {
-        let shown = name != QuantityName::Psi || has_tilted_swings(system);
+        let shown = match name {
+            QuantityName::Psi => has_tilted_swings(system),
+            QuantityName::CmDepth => hull.level_depth.is_some(),
+            _ => true,
+        };
         let averaged = spread.derive(|x| hull.scalar(&name, x));
         let Some(averaged) = averaged else {
             if shown && is_supported(system, &name) {

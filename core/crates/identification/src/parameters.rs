@@ -140,7 +140,7 @@ pub struct Layout {
     pub product_xz: usize,
     /// Masses of the attachments.
     pub attachment_masses: Vec<usize>,
-    /// Their positions, hull axes, from the mid-point of the suspension points, m.
+    /// Their positions' coordinates, hull axes, from the mid-point of the suspension points, m.
     pub attachment_positions: Vec<[usize; 3]>,
     /// Masses added for a swing, by swing.
     pub added_masses: Vec<Vec<usize>>,
@@ -247,6 +247,19 @@ impl<'a> Builder<'a> {
     /// own; without one, the same figure stated for the same thing is one reading.
     fn read(&mut self, key: &str, name: impl Into<Input>, figure: Quantity) -> usize {
         self.read_with_step(key, name, figure, usual_step(figure))
+    }
+
+    /// A diameter of which the radius was read.
+    fn read_radius(&mut self, key: &str, kind: InputKind, diameter: Quantity) -> usize {
+        let half = Quantity::new(0.5 * diameter.value, 0.5 * diameter.u);
+        let whole = self.session.reading(key, half);
+        let whole = Quantity::new(2.0 * whole.value, 2.0 * whole.u);
+        if self.session.instrument(key).is_none() {
+            return self.stated_with_step(kind, whole, usual_step(whole));
+        }
+        let place = self.push(kind.into(), Role::Stated, whole, usual_step(whole));
+        self.share(key, Reading::Parameter(place), half.value, 2.0);
+        place
     }
 
     fn read_with_step(
@@ -414,13 +427,21 @@ impl<'a> Builder<'a> {
             figure.map(|figure| self.read(&key(name), kind, figure))
         };
         let line_length = read("line_length", InputKind::LineLength, hung.line_length_m);
-        let [below, above] = match hung.kind {
-            SuspensionKind::Trifilar => ["radius", "top_radius"],
-            _ => ["spacing", "top_spacing"],
-        };
-        let spacing = read(below, InputKind::Spacing, hung.spacing_m);
-        let top_spacing = read(above, InputKind::TopSpacing, hung.top_spacing_m);
         let axis_height = read("axis_height", InputKind::AxisHeight, hung.axis_height_m);
+        let mut across =
+            |spacing: &str, radius: &str, kind: InputKind, figure: Option<Quantity>| {
+                figure.map(|figure| match hung.kind {
+                    SuspensionKind::Trifilar => self.read_radius(&key(radius), kind, figure),
+                    _ => self.read(&key(spacing), kind, figure),
+                })
+            };
+        let spacing = across("spacing", "radius", InputKind::Spacing, hung.spacing_m);
+        let top_spacing = across(
+            "top_spacing",
+            "top_radius",
+            InputKind::TopSpacing,
+            hung.top_spacing_m,
+        );
         let pitch = phone_pitch
             .or(hung.hull_pitch_deg)
             .unwrap_or(Quantity::new(0.0, UNSTATED_PITCH_U_DEG));
@@ -488,8 +509,7 @@ pub struct InclinePart {
     pub key: String,
     /// The figure.
     pub figure: Quantity,
-    /// Change of the angle by that of the figure, degrees; by (20), the centre of mass far below
-    /// the weight.
+    /// Change of the angle as read, less that as predicted by (20), by that of the figure, degrees.
     pub slope_deg: f64,
 }
 
@@ -508,9 +528,9 @@ pub fn incline_parts(incline: &Incline, i: usize) -> Vec<InclinePart> {
     let [mass, arm, depth] = slopes;
     vec![
         part("angle_deg", angle, 1.0),
-        part("mass", incline.mass_kg, mass),
-        part("arm", incline.arm_m, arm),
-        part("depth", incline.depth_m, depth),
+        part("mass", incline.mass_kg, -mass),
+        part("arm", incline.arm_m, -arm),
+        part("depth", incline.depth_m, -depth),
     ]
 }
 

@@ -252,7 +252,7 @@ struct Freed<'a> {
     solution: Solution,
 }
 
-/// The stated figures each of which, set free within what a slip may be, makes an end of the
+/// The stated figures each of which, set free within what a slip may be, resolves the
 /// contradiction. One that would have to be wrong by more explains nothing.
 fn explanations<'a>(system: &System<'a>, solution: &Solution) -> Vec<Freed<'a>> {
     let parameters = &system.layout.parameters;
@@ -303,7 +303,7 @@ fn explanations<'a>(system: &System<'a>, solution: &Solution) -> Vec<Freed<'a>> 
 impl System<'_> {
     /// How far an observation is from what a solution has for it, in the width that it is opened to.
     fn with_opened(&self, k: usize, solution: &Solution) -> Option<f64> {
-        let rows = self.rows(&solution.x, &solution.free)?;
+        let rows = self.plain_rows(&solution.x, &solution.free)?;
         let stated = self.observations[k].value;
         Some(rows[k].abs() * stated.u / TYPED.width(stated.value))
     }

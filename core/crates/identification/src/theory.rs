@@ -5,7 +5,9 @@ use gyradius_base::frames::{Mat3, Vec3, world_from_hull_pitched};
 use gyradius_mechanics::{
     Rig, RigidBody, SmallModes, SuspensionAxis, compound_pendulum_period_s, small_modes,
 };
-use gyradius_recording::{Incline, ModeName, Orientation, Session, SuspensionKind, Swing};
+use gyradius_recording::{
+    Incline, ModeName, Orientation, Quantity, Session, Suspension, SuspensionKind, Swing,
+};
 
 use super::parameters::{Layout, SwingIndex};
 use super::routes::attachments::{joined, remainder};
@@ -176,6 +178,13 @@ pub fn swing_lines(x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<Lines
     })
 }
 
+/// Whether the lines are stated as parallel.
+pub fn sways_as_pendulum(suspension: &Suspension) -> bool {
+    let value = |figure: Option<Quantity>| figure.map(|figure| figure.value);
+    let top = value(suspension.top_spacing_m);
+    top.is_none() || top == value(suspension.spacing_m)
+}
+
 /// Three lines on a circle turn a body as two a diameter apart do, (5); where they are parallel it
 /// sways as a pendulum, (7), and does not pitch. The centre of mass lies on the axis.
 fn trifilar_periods(
@@ -189,7 +198,7 @@ fn trifilar_periods(
     let k = (body.inertia_kg_m2[(2, 2)] / body.mass_kg).sqrt();
     let gravity = x[layout.gravity];
     let mut periods = vec![(ModeName::Yaw, yaw_period_s(k, &lines, gravity)?)];
-    if index.top_spacing == index.spacing {
+    if sways_as_pendulum(&swing.suspension) {
         let sway = std::f64::consts::TAU * (lines.length_m / gravity).sqrt();
         periods.push((ModeName::Sway, sway));
     }

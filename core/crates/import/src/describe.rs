@@ -19,32 +19,20 @@ pub fn describe_exports(files: &[PathBuf], request: &ImportRequest) -> Result<Ve
         .map(|file| format!("{}: a recorder's file", file.display()))
         .collect();
     let mut of_gate = false;
-    let mut alone = None;
     if !exported.is_empty() {
         let mut options = options(&request.mapping, request.platform)?;
         options.trial.clone_from(&request.trial);
         for recording in import_inputs(&exported, &options)?.recordings {
             lines.push(format!("{}: {}", recording.name, recording.summary()));
             lines.extend(recording.told().into_iter().map(|text| format!("  {text}")));
-            match &recording.data {
-                ImportedData::GateEvents(_) => of_gate = true,
-                ImportedData::Channel(channel) => alone = Some(channel.quantity.name()),
-                ImportedData::Recording(_) | ImportedData::Track(_) => {}
-            }
+            of_gate |= matches!(recording.data, ImportedData::GateEvents(_));
         }
     }
-    match alone {
-        Some(name) => lines.push(format!(
-            "A session holds no single {name} yet: this version reads it and cannot analyse it."
-        )),
-        None => {
-            lines.push(
-                "To write a session, with your figures for what stands in capitals (U: one standard uncertainty):"
-                    .to_owned(),
-            );
-            lines.push(format!("  {}", command(files, request, of_gate)));
-        }
-    }
+    lines.push(
+        "To write a session, with your figures for what stands in capitals (U: one standard uncertainty):"
+            .to_owned(),
+    );
+    lines.push(format!("  {}", command(files, request, of_gate)));
     Ok(lines)
 }
 

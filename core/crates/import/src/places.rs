@@ -58,8 +58,7 @@ impl Places {
     }
 
     /// The place of a recording: the planned swing that is meant, or whose id or file has its name,
-    /// or a new one. A
-    /// recording may have a file for the bias beside it.
+    /// or a new one. A recording may have a file for the bias beside it.
     pub fn of(&mut self, name: &str, with_bias: bool) -> Result<Place> {
         let wanted = plain(name);
         let planned = match &self.meant {

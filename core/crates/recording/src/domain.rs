@@ -156,6 +156,11 @@ impl Domain {
     pub(crate) const AMPLITUDE: Self =
         Self::between("an angle in degrees from 0 to 180", 0.0, 180.0);
 
+    /// Whether a value is its upper end.
+    pub(crate) fn reaches(&self, value: f64) -> bool {
+        self.high == value
+    }
+
     pub(crate) fn holds(&self, value: f64) -> bool {
         value.is_finite()
             && value <= self.high

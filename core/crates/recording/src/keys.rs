@@ -304,7 +304,9 @@ impl<'a> Field<'a> {
     pub fn number(&self, domain: Domain) -> Result<f64> {
         match plain_number(self.item).filter(|&value| domain.holds(value)) {
             Some(value) => Ok(value),
-            None if plain_number(self.item).is_some_and(|value| value.abs() > MOST) => {
+            None if domain.reaches(MOST)
+                && plain_number(self.item).is_some_and(|value| value.abs() > MOST) =>
+            {
                 Err(self.expected(format!("{domain}, at most {MOST:e}")))
             }
             None => Err(self.expected(domain)),

@@ -20,6 +20,8 @@ const MATTERS: f64 = 0.1;
 const GRAVITY_ON_EARTH_M_S2: [f64; 2] = [9.74, 9.84];
 /// One of two spacings is rarely more than this many times the other.
 const MOST_TAPER: f64 = 5.0;
+/// What rides along is lighter than this share of everything; a platform may be most of it.
+const MOST_RIDING: f64 = 0.9;
 /// A uniform rod that just reaches from one suspension point to the other has k = d/√3 = 0.58 d; a
 /// body on a light beam of its own may have half of that.
 const LEAST_GYRADIUS_OF_HALF_SPACING: f64 = 0.25;
@@ -111,7 +113,7 @@ fn riding(session: &Session, one: &Attachment) -> Vec<Finding> {
     if let Some(body) = session
         .body
         .mass_kg
-        .filter(|m| one.mass_kg.value > 0.3 * m.value)
+        .filter(|m| one.mass_kg.value > MOST_RIDING * m.value)
     {
         let arguments = vec![
             name.clone(),
@@ -124,7 +126,8 @@ fn riding(session: &Session, one: &Attachment) -> Vec<Finding> {
     let spacings = session.swings.iter().filter_map(|s| s.suspension.spacing_m);
     let widest = spacings.map(|q| q.value).fold(0.0, f64::max);
     let (reach, beside) = match session.body.length_overall_m {
-        Some(hull) => (BEYOND_ENDS * hull, hull),
+        // A beam that the lines are tied to reaches across the spacing.
+        Some(hull) => (BEYOND_ENDS * hull.max(widest), hull.max(widest)),
         None => (MOST_RATIO * widest, widest),
     };
     let sizes = [("position", one.position_m), ("gyradii", one.gyradii_m)];
@@ -152,6 +155,10 @@ fn riding(session: &Session, one: &Attachment) -> Vec<Finding> {
 
 /// A yaw gyradius far below half the spacing that the body reaches across.
 fn of_spacing(session: &Session, result: &Measurement) -> Option<Finding> {
+    // The lines may be tied to a beam that is taken off.
+    if !session.attachments.is_empty() {
+        return None;
+    }
     let yaw = result.quantities.get(&QuantityName::KYaw)?.value.scalar()?;
     let spacings = session.swings.iter().filter(|swing| {
         let is_yaw = |r: &&SwingResult| r.id == swing.id;
@@ -210,7 +217,8 @@ fn lengths(session: &Session, swing: &Swing) -> Vec<Finding> {
     let mut found = Vec::new();
     for (kind, spacing) in spacings {
         let Some(spacing) = spacing else { continue };
-        let hull = session.body.length_overall_m;
+        let is_tied_to_beam = !session.attachments.is_empty();
+        let hull = session.body.length_overall_m.filter(|_| !is_tied_to_beam);
         if let Some(hull) = hull.filter(|hull| spacing > BEYOND_ENDS * hull) {
             found.push(implausible(kind, spacing, ("length_overall", hull)));
         } else if let Some(lines) = lines.filter(|lines| spacing > MOST_RATIO * lines) {

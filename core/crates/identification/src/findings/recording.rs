@@ -17,8 +17,7 @@ use crate::observe::Evidence;
 
 /// What moves has so many times the variance of the noise …
 const STANDS_OUT: f64 = 10.0;
-/// … and at least this share of it is in the oscillations that were found. A slow drift, a bias that
-/// warms, may have the rest.
+/// … and at least this share of it is in the oscillations that were found.
 const LEAST_DESCRIBED: f64 = 0.5;
 /// Where no more than this share of the samples are lost at the sensor's limit, a decaying swing
 /// loses at most a tenth of its first periods. A sinusoid that lost a tenth of its samples at its
@@ -299,33 +298,39 @@ fn too_few_samples(evidence: &Evidence) -> Option<Finding> {
     )
 }
 
-/// The oscillations that were found must make up most of what moves in a sensor: else the motion is
-/// not among them, and what they say of periods is of something else. The first sensor that sees the
-/// motion decides, the gyroscope where there is one.
+/// The oscillations that were found must make up most of what moves, in one sensor at least: else
+/// the motion is not among them, and what they say of periods is of something else.
 fn not_described(evidence: &Evidence) -> Option<Finding> {
     let mut first = 0;
+    let mut best: Option<f64> = None;
     for group in &evidence.groups {
-        let square = |channel: &Vec<f64>| {
-            let count = channel.len().max(1) as f64;
-            let mean = channel.iter().sum::<f64>() / count;
-            channel.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count
-        };
-        let squares = group.channels.iter().map(square).enumerate();
-        let (strongest, square) = squares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let squares = group.channels.iter().map(|c| about_line(&group.t_s, c));
+        let (strongest, square) = squares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let channel = first + strongest;
         let noise = evidence.found.noise.get(channel).copied().unwrap_or(0.0);
         first += group.channels.len();
-        if noise == 0.0 || square < STANDS_OUT * noise * noise {
-            continue;
+        if noise > 0.0 && square > STANDS_OUT * noise * noise {
+            let share = described(evidence, channel, group) / square;
+            best = Some(best.map_or(share, |best| best.max(share)));
         }
-        let share = described(evidence, channel, group) / square;
+    }
+    let share = best.filter(|share| *share < LEAST_DESCRIBED)?;
+    (!evidence.found.modes.is_empty()).then(|| {
         let refused = (Kind::NoiseMismatch, Severity::Refused);
         let percent = number(100.0 * share, 0);
-        return (share < LEAST_DESCRIBED && !evidence.found.modes.is_empty()).then(|| {
-            Finding::new(refused, "not_described", [("percent", percent)]).with("share", share)
-        });
-    }
-    None
+        Finding::new(refused, "not_described", [("percent", percent)]).with("share", share)
+    })
+}
+
+/// Mean square of a channel about its straight line: a bias that warms is no motion.
+fn about_line(t_s: &[f64], channel: &[f64]) -> f64 {
+    let count = channel.len().max(1) as f64;
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
+    let (t, x) = (mean(t_s), mean(channel));
+    let pairs = || t_s.iter().zip(channel).map(|(a, b)| (a - t, b - x));
+    let squares = pairs().map(|(a, _)| a * a).sum::<f64>();
+    let slope = pairs().map(|(a, b)| a * b).sum::<f64>() / squares.max(f64::MIN_POSITIVE);
+    pairs().map(|(a, b)| (b - slope * a).powi(2)).sum::<f64>() / count
 }
 
 /// Mean square of the oscillations in a channel.

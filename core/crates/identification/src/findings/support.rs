@@ -37,6 +37,8 @@ const EXPLAINED: f64 = 1.5;
 /// phones make (some 2 %).
 const ALONG_THE_AXIS: f64 = 0.1;
 const MOSTLY_ALONG: f64 = 0.5;
+/// Of the force that gravity would make of the turn's angle.
+const LEAST_FORCE: f64 = 0.05;
 /// Third differences of two records of one sensor: of white noise that is the same they correlate
 /// fully, of another they do not; rounding takes some.
 const SAME_NOISE: f64 = 0.7;
@@ -118,6 +120,7 @@ pub fn undetermined(name: &QuantityName, figure: Option<Quantity>) -> Finding {
                 ("value", Argument::Number(figure.value, places)),
                 ("u", Argument::Number(figure.u, places)),
             ];
+            let what = (Kind::NotIdentifiable, Severity::Noted);
             let found = Finding::new(what, "undetermined", arguments);
             found.with("value", figure.value).with("u", figure.u)
         }
@@ -172,8 +175,9 @@ pub fn of_axes(evidence: &Evidence) -> Option<Finding> {
 }
 
 fn most_along_the_axis(evidence: &Evidence) -> f64 {
-    let modes = 0..evidence.found.modes.len();
-    let shares = modes.filter_map(|mode| along_the_axis(evidence, mode));
+    let named = evidence.named.iter().enumerate();
+    let named = named.filter(|(_, named)| named.name != ModeName::Other);
+    let shares = named.filter_map(|(mode, _)| along_the_axis(evidence, mode));
     shares.fold(0.0, f64::max)
 }
 
@@ -203,7 +207,9 @@ fn along_the_axis(evidence: &Evidence, mode: usize) -> Option<f64> {
     let axis = turn.map(|c| (c * phase.conj()).re);
     let length = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
     let along: Complex64 = axis.iter().zip(&force).map(|(a, f)| f * *a).sum();
-    let share = along.norm() / (length * size(&force));
+    // At the centre of oscillation there is no force of its own: any other would have a large share.
+    let least = LEAST_FORCE * STANDARD_GRAVITY_M_S2 * size(&turn) / mode.omega_rad_s;
+    let share = along.norm() / (length * size(&force).max(least));
     share.is_finite().then_some(share)
 }
 
@@ -390,7 +396,8 @@ impl Noise {
             next += axis.windows(2).map(|w| w[0] * w[1]).sum::<f64>();
             own += axis.iter().map(|x| x * x).sum::<f64>();
         }
-        next < -0.5 * own
+        // A tone near half the sampling rate has −1.
+        (-0.9 * own..-0.5 * own).contains(&next)
     }
 
     /// Whether the noise of both is the same at some lag of up to two hundred samples, in all axes

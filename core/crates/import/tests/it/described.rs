@@ -44,7 +44,7 @@ fn the_next_command_has_what_is_stated_and_names_what_is_not() {
 }
 
 #[test]
-fn a_light_gate_needs_its_flag_and_a_single_channel_has_no_session() {
+fn a_light_gate_needs_its_flag_and_a_single_channel_does_not() {
     let dir = tempfile::tempdir().unwrap();
     let gate = dir.path().join("gate.csv");
     fs::write(
@@ -60,5 +60,9 @@ fn a_light_gate_needs_its_flag_and_a_single_channel_has_no_session() {
     let angle = dir.path().join("angle.csv");
     fs::write(&angle, "t,angle\n0,1\n0.1,2\n0.2,1\n").unwrap();
     let lines = describe_exports(&[angle], &request(&[])).unwrap();
-    assert!(lines.last().unwrap().contains("single angle"), "{lines:?}");
+    let command = lines.last().unwrap();
+    assert!(
+        command.contains("gyradius import") && !command.contains("--flag-width"),
+        "{lines:?}"
+    );
 }
