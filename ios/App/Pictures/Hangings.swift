@@ -17,8 +17,8 @@ struct SuspensionSketch: View {
   var body: some View {
     switch (kind, orientation) {
     case (.compound, _): compound
-    case (.bifilar, .foreAndAft): foreAndAft
-    case (.bifilar, .athwartships): athwartships
+    case (_, .foreAndAft): foreAndAft
+    case (_, .athwartships): athwartships
     }
   }
 
