@@ -224,7 +224,7 @@ fn a_measurement_is_told_in_every_language() {
     for name in ["boat-park", "keelboat", "model-hull"] {
         let loaded = load_session(sessions.join(name)).unwrap();
         // A limit of what is not measured is warned of.
-        let limits = vec!["ballast >= 1".parse().unwrap()];
+        let limits = vec!["small_period_ballast_s >= 1".parse().unwrap()];
         let measured = measure(&loaded, &MeasureOptions { limits }).unwrap();
         let all = told(&measured);
         assert!(

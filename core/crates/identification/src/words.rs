@@ -91,7 +91,8 @@ pub fn route_in(method: &str, language: Language) -> String {
 
 /// A quantity in words in a language, without its unit, by its name in files.
 pub fn quantity_in(key: &str, language: Language) -> String {
-    let known = key.parse::<QuantityName>().ok();
+    let scalar = key.parse::<QuantityName>().ok();
+    let known = scalar.and_then(|quantity| symbol(&quantity));
     let known = known.and_then(|_| name(&format!("inertia.quantity.{key}"), language));
     let bare = ENDINGS
         .iter()
