@@ -20,8 +20,9 @@ const MATTERS: f64 = 0.1;
 const GRAVITY_ON_EARTH_M_S2: [f64; 2] = [9.74, 9.84];
 /// One of two spacings is rarely more than this many times the other.
 const MOST_TAPER: f64 = 5.0;
-/// What rides along is lighter than this share of everything; a platform may be most of it.
-const MOST_RIDING: f64 = 0.9;
+/// What rides along with more than this share of everything is worth a note: a beam or a platform
+/// may, a phone in grams does.
+const WORTH_A_NOTE: f64 = 0.3;
 /// A uniform rod that just reaches from one suspension point to the other has k = d/√3 = 0.58 d; a
 /// body on a light beam of its own may have half of that.
 const LEAST_GYRADIUS_OF_HALF_SPACING: f64 = 0.25;
@@ -113,14 +114,18 @@ fn riding(session: &Session, one: &Attachment) -> Vec<Finding> {
     if let Some(body) = session
         .body
         .mass_kg
-        .filter(|m| one.mass_kg.value > MOST_RIDING * m.value)
+        .filter(|m| one.mass_kg.value > WORTH_A_NOTE * m.value)
     {
         let arguments = vec![
             name.clone(),
             ("mass_kg", Argument::Figure(one.mass_kg.value.to_string())),
             ("body_kg", Argument::Figure(body.value.to_string())),
         ];
-        let heavy = warned("riding_heavy", Kind::ImplausibleSize, arguments);
+        let heavy = Finding::new(
+            (Kind::ImplausibleSize, Severity::Noted),
+            "riding_heavy",
+            arguments,
+        );
         found.push(heavy.of_channel("mass").with("mass_kg", one.mass_kg.value));
     }
     let spacings = session.swings.iter().filter_map(|s| s.suspension.spacing_m);
