@@ -3,9 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use gyradius_identification::{
-    FindingKind, MeasureOptions, Measurement, QuantityName, Severity, measure,
-};
+use gyradius_identification::{FindingKind, MeasureOptions, Measurement, QuantityName, measure};
 use gyradius_recording::{
     LoadedData, LoadedSession, LoadedSwing, ModeName, SwingData, read_period_list, read_recording,
     read_session,
