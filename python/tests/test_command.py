@@ -228,7 +228,7 @@ def test_error_is_in_the_json_too(tmp_path: Path) -> None:
         (TYPED.replace("3.477", "-3.477"), ["line_length", "line 14"]),
         (TYPED.replace("u = 0.006", "u = -0.006"), ["line_length", "line 14"]),
         (TYPED.replace("3.477", '"long"'), ["line_length", "line 14"]),
-        (TYPED.replace('"bifilar"', '"trifilar"'), ["bifilar", "line 12"]),
+        (TYPED.replace('"bifilar"', '"quadrifilar"'), ["bifilar", "line 12"]),
         (TYPED.replace("spacing = ", "# "), ["spacing"]),
         (TYPED + TYPED[TYPED.index("[[swing]]") :], ["table-1"]),
         (SWING, ["yaw-1.csv", "line 7"]),
