@@ -20,7 +20,7 @@ from typing import Any
 import gyradius
 from gyradius import _core
 from gyradius.critique import Critique
-from gyradius.imports import describe_exports
+from gyradius.imports import ImportPlan, describe_exports
 from gyradius.measurement import Measurement
 from gyradius.tables import show
 from rich.console import Console
@@ -62,7 +62,7 @@ def run(job: dict[str, Any]) -> str:
         gyradius.read_recorder(paths[0])
         return "read"
     if action == "describe":
-        describe_exports(paths)
+        describe_exports(paths, ImportPlan(mapping=[]))
         return "described"
     target = paths[0]
     if action == "import":

@@ -42,6 +42,8 @@ const LEAST_FORCE: f64 = 0.05;
 /// Third differences of two records of one sensor: of white noise that is the same they correlate
 /// fully, of another they do not; rounding takes some.
 const SAME_NOISE: f64 = 0.7;
+/// The same of the samples themselves: one motion.
+const SAME_MOTION: f64 = 0.99;
 /// A shift of less than this share of u is not worth a word.
 const WORTH_A_WORD: f64 = 0.3;
 
@@ -366,6 +368,8 @@ pub fn duplicates(session: &Session, data: &[LoadedSwing]) -> Vec<(usize, Findin
 /// has: two loggers that read one sensor have the same, whatever their clocks and digits.
 struct Noise {
     differences: [Vec<f64>; 3],
+    /// The samples about their means.
+    samples: [Vec<f64>; 3],
 }
 
 impl Noise {
@@ -383,8 +387,13 @@ impl Noise {
                 .map(|w| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]);
             each.collect()
         };
+        let about_mean = |axis: &Vec<f64>| -> Vec<f64> {
+            let mean = axis.iter().sum::<f64>() / axis.len().max(1) as f64;
+            axis.iter().map(|x| x - mean).collect()
+        };
         let found = Self {
             differences: triad.axes.each_ref().map(thirds),
+            samples: triad.axes.each_ref().map(about_mean),
         };
         (found.differences[0].len() > LEAST_COMMON && found.is_white()).then_some(found)
     }
@@ -400,27 +409,30 @@ impl Noise {
         (-0.9 * own..-0.5 * own).contains(&next)
     }
 
-    /// Whether the noise of both is the same at some lag of up to two hundred samples, in all axes
-    /// together: a turned phone is another one.
+    /// Whether noise and motion of both are the same at some lag of up to two hundred samples, in all
+    /// axes together: a turned phone is another one.
     fn is_that_of(&self, other: &Self) -> bool {
-        let most = 200
-            .min(self.differences[0].len() / 2)
-            .min(other.differences[0].len() / 2) as isize;
-        (-most..=most).any(|lag| self.correlation(other, lag) > SAME_NOISE)
+        let shorter = self.differences[0].len().min(other.differences[0].len());
+        let most = 200.min(shorter / 2) as isize;
+        (-most..=most).any(|lag| {
+            correlation(&self.differences, &other.differences, lag) > SAME_NOISE
+                && correlation(&self.samples, &other.samples, lag) > SAME_MOTION
+        })
     }
+}
 
-    fn correlation(&self, other: &Self, lag: isize) -> f64 {
-        let (skip, from) = (lag.max(0) as usize, (-lag).max(0) as usize);
-        let (mut both, mut own, mut others) = (0.0, 0.0, 0.0);
-        for (a, b) in self.differences.iter().zip(&other.differences) {
-            for (x, y) in a[skip..].iter().zip(&b[from..]).take(MOST_COMPARED) {
-                both += x * y;
-                own += x * x;
-                others += y * y;
-            }
+/// Correlation of two records in all axes together, the first `lag` samples later.
+fn correlation(one: &[Vec<f64>; 3], other: &[Vec<f64>; 3], lag: isize) -> f64 {
+    let (skip, from) = (lag.max(0) as usize, (-lag).max(0) as usize);
+    let (mut both, mut own, mut others) = (0.0, 0.0, 0.0);
+    for (a, b) in one.iter().zip(other) {
+        for (x, y) in a[skip..].iter().zip(&b[from..]).take(MOST_COMPARED) {
+            both += x * y;
+            own += x * x;
+            others += y * y;
         }
-        both / (own * others).sqrt().max(f64::MIN_POSITIVE)
     }
+    both / (own * others).sqrt().max(f64::MIN_POSITIVE)
 }
 
 /// Different rows of the gyroscope, or of the accelerometer where there is none.
