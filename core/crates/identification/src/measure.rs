@@ -286,9 +286,8 @@ pub fn estimate(
     inclines: &[Option<Quantity>],
 ) -> Result<Solution> {
     if system.observations.is_empty() {
-        let kinds = session.swings.iter().map(|swing| swing.suspension.kind);
-        let is_free = |kind| kind == SuspensionKind::Free;
-        let reason = match !session.swings.is_empty() && kinds.into_iter().all(is_free) {
+        let is_free = |swing: &Swing| swing.suspension.kind == SuspensionKind::Free;
+        let reason = match !session.swings.is_empty() && session.swings.iter().all(is_free) {
             true => "nothing is stated of the suspension: the periods stand alone",
             false => "no mode of any swing could be named",
         };

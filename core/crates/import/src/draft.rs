@@ -117,10 +117,10 @@ pub(crate) fn set_stated(
     let choice = |name: Option<&'static str>| name.map(Value::from);
     let dimension = |stated: Option<Quantity>| stated.map(of_quantity);
     let keys = [
-        ("kind", choice(growth.kind.map(name_of_kind))),
+        ("kind", choice(growth.kind.map(SuspensionKind::name))),
         (
             "orientation",
-            choice(growth.orientation.map(name_of_orientation)),
+            choice(growth.orientation.map(Orientation::name)),
         ),
         (LINE_LENGTH, dimension(stated.line_length_m)),
         (SPACING, dimension(stated.spacing_m)),
@@ -169,22 +169,6 @@ fn of_quantity(quantity: Quantity) -> Value {
     }
     let pairs = [("value", quantity.value), ("u", quantity.u)];
     Value::InlineTable(pairs.into_iter().collect::<InlineTable>())
-}
-
-fn name_of_kind(kind: SuspensionKind) -> &'static str {
-    match kind {
-        SuspensionKind::Bifilar => "bifilar",
-        SuspensionKind::Compound => "compound",
-        SuspensionKind::Trifilar => "trifilar",
-        SuspensionKind::Free => "free",
-    }
-}
-
-fn name_of_orientation(orientation: Orientation) -> &'static str {
-    match orientation {
-        Orientation::Athwartships => "athwartships",
-        Orientation::ForeAndAft => "fore_and_aft",
-    }
 }
 
 fn document(text: &str, file: &str) -> Result<DocumentMut> {

@@ -67,6 +67,20 @@ impl Excitation {
     }
 }
 
+impl SuspensionKind {
+    /// As files call it.
+    pub fn name(self) -> &'static str {
+        name_of(self, KINDS)
+    }
+}
+
+impl Orientation {
+    /// As files call it.
+    pub fn name(self) -> &'static str {
+        name_of(self, ORIENTATIONS)
+    }
+}
+
 impl ModeName {
     /// As files call it.
     pub fn name(self) -> &'static str {
