@@ -109,6 +109,8 @@ impl Plan {
             spacing_m: quantity(self.spacing),
             top_spacing_m: quantity(self.top_spacing),
             hull_pitch_deg: quantity(self.hull_pitch),
+            hull_roll_deg: None,
+            points_m: None,
             points_moved_m: quantity(self.points_moved),
             axis_height_m: quantity(self.axis_height),
         })

@@ -17,3 +17,9 @@ pub type Rotation = nalgebra::UnitQuaternion<f64>;
 pub fn world_from_hull_pitched(bow_up_rad: f64) -> Rotation {
     Rotation::from_axis_angle(&Vec3::y_axis(), -bow_up_rad)
 }
+
+/// The same of a hull that is heeled about its own x axis first, starboard down by `heel_rad`: a
+/// right-handed turn about x, which is forward.
+pub fn world_from_hull_heeled(bow_up_rad: f64, heel_rad: f64) -> Rotation {
+    world_from_hull_pitched(bow_up_rad) * Rotation::from_axis_angle(&Vec3::x_axis(), heel_rad)
+}

@@ -1,14 +1,14 @@
 //! The swings of a session that a simulation can be fitted to, and where the fit begins.
 
 use gyradius_base::error::Result;
-use gyradius_base::frames::{Rotation, world_from_hull_pitched};
+use gyradius_base::frames::Rotation;
 use gyradius_identification::Evidence;
 use gyradius_identification::by_samples::nearest_fits;
 use gyradius_identification::estimate::System;
 use gyradius_identification::measure::{Prepared, SwingWork, estimate};
 use gyradius_identification::parameters::Layout;
 use gyradius_identification::samples::{Own, Samples, Sensor, SwingSetup, place};
-use gyradius_identification::theory::swing_periods;
+use gyradius_identification::theory::{swing_periods, world_from_hull};
 use gyradius_recording::Quantity;
 
 use super::fitted_swing::{Base, FittedSwing, HORIZONS_S};
@@ -234,11 +234,11 @@ fn mounts(begun: &mut [Begun], x: &[f64]) -> (Vec<Mount>, Vec<usize>) {
     let mut which = vec![0; begun.len()];
     for i in order {
         let b = &mut begun[i];
-        let pitch = world_from_hull_pitched(x[b.setup.index.pitch_deg].to_radians());
+        let hanging = world_from_hull(x, b.setup.index);
         let centre_m = b.setup.centre_m(x);
         let pose = |own: &Own| Mount {
-            place: pitch.inverse() * (own.phone_m() - centre_m),
-            hull_from_phone: renormalised(pitch.inverse() * own.nominal),
+            place: hanging.inverse() * (own.phone_m() - centre_m),
+            hull_from_phone: renormalised(hanging.inverse() * own.nominal),
         };
         let ways = if b.tells_bow_from_stern {
             vec![b.own.clone()]

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use gyradius_base::error::Result;
-use gyradius_base::frames::{Rotation, Vec3, world_from_hull_pitched};
+use gyradius_base::frames::{Rotation, Vec3};
 use gyradius_identification::samples::{Own, place};
+use gyradius_identification::theory::world_from_hull;
 use gyradius_mechanics::effects::EffectValues;
 use gyradius_mechanics::sensors;
 use gyradius_mechanics::{Experiment, Fineness, Phone};
@@ -426,9 +427,9 @@ impl Model<'_> {
     pub fn plain_experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
         let swung = self.swing(s);
         let own = self.own(point, s);
-        let pitch = world_from_hull_pitched(point.x[swung.setup.index.pitch_deg].to_radians());
+        let hanging = world_from_hull(&point.x, swung.setup.index);
         let mount = &point.mounts[swung.mount];
-        let place = swung.setup.centre_m(&point.x) + pitch * mount.place;
+        let place = swung.setup.centre_m(&point.x) + hanging * mount.place;
         let v = &point.owns[s];
         let phone = Phone {
             position_x_m: place.x,
@@ -445,7 +446,9 @@ impl Model<'_> {
         let clock = self.base.layout().clock_error(&point.x, swung.setup.index);
         Ok(Experiment {
             scene: swung.setup.scene(&point.x, &own)?,
-            hull_from_phone: Rotation::new_normalize((pitch * mount.hull_from_phone).into_inner()),
+            hull_from_phone: Rotation::new_normalize(
+                (hanging * mount.hull_from_phone).into_inner(),
+            ),
             phone,
             // The clock comes first: `clock` and a cause of the catalogue rely on it.
             sensors: vec![sensor("clock_scale", &[("error", clock)])?],

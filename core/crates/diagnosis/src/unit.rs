@@ -88,7 +88,7 @@ impl From<InputKind> for UnitName {
             | InputKind::TopSpacing
             | InputKind::AxisHeight => Self::Metre,
             InputKind::Gravity => Self::MetrePerSecondSquaredRaised,
-            InputKind::HullPitch => Self::Degree,
+            InputKind::HullPitch | InputKind::HullRoll => Self::Degree,
             _ => Self::Untold,
         }
     }

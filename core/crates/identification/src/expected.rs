@@ -168,7 +168,12 @@ impl<'a> Prospect<'a> {
 /// The stated pitches as the phones will have them: each tilted hanging against the one nearest to
 /// level.
 fn phone_pitches(session: &Session) -> Vec<Option<Quantity>> {
-    let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
+    let hung = |i: usize| &session.swings[i].suspension;
+    let stated = |i: usize| {
+        hung(i)
+            .hull_pitch_deg
+            .filter(|_| hung(i).hull_roll_deg.is_none())
+    };
     let size = |i: &usize| stated(*i).map_or(0.0, |q| q.value.abs());
     let reference = (0..session.swings.len()).min_by(|a, b| size(a).total_cmp(&size(b)));
     let base = reference.and_then(stated).unwrap_or_default();
@@ -200,7 +205,9 @@ fn placed(layout: &Layout, body: &RigidBody) -> Result<Vec<f64>> {
     for swing in &layout.swings {
         // Moved along the deck until the centre hangs below them, the points lie 1/cos of the tilt
         // higher above it.
-        x[swing.log_depth] = (depth / x[swing.pitch_deg].to_radians().cos()).ln();
+        let heel_deg = swing.roll_deg.map_or(0.0, |i| x[i]);
+        let upright = x[swing.pitch_deg].to_radians().cos() * heel_deg.to_radians().cos();
+        x[swing.log_depth] = (depth / upright).ln();
     }
     Ok(x)
 }

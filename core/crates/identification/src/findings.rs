@@ -18,7 +18,7 @@ use gyradius_base::named;
 use gyradius_recording::AssumedU;
 
 pub(super) use dimensions::{of_dimensions, of_size, unchecked};
-pub(super) use recording::{clear_of_limit, of_list, of_recording, of_residual};
+pub(super) use recording::{clear_of_limit, of_list, of_recording, of_residual, too_harmonic};
 pub use support::NEAR_IN_PHASE;
 pub(super) use support::{
     duplicates, is_supported, near_resonance, not_one_motion, phone_mass, phone_moved,

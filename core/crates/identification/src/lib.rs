@@ -5,6 +5,7 @@
 
 mod alternatives;
 mod beats;
+mod breaks;
 pub mod by_samples;
 mod correlated;
 mod court;

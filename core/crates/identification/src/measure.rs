@@ -25,7 +25,7 @@ use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
     Finding, duplicates, near_resonance, not_one_motion, of_dimensions, of_list, of_recording,
-    of_residual, of_size, phone_mass, phone_moved, unchecked,
+    of_residual, of_size, phone_mass, phone_moved, too_harmonic, unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
@@ -155,14 +155,21 @@ fn plausibility(
     works: &mut [SwingWork],
 ) -> Vec<Finding> {
     let session = &loaded.session;
-    let of_swing = |(work, swing): (&SwingWork, &LoadedSwing)| match &swing.data {
+    let of_swing = |((work, swing), stated): ((&SwingWork, &LoadedSwing), &Swing)| match &swing.data
+    {
         LoadedData::Recording(recording) => {
-            of_recording(&swing.id, recording, work.evidence.as_ref(), gravity_m_s2)
+            let evidence = work.evidence.as_ref();
+            let mut found = of_recording(&swing.id, recording, evidence, gravity_m_s2);
+            if stated.suspension.kind != SuspensionKind::Free {
+                found.extend(evidence.and_then(|evidence| too_harmonic(&swing.id, evidence)));
+            }
+            found
         }
         LoadedData::Periods(list) => of_list(&swing.id, list),
         LoadedData::Track(_) | LoadedData::Typed => vec![],
     };
-    let mut found: Vec<Finding> = works.iter().zip(&loaded.data).flat_map(of_swing).collect();
+    let swings = works.iter().zip(&loaded.data).zip(&session.swings);
+    let mut found: Vec<Finding> = swings.flat_map(of_swing).collect();
     found.extend(of_dimensions(session));
     found.extend(Finding::default_u(&loaded.assumed));
     for work in works.iter_mut() {
@@ -530,7 +537,7 @@ fn mode_result(
 }
 
 /// Follows one mode through the record, its channels combined as its shape says.
-fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
+pub fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
     let found = &evidence.found;
     let pole = |m: &FittedMode| Pole {
         omega_rad_s: m.omega_rad_s,
@@ -685,11 +692,12 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
         );
         message("no_single_period", [("at_s", at_s), ("period_s", period_s)])
     };
-    let mut modes = vec![typed_mode(name, period, None)];
+    let amplitude = |mode: &ModeName| swing.amplitude_deg.get(mode).map(|a| a.to_radians());
+    let mut modes = vec![typed_mode(name, period, amplitude(&name))];
     if name == ModeName::Yaw
         && let Some(sway) = beaten_sway(period, &found.trend, hanging)
     {
-        modes.push(typed_mode(ModeName::Sway, sway, None));
+        modes.push(typed_mode(ModeName::Sway, sway, amplitude(&ModeName::Sway)));
     }
     let floor = |m: &ModeResult| m.period_se_s.max(TYPED_PERIOD_U_RELATIVE * m.period_s);
     let named = modes.iter().enumerate();
@@ -776,7 +784,10 @@ fn observations(
 /// both are possible, and it is said.
 fn phone_pitches(session: &Session, works: &[SwingWork]) -> (Vec<Option<Quantity>>, Vec<Finding>) {
     let stated = |i: usize| session.swings[i].suspension.hull_pitch_deg;
-    let up = |i: usize| works[i].evidence.as_ref().and_then(|e| e.up);
+    // The tilt of a phone on a heeled hull is not the pitch.
+    let is_upright = |i: &usize| session.swings[*i].suspension.hull_roll_deg.is_none();
+    let seen = |i: usize| works[i].evidence.as_ref().and_then(|e| e.up);
+    let up = |i: usize| seen(i).filter(|_| is_upright(&i));
     let reference = (0..works.len())
         .filter(|i| up(*i).is_some())
         .min_by(|a, b| pitch_size(stated(*a)).total_cmp(&pitch_size(stated(*b))));

@@ -280,6 +280,8 @@ named! {
         Gyradius = "gyradius",
         /// Pitch of the hull as hung.
         HullPitch = "hull_pitch",
+        /// Heel of the hull as hung.
+        HullRoll = "hull_roll",
         /// Angle by a weight at the bow.
         InclineBow = "incline bow",
         /// Angle by a weight at the stern.
@@ -355,7 +357,7 @@ impl InputKind {
         match self {
             Self::LineLength | Self::Spacing | Self::TopSpacing | Self::AxisHeight => "m",
             Self::Gravity => "m/s²",
-            Self::HullPitch => "°",
+            Self::HullPitch | Self::HullRoll => "°",
             _ => "",
         }
     }

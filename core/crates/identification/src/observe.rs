@@ -9,11 +9,9 @@ use gyradius_recording::{
     Channel, ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor,
     SuspensionKind, Swing, Track, Triad,
 };
-use gyradius_signal::{
-    ChannelGroup, DecomposeOptions, Decomposition, FittedMode, FreeSpan, SpanNoteKind, decompose,
-    undisturbed_span,
-};
+use gyradius_signal::{ChannelGroup, Decomposition, FittedMode, FreeSpan, SpanNoteKind};
 
+use super::breaks::{Free, free_part};
 use super::findings::clear_of_limit;
 use super::sentences::{message, motion};
 use super::words::mode_text;
@@ -53,6 +51,8 @@ pub struct Evidence {
     pub is_at_limit: bool,
     /// Where the record was cut because up to there a sensor was at its limit, s.
     pub cut_at_limit_s: Option<f64>,
+    /// The gap where it was cut because no motion goes across, s.
+    pub cut_at_gap_s: Option<f64>,
     /// What a reader must know of it.
     pub warnings: Vec<Message>,
 }
@@ -92,7 +92,7 @@ fn channels(recording: &Recording) -> (Vec<ChannelGroup>, ChannelMap) {
 }
 
 /// The part of each group between two times.
-fn clipped(groups: &[ChannelGroup], start_s: f64, end_s: f64) -> Vec<ChannelGroup> {
+pub(crate) fn clipped(groups: &[ChannelGroup], start_s: f64, end_s: f64) -> Vec<ChannelGroup> {
     groups
         .iter()
         .map(|group| {
@@ -129,9 +129,12 @@ fn found_in(
             rest.as_slice()
         }
     };
-    let span = undisturbed_span(all, disturbed_s);
-    let groups = clipped(all, span.start_s, span.end_s);
-    let found = decompose(&groups, &DecomposeOptions::default())?;
+    let Free {
+        span,
+        groups,
+        found,
+        cut_at_s,
+    } = free_part(all, disturbed_s, repairs)?;
     let mut warnings = found.warnings.clone();
     let saturated = saturated(repairs);
     let mut repairs = merged(repairs);
@@ -152,6 +155,7 @@ fn found_in(
         lost_at_limit,
         is_at_limit: clear_s.is_none(),
         cut_at_limit_s,
+        cut_at_gap_s: cut_at_s,
         warnings,
     })
 }

@@ -111,6 +111,8 @@ pub struct SwingIndex {
     pub top_spacing: Option<usize>,
     /// Bow-up angle, degrees.
     pub pitch_deg: usize,
+    /// Heel, starboard down, degrees, where it is stated.
+    pub roll_deg: Option<usize>,
     /// Logarithm of the depth of the centre of mass in this hanging.
     pub log_depth: usize,
     /// Height of a compound pendulum's axis.
@@ -229,7 +231,7 @@ impl Layout {
 struct Builder<'a> {
     session: &'a Session,
     parameters: Vec<Parameter>,
-    hangings: Vec<(f64, usize)>,
+    hangings: Vec<([f64; 2], usize)>,
     shared: Vec<Shared>,
 }
 
@@ -456,9 +458,16 @@ impl<'a> Builder<'a> {
                 }
             },
             log_depth: self.depth(
-                hung.hull_pitch_deg.map_or(pitch.value, |q| q.value),
+                [
+                    hung.hull_pitch_deg.map_or(pitch.value, |q| q.value),
+                    hung.hull_roll_deg.map_or(0.0, |q| q.value),
+                ],
                 scale_m,
             ),
+            roll_deg: hung.hull_roll_deg.map(|roll| {
+                let key = key("hull_roll_deg");
+                self.read_with_step(&key, InputKind::HullRoll, roll, 1e-3)
+            }),
             axis_height,
             added_masses: i,
             clock: matches!(swing.data, SwingData::Recording(_)).then(|| self.clock_of_swing()),
@@ -475,15 +484,15 @@ impl<'a> Builder<'a> {
         )
     }
 
-    fn depth(&mut self, pitch_deg: f64, scale_m: f64) -> usize {
+    fn depth(&mut self, turned_deg: [f64; 2], scale_m: f64) -> usize {
         let known = self
             .hangings
             .iter()
-            .find(|(p, _)| (p - pitch_deg).abs() < SAME_HANGING_DEG)
+            .find(|(known, _)| (0..2).all(|k| (known[k] - turned_deg[k]).abs() < SAME_HANGING_DEG))
             .map(|h| h.1);
         known.unwrap_or_else(|| {
             let index = self.unknown(InputKind::Depth, (0.4 * scale_m).ln(), WEAK_LOG_U, 1e-6);
-            self.hangings.push((pitch_deg, index));
+            self.hangings.push((turned_deg, index));
             index
         })
     }

@@ -17,7 +17,7 @@ const STEPS: i32 = 5;
 const STEP_U: f64 = 0.75;
 /// Stated figures that may be wrong, with the width to which they are opened: a length that was
 /// misread, gravity by a wrong altitude or sensor, a clock of a cheap logger, a protractor.
-const SUSPECTS: [(InputKind, Opened); 7] = [
+const SUSPECTS: [(InputKind, Opened); 8] = [
     (InputKind::LineLength, Opened::Relative(0.3)),
     (InputKind::Spacing, Opened::Relative(0.3)),
     (InputKind::TopSpacing, Opened::Relative(0.3)),
@@ -25,6 +25,7 @@ const SUSPECTS: [(InputKind, Opened); 7] = [
     (InputKind::Gravity, Opened::Relative(0.3)),
     (InputKind::PhoneClock, Opened::Absolute(0.1)),
     (InputKind::HullPitch, Opened::Absolute(10.0)),
+    (InputKind::HullRoll, Opened::Absolute(10.0)),
 ];
 
 /// A period that was typed in or listed.

@@ -1,7 +1,7 @@
 //! What small-oscillation theory says a session should show, for given parameters.
 
 use gyradius_base::error::{Error, Result};
-use gyradius_base::frames::{Mat3, Vec3, world_from_hull_pitched};
+use gyradius_base::frames::{Mat3, Rotation, Vec3, world_from_hull_heeled};
 use gyradius_mechanics::{
     Rig, RigidBody, SmallModes, SuspensionAxis, compound_pendulum_period_s, small_modes,
 };
@@ -49,7 +49,13 @@ pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
     }
 }
 
-/// The body of one swing as it hangs: added masses on, pitched as stated, centre of mass below the
+/// From hull axes to those of the hanging hull: heeled about its own x axis, then pitched.
+pub fn world_from_hull(x: &[f64], index: &SwingIndex) -> Rotation {
+    let heel_deg = index.roll_deg.map_or(0.0, |i| x[i]);
+    world_from_hull_heeled(x[index.pitch_deg].to_radians(), heel_deg.to_radians())
+}
+
+/// The body of one swing as it hangs: added masses on, pitched and heeled as stated, centre of mass below the
 /// suspension.
 ///
 /// Added masses that shift the centre of mass fore and aft tilt a hull that is free to pitch until
@@ -60,16 +66,16 @@ pub fn swing_body(
     swing: &Swing,
     index: &SwingIndex,
 ) -> Result<RigidBody> {
-    let pitch = world_from_hull_pitched(x[index.pitch_deg].to_radians());
+    let turned = world_from_hull(x, index);
     // The depth parameter is the vertical one of this hanging: the centre lies straight below.
     let mut body = hanging_body(layout, x, index.log_depth);
     body = RigidBody {
         cm_m: body.cm_m,
-        ..body.rotated(pitch)
+        ..body.rotated(turned)
     };
     let masses = &layout.added_masses[index.added_masses];
     for (added, mass) in swing.added_masses.iter().zip(masses) {
-        let cm_m = pitch * Vec3::from(added.position_m);
+        let cm_m = turned * Vec3::from(added.position_m);
         body = joined(&body, &RigidBody::from_gyradii(x[*mass], [0.0; 3], cm_m))?;
     }
     Ok(settle(&body, swing.suspension.orientation))
@@ -84,7 +90,7 @@ fn settle(body: &RigidBody, orientation: Orientation) -> RigidBody {
     if turn.norm() == 0.0 {
         *body
     } else {
-        body.rotated(gyradius_base::frames::Rotation::from_scaled_axis(turn))
+        body.rotated(Rotation::from_scaled_axis(turn))
     }
 }
 

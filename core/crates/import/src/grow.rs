@@ -292,6 +292,8 @@ impl Stated<'_> {
             spacing_m: given.spacing_m.or(base.spacing_m),
             top_spacing_m: given.top_spacing_m.or(base.top_spacing_m),
             hull_pitch_deg: given.hull_pitch_deg.or(base.hull_pitch_deg),
+            hull_roll_deg: given.hull_roll_deg.or(base.hull_roll_deg),
+            points_m: given.points_m.clone().or(base.points_m.clone()),
             points_moved_m: given.points_moved_m.or(base.points_moved_m),
             axis_height_m: given.axis_height_m.or(base.axis_height_m),
         }

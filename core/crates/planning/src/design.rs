@@ -142,6 +142,8 @@ impl Design {
             spacing_m: Some(Quantity::new(self.spacing_m, means.u_spacing_m)),
             top_spacing_m: None,
             hull_pitch_deg: Some(Quantity::new(0.0, means.u_hull_pitch_deg)),
+            hull_roll_deg: None,
+            points_m: None,
             points_moved_m: None,
             axis_height_m: None,
         }

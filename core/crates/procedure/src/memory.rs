@@ -112,6 +112,8 @@ impl StepMemory {
             spacing_m: or(measured.spacing_m, planned.spacing_m),
             top_spacing_m: or(measured.top_spacing_m, planned.top_spacing_m),
             hull_pitch_deg: or(measured.hull_pitch_deg, planned.hull_pitch_deg),
+            hull_roll_deg: planned.hull_roll_deg,
+            points_m: planned.points_m.clone(),
             points_moved_m: measured.points_moved_m,
             axis_height_m: or(measured.axis_height_m, planned.axis_height_m),
         })

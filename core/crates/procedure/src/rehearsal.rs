@@ -472,6 +472,8 @@ fn plain_lines() -> Suspension {
         spacing_m: Some(Quantity::exact(1.5)),
         top_spacing_m: None,
         hull_pitch_deg: None,
+        hull_roll_deg: None,
+        points_m: None,
         points_moved_m: None,
         axis_height_m: None,
     }

@@ -372,7 +372,8 @@ impl<'a> Field<'a> {
         }
     }
 
-    fn with_usual_u(&self, value: f64, domain: Domain, has_instrument: bool) -> Quantity {
+    /// A figure without an uncertainty gets the usual one of its kind, which is noted.
+    pub fn with_usual_u(&self, value: f64, domain: Domain, has_instrument: bool) -> Quantity {
         let u = domain.usual_u(value, &self.item.to_string(), has_instrument);
         if u > 0.0 {
             let path = self.path.trim_end_matches(".value").to_owned();
@@ -401,22 +402,22 @@ impl<'a> Field<'a> {
 
     /// Three numbers.
     pub fn vector(&self, domain: Domain) -> Result<[f64; 3]> {
-        let read = |array: &toml_edit::Array| -> Option<[f64; 3]> {
-            let numbers: Vec<f64> = array
-                .iter()
-                .filter_map(value_number)
-                .filter(|&value| domain.holds(value))
-                .collect();
-            if array.len() == 3 {
-                numbers.try_into().ok()
-            } else {
-                None
-            }
+        self.item
+            .as_array()
+            .and_then(|array| three(array, domain))
+            .ok_or_else(|| self.expected(format!("[x, y, z], each {domain}")))
+    }
+
+    /// A list of three numbers each.
+    pub fn vectors(&self, domain: Domain) -> Result<Vec<[f64; 3]>> {
+        let read = |array: &toml_edit::Array| -> Option<Vec<[f64; 3]>> {
+            let each = array.iter().map(|one| three(one.as_array()?, domain));
+            each.collect()
         };
         self.item
             .as_array()
             .and_then(read)
-            .ok_or_else(|| self.expected(format!("[x, y, z], each {domain}")))
+            .ok_or_else(|| self.expected(format!("a list of [x, y, z], each {domain}")))
     }
 
     /// One of a list of names.
@@ -615,4 +616,16 @@ fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
 
 fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     known.min_by_key(|candidate| strsim::damerau_levenshtein(word, candidate))
+}
+
+/// Three numbers of an array, each in the domain.
+fn three(array: &toml_edit::Array, domain: Domain) -> Option<[f64; 3]> {
+    let numbers: Vec<f64> = array
+        .iter()
+        .filter_map(value_number)
+        .filter(|&value| domain.holds(value))
+        .collect();
+    (array.len() == 3)
+        .then(|| numbers.try_into().ok())
+        .flatten()
 }

@@ -302,6 +302,12 @@ pub struct Suspension {
     pub top_spacing_m: Option<Quantity>,
     /// Bow-up angle, degrees.
     pub hull_pitch_deg: Option<Quantity>,
+    /// Heel, starboard down, degrees.
+    #[serde(default)]
+    pub hull_roll_deg: Option<Quantity>,
+    /// The two points of suspension in hull axes, m, where these are stated in place of a spacing.
+    #[serde(default)]
+    pub points_m: Option<Vec<[f64; 3]>>,
     /// How far forward along the deck the suspension points are of those of a level hanging, Δ, m.
     pub points_moved_m: Option<Quantity>,
     /// Compound: height l0 of the swing axis above the hull's suspension points, m.

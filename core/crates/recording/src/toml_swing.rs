@@ -32,11 +32,16 @@ const SUSPENSION: &[&str] = &[
     "spacing",
     "top_spacing",
     "hull_pitch_deg",
+    "hull_roll_deg",
+    "points_m",
     "points_moved",
     "axis_height",
     "radius",
     "top_radius",
 ];
+/// The sine of 3°: what hangs further askew is another suspension, and by less the spacing along
+/// the axis is right to 0.14 %.
+const MOST_ASKEW: f64 = 0.0523;
 const ADDED_MASS: &[&str] = &["mass", "position"];
 const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
 
@@ -181,13 +186,17 @@ fn suspension(table: &Table<'_>) -> Result<Suspension> {
         }
         _ => table.quantity(spacing, Domain::LENGTH),
     };
+    let points = points(table, kind, orientation)?;
+    let apart = points.as_ref().map(|(_, spacing)| *spacing);
     let suspension = Suspension {
         kind,
         orientation,
         line_length_m: table.quantity("line_length", Domain::LENGTH)?,
-        spacing_m: across("spacing", "radius")?,
+        spacing_m: across("spacing", "radius")?.or(apart),
         top_spacing_m: across("top_spacing", "top_radius")?,
         hull_pitch_deg: table.quantity("hull_pitch_deg", Domain::PITCH)?,
+        hull_roll_deg: table.quantity("hull_roll_deg", Domain::PITCH)?,
+        points_m: points.map(|(points, _)| points),
         points_moved_m: table.quantity("points_moved", Domain::COORDINATE)?,
         axis_height_m: table.quantity("axis_height", Domain::LENGTH)?,
     };
@@ -205,9 +214,46 @@ fn bifilar_keys(table: &Table<'_>) -> Result<()> {
         "two lines have a `spacing`; three on a circle are kind = \"trifilar\"",
     )?;
     table.require("line_length", "length of the lines, m")?;
+    if table.get("points_m").is_some() {
+        return table.refuse(&["spacing"], "`points_m` say how far apart the points are");
+    }
     table
         .require("spacing", "between the points on the hull, m")
         .map(|_| ())
+}
+
+/// The two points of suspension, and how far apart they are: along the suspension, at one height.
+fn points(
+    table: &Table<'_>,
+    kind: SuspensionKind,
+    orientation: Orientation,
+) -> Result<Option<(Vec<[f64; 3]>, Quantity)>> {
+    let Some(field) = table.get("points_m") else {
+        return Ok(None);
+    };
+    if kind != SuspensionKind::Bifilar {
+        table.refuse(&["points_m"], "two points are those of kind = \"bifilar\"")?;
+    }
+    let both = field.vectors(Domain::COORDINATE)?;
+    let expected = || format!("`{}` to be two points, [[x, y, z], [x, y, z]]", field.path);
+    let &[one, other] = both.as_slice() else {
+        return Err(field.error(expected(), format!("{} points", both.len())));
+    };
+    let along: [f64; 3] = std::array::from_fn(|i| other[i] - one[i]);
+    let spacing = along.iter().fold(0.0, |sum: f64, part| sum.hypot(*part));
+    let (axis, beside) = match orientation {
+        Orientation::Athwartships => ("athwartships", [along[0], along[2]]),
+        Orientation::ForeAndAft => ("fore and aft", [along[1], along[2]]),
+    };
+    let across = beside[0].hypot(beside[1]);
+    if spacing == 0.0 || across > MOST_ASKEW * spacing {
+        return Err(field.error(
+            format!("{}, {axis} of one another at one height", expected()),
+            format!("{across} m beside that line in {spacing} m"),
+        ));
+    }
+    let apart = field.with_usual_u(spacing, Domain::LENGTH, false);
+    Ok(Some((both, apart)))
 }
 
 fn trifilar_keys(table: &Table<'_>) -> Result<()> {
@@ -230,6 +276,8 @@ fn free_keys(table: &Table<'_>) -> Result<()> {
         "radius",
         "top_radius",
         "points_moved",
+        "points_m",
+        "hull_roll_deg",
     ];
     table.refuse(&stated, "of a free suspension nothing is stated")
 }
@@ -238,6 +286,7 @@ fn compound_keys(table: &Table<'_>) -> Result<()> {
     let lines = [
         "line_length",
         "spacing",
+        "points_m",
         "top_spacing",
         "radius",
         "top_radius",

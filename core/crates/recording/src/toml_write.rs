@@ -280,10 +280,16 @@ fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key:
         if suspension.kind == kind { hint } else { "" }
     };
     let lines = |hint| of(SuspensionKind::Bifilar, hint);
+    // The points say how far apart they are.
+    let spacing = across(suspension.spacing_m).filter(|_| suspension.points_m.is_none());
+    if let Some(points) = &suspension.points_m {
+        let each: Vec<String> = points.iter().map(|point| vector(*point)).collect();
+        text.key("points_m", format!("[{}]", each.join(", ")));
+    }
     let axis = of(SuspensionKind::Compound, AXIS_HEIGHT);
     let stated = [
         ("line_length", suspension.line_length_m, lines(LINE_LENGTH)),
-        ("spacing", across(suspension.spacing_m), lines(SPACING)),
+        ("spacing", spacing, lines(SPACING)),
         (
             "top_spacing",
             across(suspension.top_spacing_m),
@@ -292,6 +298,7 @@ fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key:
         ("radius", half(suspension.spacing_m), ""),
         ("top_radius", half(suspension.top_spacing_m), ""),
         ("hull_pitch_deg", suspension.hull_pitch_deg, HULL_PITCH),
+        ("hull_roll_deg", suspension.hull_roll_deg, ""),
         ("points_moved", suspension.points_moved_m, ""),
         ("axis_height", suspension.axis_height_m, axis),
     ];

@@ -76,6 +76,7 @@ fn stated(session: &Session, language: Language) -> Vec<StatedFigure> {
         list.add(name("stated_top_spacing"), hung.top_spacing_m, "m", id);
         list.add(name("stated_axis_height"), hung.axis_height_m, "m", id);
         list.add(name("stated_hull_pitch"), hung.hull_pitch_deg, "°", id);
+        list.add(name("stated_hull_roll"), hung.hull_roll_deg, "°", id);
         list.add(name("stated_points_moved"), hung.points_moved_m, "m", id);
         swing
             .added_masses

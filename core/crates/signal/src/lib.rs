@@ -40,7 +40,7 @@ pub use evaluate::{model, residuals};
 pub use gates::{GatePeriods, gate_periods};
 pub use modulation::{Modulation, PeriodTrend, fit_period_trend};
 pub use period_list::{FlaggedPeriod, ListedPeriod, period_from_list};
-pub use small_amplitude::{PeriodLaw, SmallAmplitude, small_amplitude_limit};
+pub use small_amplitude::{PeriodLaw, SmallAmplitude, growth_with_square, small_amplitude_limit};
 pub use spectrum::spectrum;
 pub use trim::{FreeSpan, SpanNote, SpanNoteKind, free_swing_span, undisturbed_span};
 pub use types::{

@@ -1,6 +1,6 @@
 //! The body that swings, from what is true of the hull.
 
-use gyradius_base::frames::{Mat3, Rotation, Vec3, world_from_hull_pitched};
+use gyradius_base::frames::{Mat3, Rotation, Vec3, world_from_hull_heeled};
 use gyradius_mechanics::{Body, RigidBody};
 use gyradius_recording::{AddedMass, Attachment};
 
@@ -75,9 +75,13 @@ pub struct Hung {
 
 /// The body pitched bow up, the suspension points moved along the deck until they are above the
 /// centre of mass as they were when level; then what is added for the swing.
-pub fn hung(level: &RigidBody, bow_up_rad: f64, added: &[AddedMass]) -> Hung {
-    let hanging_from_hull = world_from_hull_pitched(bow_up_rad);
-    let cm_m = Vec3::new(level.cm_m.x, level.cm_m.y, level.cm_m.z / bow_up_rad.cos());
+pub fn hung(level: &RigidBody, [bow_up_rad, heel_rad]: [f64; 2], added: &[AddedMass]) -> Hung {
+    let hanging_from_hull = world_from_hull_heeled(bow_up_rad, heel_rad);
+    let cm_m = Vec3::new(
+        level.cm_m.x,
+        level.cm_m.y,
+        level.cm_m.z / (bow_up_rad.cos() * heel_rad.cos()),
+    );
     let tilted = RigidBody {
         cm_m,
         ..level.rotated(hanging_from_hull)

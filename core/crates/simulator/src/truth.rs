@@ -191,7 +191,9 @@ pub fn experiment(
     let pitch_deg = truth
         .or_stated("hull_pitch_deg", swing.suspension.hull_pitch_deg)
         .unwrap_or(0.0);
-    let hung = hung(&level, pitch_deg.to_radians(), &swing.added_masses);
+    let heel_deg = swing.suspension.hull_roll_deg.map_or(0.0, |q| q.value);
+    let turned = [pitch_deg, heel_deg].map(f64::to_radians);
+    let hung = hung(&level, turned, &swing.added_masses);
     let axis = match swing.suspension.orientation {
         Orientation::Athwartships => SuspensionAxis::Athwartships,
         Orientation::ForeAndAft => SuspensionAxis::ForeAndAft,

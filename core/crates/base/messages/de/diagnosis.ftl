@@ -175,6 +175,7 @@ critique-parameter-top_spacing = Abstand der Leinen oben
 critique-parameter-axis_height = Höhe der Achse
 critique-parameter-gravity = Schwerkraft
 critique-parameter-hull_pitch = Längsneigung des Rumpfs
+critique-parameter-hull_roll = Krängung des Rumpfs
 
 critique-number-excess = Überschuss
 critique-number-force_per_strain = Kraft je Dehnung

@@ -54,6 +54,7 @@ report-stated_spacing = Abstand der Leinen am Rumpf
 report-stated_top_spacing = Abstand der Leinen oben
 report-stated_axis_height = Höhe der Schwingachse
 report-stated_hull_pitch = Längsneigung des Rumpfs, Bug nach oben
+report-stated_hull_roll = Krängung des Rumpfs, Steuerbord nach unten
 report-stated_points_moved = Aufhängepunkte nach vorn versetzt
 report-added_mass = Zusatzmasse
 report-mass_of = Masse von { $name }

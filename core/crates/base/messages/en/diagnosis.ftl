@@ -175,6 +175,7 @@ critique-parameter-top_spacing = top spacing
 critique-parameter-axis_height = axis height
 critique-parameter-gravity = gravity
 critique-parameter-hull_pitch = hull pitch
+critique-parameter-hull_roll = hull roll
 
 critique-number-excess = excess
 critique-number-force_per_strain = force per strain

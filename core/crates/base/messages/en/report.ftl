@@ -54,6 +54,7 @@ report-stated_spacing = spacing on the hull
 report-stated_top_spacing = spacing above
 report-stated_axis_height = height of the swing axis
 report-stated_hull_pitch = hull pitch, bow up
+report-stated_hull_roll = hull roll, starboard down
 report-stated_points_moved = suspension points moved forward
 report-added_mass = added mass
 report-mass_of = mass of { $name }

@@ -252,6 +252,8 @@ impl Plan {
                 spacing_m: Some(self.spacing_m),
                 top_spacing_m: None,
                 hull_pitch_deg: None,
+                hull_roll_deg: None,
+                points_m: None,
                 points_moved_m: None,
                 axis_height_m: None,
             },

@@ -230,6 +230,8 @@ fn swing(id: &str, data: SwingData, length: Quantity, spacing: Quantity) -> Swin
             spacing_m: Some(spacing),
             top_spacing_m: None,
             hull_pitch_deg: Some(Quantity::new(0.0, 0.1)),
+            hull_roll_deg: None,
+            points_m: None,
             points_moved_m: None,
             axis_height_m: None,
         },

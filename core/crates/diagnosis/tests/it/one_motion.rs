@@ -101,6 +101,8 @@ fn compound() -> Suspension {
         spacing_m: None,
         top_spacing_m: None,
         hull_pitch_deg: None,
+        hull_roll_deg: None,
+        points_m: None,
         points_moved_m: None,
         axis_height_m: Some(Quantity::new(0.4, 0.01)),
     }

@@ -12,7 +12,6 @@ mod swings;
 mod tilts;
 
 use gyradius_base::error::Result;
-use gyradius_base::frames::world_from_hull_pitched;
 use gyradius_recording::{ModeName, Orientation};
 
 use super::beats::CountedBeat;
@@ -21,7 +20,7 @@ use super::measurement::Route;
 use super::names::{Origin, QuantityName, RouteMethod};
 use super::outputs::COVERAGE_95;
 use super::parameters::{LEVEL_DEG, Reading};
-use super::theory::{hull_alone, swing_body};
+use super::theory::{hull_alone, swing_body, world_from_hull};
 use super::traced::Traced;
 
 /// One route and what it gives.
@@ -112,9 +111,7 @@ impl<'a> Bench<'a> {
         let (layout, index) = (&system.layout, &system.layout.swings[swing]);
         let hanging = swing_body(layout, &solution.x, &system.session.swings[swing], index).ok()?;
         let alone = hull_alone(system.session, layout, &solution.x, index.log_depth).ok()?;
-        let turned = alone.rotated(world_from_hull_pitched(
-            solution.x[index.pitch_deg].to_radians(),
-        ));
+        let turned = alone.rotated(world_from_hull(&solution.x, index));
         let k = |body: &gyradius_mechanics::RigidBody, i: usize| {
             (body.inertia_kg_m2[(i, i)] / body.mass_kg).sqrt()
         };

@@ -27,6 +27,9 @@ const WORTH_A_NOTE: f64 = 0.3;
 /// body on a light beam of its own may have half of that.
 const LEAST_GYRADIUS_OF_HALF_SPACING: f64 = 0.25;
 
+/// The key of a typed period's amplitude.
+const AMPLITUDE: &str = "amplitude_deg";
+
 /// Of the stated figures.
 pub fn of_dimensions(session: &Session) -> Vec<Finding> {
     let of_swing = |swing: &Swing| {
@@ -37,6 +40,7 @@ pub fn of_dimensions(session: &Session) -> Vec<Finding> {
         told.collect::<Vec<_>>()
     };
     let mut found: Vec<Finding> = session.swings.iter().flat_map(of_swing).collect();
+    found.extend(amplitude_unstated(session));
     found.extend(gravity_stated(session));
     found.extend(
         session
@@ -66,6 +70,28 @@ fn gravity_stated(session: &Session) -> Option<Finding> {
         found
             .of_channel("gravity")
             .with("gravity_m_s2", stated.value)
+    })
+}
+
+/// A period that was typed in is one at some amplitude: what it is taken as where none is stated,
+/// and what that would cost.
+fn amplitude_unstated(session: &Session) -> Option<Finding> {
+    let is_bare = |swing: &&Swing| match &swing.data {
+        SwingData::PeriodsS(typed) => typed.keys().any(|m| !swing.amplitude_deg.contains_key(m)),
+        SwingData::Periods(_) => swing.amplitude_deg.is_empty(),
+        _ => false,
+    };
+    let swings: Vec<String> = session
+        .swings
+        .iter()
+        .filter(is_bare)
+        .map(|swing| swing.id.clone())
+        .collect();
+    (!swings.is_empty()).then(|| {
+        let arguments = vec![("swings", Argument::Id(swings.join(", ")))];
+        warned("amplitude_unstated", Kind::UncheckedDimension, arguments)
+            .of_channel(AMPLITUDE)
+            .with("swings", swings.len() as f64)
     })
 }
 

@@ -25,6 +25,8 @@ pub fn request(mapping: &[&str]) -> ImportRequest {
             spacing_m: Some(Quantity::exact(1.0)),
             top_spacing_m: None,
             hull_pitch_deg: None,
+            hull_roll_deg: None,
+            points_m: None,
             points_moved_m: None,
             axis_height_m: None,
         },

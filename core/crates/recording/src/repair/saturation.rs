@@ -14,8 +14,6 @@ pub const RUN_SAMPLES: usize = 3;
 pub const RUNS: usize = 2;
 /// Mean step into and out of a run, in steps of resolution, above which the signal was cut off.
 pub const CUT_STEPS: f64 = 3.0;
-/// Limits of a sensor are alike on both sides to this part of the range.
-const SYMMETRY: f64 = 0.98;
 /// A sample above this part of a stated range is at its limit: 2000 °/s are stated, 1999.9 °/s
 /// written.
 pub const STATED_RANGE: f64 = 0.999;
@@ -38,30 +36,30 @@ pub(super) fn judge(raw: &RawSeries, fates: &mut Fates) {
     }
 }
 
-/// The limits that the samples themselves show; infinite where they show none.
+/// The limits that the samples themselves show, each side by itself (an offset or a converter may
+/// cut one side alone); infinite where they show none.
 fn observed_limits(values: &[f64]) -> (f64, f64) {
     let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let size = highest.abs().max(lowest.abs());
-    let is_extreme = |v: f64| v != 0.0 && v.abs() >= SYMMETRY * size;
     let mut steps = Vec::new();
-    let mut runs = 0;
-    for extreme in [lowest, highest] {
-        if is_extreme(extreme) && lowest < highest {
-            runs += runs_at(values, extreme, &mut steps);
-        }
-    }
+    let mut runs = |extreme: f64| match extreme != 0.0 && lowest < highest {
+        true => runs_at(values, extreme, &mut steps),
+        false => 0,
+    };
+    let (low_runs, high_runs) = (runs(lowest), runs(highest));
+    let all = low_runs + high_runs;
     let mean_step = steps.iter().sum::<f64>() / steps.len().max(1) as f64;
     let cut = mean_step > CUT_STEPS * resolution(values, size);
-    if runs < RUNS || !cut || held_runs(values, size) > runs {
+    if all < RUNS || !cut || held_runs(values, (lowest, highest)) > all {
         return (f64::NEG_INFINITY, f64::INFINITY);
     }
-    let low = if is_extreme(lowest) && lowest < 0.0 {
+    let low = if low_runs > 0 {
         lowest
     } else {
         f64::NEG_INFINITY
     };
-    let high = if is_extreme(highest) && highest > 0.0 {
+    let high = if high_runs > 0 {
         highest
     } else {
         f64::INFINITY
@@ -93,8 +91,8 @@ fn runs_at(values: &[f64], extreme: f64, steps: &mut Vec<f64>) -> usize {
 }
 
 /// Runs short of the extremes, which only a channel shows that holds its value over several rows.
-fn held_runs(values: &[f64], size: f64) -> usize {
-    let inside = |v: f64| v.abs() >= 0.5 * size && v.abs() < SYMMETRY * size;
+fn held_runs(values: &[f64], (lowest, highest): (f64, f64)) -> usize {
+    let inside = |v: f64| v != lowest && v != highest && v.abs() >= 0.5 * highest.max(-lowest);
     values
         .chunk_by(|a, b| a == b)
         .filter(|run| run.len() >= RUN_SAMPLES && inside(run[0]))

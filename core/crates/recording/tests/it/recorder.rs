@@ -436,6 +436,8 @@ fn swing_session(file: &str) -> Session {
         spacing_m: Some(Quantity::exact(1.5)),
         top_spacing_m: None,
         hull_pitch_deg: None,
+        hull_roll_deg: None,
+        points_m: None,
         points_moved_m: None,
         axis_height_m: None,
     };

@@ -123,6 +123,8 @@ fn bifilar() -> impl Strategy<Value = Suspension> {
                 spacing_m: Some(spacing),
                 top_spacing_m: top,
                 hull_pitch_deg: pitch,
+                hull_roll_deg: None,
+                points_m: None,
                 points_moved_m: moved,
                 axis_height_m: None,
             },
@@ -142,6 +144,8 @@ fn compound() -> impl Strategy<Value = Suspension> {
             spacing_m: None,
             top_spacing_m: None,
             hull_pitch_deg: pitch,
+            hull_roll_deg: None,
+            points_m: None,
             points_moved_m: None,
             axis_height_m: Some(height),
         })
