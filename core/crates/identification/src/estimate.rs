@@ -376,14 +376,7 @@ impl Solution {
             by_row += self.gain.row(k).transpose() * (slope * self.birge);
         }
         let first_prior = self.gain.ncols() - self.free.len();
-        let doubled = layout.alike.iter().map(|group| {
-            let places = group
-                .iter()
-                .filter_map(|i| self.free.iter().position(|k| k == i));
-            one_reading(places.map(|k| by_row[first_prior + k]))
-        });
-        let doubled: Vec<f64> = doubled.collect();
-        let by_row: Vec<f64> = by_row.iter().copied().chain(doubled).collect();
+        let by_row: Vec<f64> = by_row.iter().copied().collect();
         let variance: f64 = by_row.iter().map(|row| row * row).sum();
         let weak: f64 = self
             .free
@@ -431,15 +424,6 @@ impl Derived {
             0.0
         }
     }
-}
-
-/// What readings that may be one and the same contribute beyond their squares: all of them err
-/// alike then.
-fn one_reading(contributions: impl Iterator<Item = f64>) -> f64 {
-    let (sum, squares) =
-        contributions.fold((0.0, 0.0), |(sum, squares), c| (sum + c, squares + c * c));
-    let beyond = (sum * sum - squares).max(0.0).sqrt();
-    beyond * f64::signum(sum)
 }
 
 /// The observations that stated incline angles make.

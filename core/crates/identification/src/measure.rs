@@ -15,7 +15,7 @@ use gyradius_recording::{
 };
 use gyradius_signal::{
     FittedMode, FlaggedPeriod, PeriodTrend, Pole, SmallAmplitude, WindowPoint, WindowedMode,
-    against_amplitude, period_from_list, small_amplitude_limit,
+    against_amplitude, mean_square_amplitude, period_from_list, small_amplitude_limit,
 };
 
 use super::alternatives::{RouteCalculation, routes};
@@ -854,6 +854,33 @@ fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
+/// The modes of a swing of which nobody says how it hangs. Where its record shows no dependence on the
+/// amplitude, its period at small amplitude may be that of a spring or as much shorter as yaw's, A²/8:
+/// a pendulum's A²/16 is the middle, and the standard uncertainty is that over √3.
+fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
+    let duration_s = work.result.span_s.map_or(0.0, |[start, end]| end - start);
+    let shows_law = |i: usize| {
+        let found = work.evidence.as_ref().and_then(|e| e.found.modes.get(i));
+        found.is_none_or(|mode| mode.law.shift_rad_s != 0.0)
+    };
+    let modes = work.result.modes.iter().enumerate();
+    let corrected = modes.map(|(i, mode)| {
+        let in_rad = mode.amplitude_unit == AmplitudeUnit::Radian;
+        let Some(amplitude) = mode.amplitude.filter(|_| in_rad && !shows_law(i)) else {
+            return mode.clone();
+        };
+        let decays = mode.decay_time_s.map_or(0.0, |tau| duration_s / tau);
+        let growth = amplitude * amplitude * mean_square_amplitude(decays) / 16.0;
+        let period_s = mode.period_s / (1.0 + growth);
+        ModeResult {
+            period_s,
+            period_se_s: mode.period_se_s.hypot(growth * period_s / 3.0_f64.sqrt()),
+            ..mode.clone()
+        }
+    });
+    corrected.collect()
+}
+
 /// Measures a bare recording: the modes alone.
 pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Result<Analysis> {
     let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
@@ -865,6 +892,7 @@ pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Re
         None,
     )?;
     let mut work = work(evidence, None);
+    work.result.modes = hung_somehow(&work);
     let mut result = Measurement {
         format: FORMAT.into(),
         title: file_name(&recording.name).into(),

@@ -315,11 +315,6 @@ pub fn budget(system: &System, solution: &Solution, derived: &Derived) -> Vec<Bu
             by_row[first_prior + k].powi(2),
         );
     }
-    let doubled = first_prior + solution.free.len();
-    for (group, contribution) in system.layout.alike.iter().zip(&by_row[doubled..]) {
-        let name = &system.layout.parameters[group[0]].name;
-        add(name.clone(), contribution.powi(2));
-    }
     let mut lines: Vec<BudgetLine> = squares
         .into_iter()
         .map(|(input, square)| BudgetLine {

@@ -19,7 +19,6 @@ use gyradius_recording::{
     SwingData,
 };
 
-use super::court::FLAG_SIGMA;
 use super::estimate::Observed;
 use super::names::{Input, InputKind};
 use super::routes::corrections::{
@@ -150,9 +149,6 @@ pub struct Layout {
     pub swings: Vec<SwingIndex>,
     /// What instruments share among their readings.
     pub shared: Vec<Shared>,
-    /// Parameters that may be one reading written down twice: figures for the same thing, without an
-    /// instrument, that agree within what chance allows.
-    pub alike: Vec<Vec<usize>>,
 }
 
 impl Layout {
@@ -194,10 +190,8 @@ impl Layout {
             added_masses.push(builder.added(i, &session.swings[i]));
         }
         builder.read_beside(session);
-        let alike = builder.alike();
         Layout {
             shared: builder.shared,
-            alike,
             parameters: builder.parameters,
             gravity,
             clock,
@@ -245,8 +239,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A stated figure by its key in the session. Read with an instrument, it has an error of its
-    /// own; without one, the same figure stated for the same thing is one reading.
+    /// A stated figure by its key in the session: a reading of its own, which shares with others what
+    /// their instrument does, and nothing else.
     fn read(&mut self, key: &str, name: impl Into<Input>, figure: Quantity) -> usize {
         self.read_with_step(key, name, figure, usual_step(figure))
     }
@@ -256,9 +250,6 @@ impl<'a> Builder<'a> {
         let half = Quantity::new(0.5 * diameter.value, 0.5 * diameter.u);
         let whole = self.session.reading(key, half);
         let whole = Quantity::new(2.0 * whole.value, 2.0 * whole.u);
-        if self.session.instrument(key).is_none() {
-            return self.stated_with_step(kind, whole, usual_step(whole));
-        }
         let place = self.push(kind.into(), Role::Stated, whole, usual_step(whole));
         self.share(key, Reading::Parameter(place), half.value, 2.0);
         place
@@ -272,9 +263,6 @@ impl<'a> Builder<'a> {
         step: f64,
     ) -> usize {
         let whole = self.session.reading(key, figure);
-        if self.session.instrument(key).is_none() {
-            return self.stated_with_step(name, whole, step);
-        }
         let place = self.push(name.into(), Role::Stated, whole, step);
         self.share(key, Reading::Parameter(place), figure.value, 1.0);
         place
@@ -353,36 +341,6 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Parameters of one name that agree within what chance allows and have no instrument.
-    fn alike(&self) -> Vec<Vec<usize>> {
-        let has_instrument = |i: usize| {
-            let mut readings = self.shared.iter().flat_map(|one| &one.readings);
-            readings.any(|(reading, _)| *reading == Reading::Parameter(i))
-        };
-        let agree = |a: &Parameter, b: &Parameter| {
-            let apart = (a.prior.value - b.prior.value).abs();
-            a.name == b.name && apart < FLAG_SIGMA * a.prior.u.hypot(b.prior.u)
-        };
-        let mut groups: Vec<Vec<usize>> = Vec::new();
-        for (i, one) in self.parameters.iter().enumerate() {
-            if one.role != Role::Stated
-                || one.name.kind == InputKind::PhoneClock
-                || has_instrument(i)
-            {
-                continue;
-            }
-            match groups
-                .iter_mut()
-                .find(|g| agree(&self.parameters[g[0]], one))
-            {
-                Some(group) => group.push(i),
-                None => groups.push(vec![i]),
-            }
-        }
-        groups.retain(|group| group.len() > 1);
-        groups
-    }
-
     fn push(&mut self, name: Input, role: Role, prior: Quantity, step: f64) -> usize {
         self.parameters.push(Parameter {
             name,
@@ -405,7 +363,7 @@ impl<'a> Builder<'a> {
         self.stated_with_step(name, prior, usual_step(prior))
     }
 
-    /// The same figure stated for the same thing is the same parameter.
+    /// What is assumed, or seen by one phone, is one parameter wherever it is the same.
     fn stated_with_step(&mut self, name: impl Into<Input>, prior: Quantity, step: f64) -> usize {
         let name = name.into();
         let known = self
@@ -451,11 +409,11 @@ impl<'a> Builder<'a> {
             line_length,
             spacing,
             top_spacing: top_spacing.or(spacing),
-            pitch_deg: match phone_pitch {
-                Some(_) => self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
-                None => {
+            pitch_deg: match hung.hull_pitch_deg.filter(|_| phone_pitch.is_none()) {
+                Some(_) => {
                     self.read_with_step(&key("hull_pitch_deg"), InputKind::HullPitch, pitch, 1e-3)
                 }
+                None => self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
             },
             log_depth: self.depth(
                 [

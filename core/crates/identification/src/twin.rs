@@ -14,6 +14,7 @@ use gyradius_mechanics::{
     compound_pendulum_period_s, initial_state, simulate, small_modes,
 };
 use gyradius_recording::{ModeName, SuspensionKind, Swing};
+use gyradius_signal::mean_square_amplitude;
 
 use super::measurement::{ModeResult, SwingResult};
 use super::names::AmplitudeUnit;
@@ -120,6 +121,7 @@ fn corrections_of(
     result: &SwingResult,
 ) -> Vec<Correction> {
     let none = vec![Correction::default(); result.modes.len()];
+    let duration_s = result.span_s.map_or(0.0, |[start, end]| end - start);
     let Ok(body) = swing_body(layout, x, swing, index) else {
         return none;
     };
@@ -127,14 +129,14 @@ fn corrections_of(
         return result
             .modes
             .iter()
-            .map(|m| compound(&body, swing, x[height], x[layout.gravity], m))
+            .map(|m| compound(&body, swing, x[height], x[layout.gravity], (m, duration_s)))
             .collect();
     }
     if swing.suspension.kind == SuspensionKind::Trifilar {
         let Ok(lines) = swing_lines(x, swing, index) else {
             return none;
         };
-        let of_mode = |m: &ModeResult| trifilar(&body, &lines, x[layout.gravity], m);
+        let of_mode = |m: &ModeResult| trifilar(&body, &lines, x[layout.gravity], (m, duration_s));
         return result.modes.iter().map(of_mode).collect();
     }
     let Ok(rig) = swing_rig(layout, x, swing, index) else {
@@ -144,15 +146,20 @@ fn corrections_of(
 }
 
 /// Three lines: by the exact laws of yaw and of a pendulum.
-fn trifilar(body: &RigidBody, lines: &Lines, gravity_m_s2: f64, mode: &ModeResult) -> Correction {
+fn trifilar(
+    body: &RigidBody,
+    lines: &Lines,
+    gravity_m_s2: f64,
+    (mode, duration_s): (&ModeResult, f64),
+) -> Correction {
     let k = (body.inertia_kg_m2[(2, 2)] / body.mass_kg).sqrt();
     let small = yaw_period_s(k, lines, gravity_m_s2).unwrap_or(f64::NAN);
     match mode.mode {
-        ModeName::Yaw => by_law(mode, small, |amplitude| {
+        ModeName::Yaw => by_law((mode, duration_s), small, |amplitude| {
             let large = yaw_period_at_amplitude_s(k, lines, gravity_m_s2, amplitude);
             large.map_or(1.0, |large| large / small)
         }),
-        ModeName::Sway => by_law(mode, mode.period_observed_s, pendulum),
+        ModeName::Sway => by_law((mode, duration_s), mode.period_observed_s, pendulum),
         _ => Correction::default(),
     }
 }
@@ -442,32 +449,29 @@ fn compound(
     swing: &Swing,
     axis_height_m: f64,
     gravity_m_s2: f64,
-    mode: &ModeResult,
+    (mode, duration_s): (&ModeResult, f64),
 ) -> Correction {
     let unit = axis(swing.suspension.orientation).unit();
     let k2 = unit.dot(&(body.inertia_kg_m2 * unit)) / body.mass_kg;
     let period_s = compound_pendulum_period_s(k2.sqrt(), axis_height_m - body.cm_m.z, gravity_m_s2);
     match mode.mode {
-        ModeName::Compound => by_law(mode, period_s, pendulum),
+        ModeName::Compound => by_law((mode, duration_s), period_s, pendulum),
         _ => Correction::default(),
     }
 }
 
 /// By the law of a motion in one degree of freedom: its period at an amplitude over that of small
-/// ones, `period_s`.
-fn by_law(mode: &ModeResult, period_s: f64, law: impl Fn(f64) -> f64) -> Correction {
+/// ones, `period_s`; `duration_s` of it was recorded.
+fn by_law(
+    (mode, duration_s): (&ModeResult, f64),
+    period_s: f64,
+    law: impl Fn(f64) -> f64,
+) -> Correction {
     let in_rad = mode.amplitude_unit == AmplitudeUnit::Radian;
     match mode.amplitude.filter(|_| in_rad && period_s.is_finite()) {
         Some(start) => {
-            // Energy-weighted mean of the squared amplitude over the record.
-            let span = mode.decay_time_s.map_or(0.0, |tau| {
-                mode.against_amplitude.last().map_or(0.0, |p| p.t_s / tau)
-            });
-            let mean_square = if span > 1e-6 {
-                (1.0 - (-4.0 * span).exp()) / (2.0 * (1.0 - (-2.0 * span).exp()))
-            } else {
-                1.0
-            };
+            let decays = mode.decay_time_s.map_or(0.0, |tau| duration_s / tau);
+            let mean_square = mean_square_amplitude(decays);
             // Errata, damping row: T0 = T / sqrt(1 + (T / 2πτ)²).
             let damped = mode.decay_time_s.map_or(1.0, |tau| {
                 (period_s / (std::f64::consts::TAU * tau)).hypot(1.0)

@@ -47,3 +47,4 @@ pub use types::{
     AmplitudeLaw, ChannelGroup, CombinationTone, DecomposeOptions, Decomposition, FittedMode,
     Spectrum,
 };
+pub use uncertainty::mean_square_amplitude;

@@ -82,7 +82,7 @@ pub struct Decomposition {
 /// One damped oscillation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct FittedMode {
-    /// Angular frequency ω of the damped oscillation at the record's effective (energy-weighted)
+    /// Angular frequency ω of the damped oscillation at the record's effective
     /// mean amplitude, rad/s.
     pub omega_rad_s: f64,
     /// Its standard error, misfit and colour of the noise included, rad/s.

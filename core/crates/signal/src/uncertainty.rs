@@ -132,19 +132,58 @@ fn shape_errors(
         .collect()
 }
 
-/// Energy-weighted means over the span of frequency and decay.
+/// What a damped oscillation of constant frequency and decay reads where they change: the mean of
+/// either over the span by [`slope_weights`].
 pub(super) fn mean_rates(motion: &Motion) -> (f64, f64) {
     let Some(Law { shift, beta, power }) = motion.law else {
         return (motion.omega, motion.alpha);
     };
-    let steps = 400;
-    let (mut weight, mut frequency, mut decay) = (0.0, 0.0, 0.0);
-    for i in 0..steps {
-        let envelope = motion.envelope((f64::from(i) + 0.5) / f64::from(steps));
-        let energy = envelope * envelope;
-        weight += energy;
-        frequency += energy * (motion.omega + shift * envelope.powi(i32::from(power)));
-        decay += energy * (motion.alpha + beta * envelope);
+    let envelopes: Vec<f64> = middles().map(|t| motion.envelope(t)).collect();
+    let weights = slope_weights(&envelopes);
+    let mean = |of: &dyn Fn(f64) -> f64| -> f64 {
+        let each = envelopes.iter().zip(&weights);
+        each.map(|(envelope, weight)| weight * of(*envelope)).sum()
+    };
+    (
+        mean(&|envelope| motion.omega + shift * envelope.powi(i32::from(power))),
+        mean(&|envelope| motion.alpha + beta * envelope),
+    )
+}
+
+/// Steps of the integrals over the span.
+const STEPS: u32 = 400;
+
+/// The middles of equal parts of the span, which runs from 0 to 1.
+fn middles() -> impl Iterator<Item = f64> {
+    (0..STEPS).map(|i| (f64::from(i) + 0.5) / f64::from(STEPS))
+}
+
+/// How much the frequency at each moment has in that of the whole record, sum 1. A constant frequency
+/// is the slope of a straight line through the phase, each moment of which has the weight E² of its
+/// envelope; by parts, the slope is the mean of the phase's own slope with the weight
+/// K(t) = ∫ₜ (u − ū) E²(u) du, ū the centre of E².
+fn slope_weights(envelopes: &[f64]) -> Vec<f64> {
+    let energy = |i: usize| envelopes[i] * envelopes[i];
+    let n = envelopes.len();
+    let all: f64 = (0..n).map(energy).sum();
+    let centre = (0..n).map(|i| i as f64 * energy(i)).sum::<f64>() / all;
+    let mut weights = vec![0.0; n];
+    let mut beyond = 0.0;
+    for i in (0..n).rev() {
+        let own = (i as f64 - centre) * energy(i);
+        weights[i] = beyond + 0.5 * own;
+        beyond += own;
     }
-    (frequency / weight, decay / weight)
+    let sum: f64 = weights.iter().sum();
+    weights.iter().map(|weight| weight / sum).collect()
+}
+
+/// The mean square of the amplitude, over that at the start, which the frequency of a record answers
+/// to whose amplitude falls by e^(−`decays`): a quarter where it decays to nothing.
+pub fn mean_square_amplitude(decays: f64) -> f64 {
+    let envelopes: Vec<f64> = middles().map(|t| (-decays * t).exp()).collect();
+    let weights = slope_weights(&envelopes);
+    let each = envelopes.iter().zip(&weights);
+    each.map(|(envelope, weight)| weight * envelope * envelope)
+        .sum()
 }

@@ -23,6 +23,8 @@ const MOST_TAPER: f64 = 5.0;
 /// What rides along with more than this share of everything is worth a note: a beam or a platform
 /// may, a phone in grams does.
 const WORTH_A_NOTE: f64 = 0.3;
+/// A uniform rod has k = 0.29 of its length; a third of that is a body with all its mass amidships.
+const LEAST_SHARE_OF_LENGTH: f64 = 0.1;
 /// A uniform rod that just reaches from one suspension point to the other has k = d/√3 = 0.58 d; a
 /// body on a light beam of its own may have half of that.
 const LEAST_GYRADIUS_OF_HALF_SPACING: f64 = 0.25;
@@ -208,6 +210,43 @@ fn of_spacing(session: &Session, result: &Measurement) -> Option<Finding> {
     })
 }
 
+/// Of a body that is long one of yaw and pitch may be little less than the other, of a flat one by
+/// √2; one far below the other leaves a rod across the hull.
+fn a_rod(result: &Measurement) -> Option<Finding> {
+    let k = |name| result.quantities.get(&name)?.value.scalar();
+    let (yaw, pitch) = (k(QuantityName::KYaw)?, k(QuantityName::KPitch)?);
+    (yaw.min(pitch) < LEAST_SHARE_OF_LENGTH * yaw.max(pitch)).then(|| {
+        let arguments = vec![("yaw", metres(yaw)), ("pitch", metres(pitch))];
+        let found = warned("a_rod", Kind::ImplausibleSize, arguments);
+        found.with("k_yaw_m", yaw).with("k_pitch_m", pitch)
+    })
+}
+
+/// Much smaller than the hull is long, or much deeper than a hull is.
+fn of_length(name: &QuantityName, value: f64, length: f64) -> Option<Finding> {
+    let (key, is_odd) = match name {
+        QuantityName::KYaw | QuantityName::KPitch => {
+            ("small_for_length", value < LEAST_SHARE_OF_LENGTH * length)
+        }
+        QuantityName::CmDepth => ("deep_for_length", value > 0.5 * length),
+        _ => return None,
+    };
+    is_odd.then(|| {
+        let arguments = vec![
+            (
+                "quantity",
+                crate::sentences::name(&format!("quantity.{name}")),
+            ),
+            ("value", metres(value)),
+            ("length", metres(length)),
+        ];
+        warned(key, Kind::ImplausibleSize, arguments)
+            .of_channel(name.as_str())
+            .with("value_m", value)
+            .with("length_overall_m", length)
+    })
+}
+
 /// No moment of inertia exceeds the sum of the other two: Σ m(y²+z²) and so on.
 fn of_triangle(result: &Measurement) -> Option<Finding> {
     let names = [
@@ -288,6 +327,7 @@ fn implausible(kind: InputKind, value: f64, (beside, other): (&str, f64)) -> Fin
 pub fn of_size(session: &Session, result: &mut Measurement) -> Vec<Finding> {
     let mut found: Vec<Finding> = of_spacing(session, result).into_iter().collect();
     found.extend(of_triangle(result));
+    found.extend(a_rod(result));
     let Some(length) = session.body.length_overall_m else {
         return found;
     };
@@ -303,9 +343,11 @@ pub fn of_size(session: &Session, result: &mut Measurement) -> Vec<Finding> {
             QuantityName::CmDepth => length,
             _ => length * std::f64::consts::FRAC_1_SQRT_2,
         };
-        let Some(value) = value.filter(|value| *value > most) else {
+        let Some(value) = value else { continue };
+        if value <= most {
+            found.extend(of_length(&name, value, length));
             continue;
-        };
+        }
         result.take_out(&name);
         let quantity = crate::sentences::name(&format!("quantity.{name}"));
         let finding = Finding::new(

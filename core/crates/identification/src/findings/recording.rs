@@ -240,7 +240,7 @@ pub fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
     let (strongest, (named, mode)) = named
         .filter(|(_, (named, _))| swings(named.name))
         .max_by(|a, b| a.1.1.snr_db.total_cmp(&b.1.1.snr_db))?;
-    let angle = named.angle_rad?;
+    let angle = named.angle_rad.filter(|angle| *angle <= PI)?;
     let square = angle * angle;
     let growth = growth_with_square(&windows(evidence, strongest));
     let third = third_harmonic(evidence, strongest);

@@ -1,6 +1,7 @@
 //! What the swings of a session cannot tell, or tell with something else in it.
 
 use std::collections::BTreeSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 use gyradius_base::message::Argument;
@@ -21,7 +22,7 @@ use crate::swing_work::SwingWork;
 /// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %,
 /// Fig. 15).
 pub const NEAR_IN_PHASE: f64 = 0.03;
-/// A hanging tilted by less says nothing of roll by its yaw, degrees.
+/// A hanging tilted by less says nothing of roll by its yaw, degrees, nor one heeled by less of pitch.
 const LEAST_TILT_DEG: f64 = 5.0;
 /// What a phone weighs, kg: most of 2015 to 2025 lie between 0.14 and 0.24.
 const PHONE_KG: f64 = 0.2;
@@ -29,7 +30,9 @@ const PHONE_KG: f64 = 0.2;
 const HEAVIER_THAN_PHONE_KG: f64 = 0.6;
 /// So many samples tell whether the noise is the same.
 const MOST_COMPARED: usize = 2000;
-/// Fewer rows in common are chance.
+/// So many rows in a row are not alike by chance, where a sensor moves.
+const RUN_OF_ROWS: usize = 8;
+/// Fewer runs in common are chance.
 const LEAST_COMMON: usize = 64;
 /// Damped oscillations explain a record that they leave no more than this of, over its noise.
 const EXPLAINED: f64 = 1.5;
@@ -64,6 +67,10 @@ pub fn is_supported(system: &System, name: &QuantityName) -> bool {
         let pitch = system.layout.swings[i].pitch_deg;
         system.layout.parameters[pitch].prior.value.abs() > LEAST_TILT_DEG
     };
+    let heeled = |i: usize| {
+        let heel = system.layout.swings[i].roll_deg;
+        heel.is_some_and(|k| system.layout.parameters[k].prior.value.abs() > LEAST_TILT_DEG)
+    };
     let beside = system
         .observations
         .iter()
@@ -73,6 +80,7 @@ pub fn is_supported(system: &System, name: &QuantityName) -> bool {
         QuantityName::KPitch => shown(&|i, mode| {
             matches!(mode, PitchInPhase | PitchOutOfPhase)
                 || (mode == Compound && about(i, Orientation::Athwartships))
+                || (mode == Yaw && heeled(i))
         }),
         QuantityName::KRoll => shown(&|i, mode| {
             matches!(mode, RollInPhase | RollOutOfPhase)
@@ -335,7 +343,7 @@ fn lever_m(work: &SwingWork) -> Option<f64> {
 /// Swings whose samples are those of another: a file that was imported twice, or two loggers that
 /// read one sensor, say nothing twice. The place of each that repeats an earlier one, and a finding.
 pub fn duplicates(session: &Session, data: &[LoadedSwing]) -> Vec<(usize, Finding)> {
-    let rows: Vec<BTreeSet<[u64; 3]>> = data.iter().map(rows_of).collect();
+    let rows: Vec<BTreeSet<u64>> = data.iter().map(runs_of).collect();
     let noises: Vec<Option<Noise>> = data.iter().map(Noise::of).collect();
     let repeats = |j: usize| {
         (0..j).find(|&i| {
@@ -435,25 +443,31 @@ fn correlation(one: &[Vec<f64>; 3], other: &[Vec<f64>; 3], lag: isize) -> f64 {
     both / (own * others).sqrt().max(f64::MIN_POSITIVE)
 }
 
-/// Different rows of the gyroscope, or of the accelerometer where there is none.
-fn rows_of(swing: &LoadedSwing) -> BTreeSet<[u64; 3]> {
+/// Different runs of rows of the gyroscope, or of the accelerometer where there is none. Single rows
+/// of a coarse sensor are alike by chance.
+fn runs_of(swing: &LoadedSwing) -> BTreeSet<u64> {
     let LoadedData::Recording(recording) = &swing.data else {
         return BTreeSet::new();
     };
-    if let Some(channel) = &recording.single {
-        let rows = channel.t_s.iter().zip(&channel.values);
-        return rows.map(|(t, v)| [t.to_bits(), v.to_bits(), 0]).collect();
-    }
     let triad = recording
         .gyroscope
         .as_ref()
         .or(recording.accelerometer.as_ref());
-    let [x, y, z] = triad.map_or([&[][..]; 3], |triad| {
-        triad.axes.each_ref().map(Vec::as_slice)
-    });
-    x.iter()
-        .zip(y)
-        .zip(z)
-        .map(|((x, y), z)| [x, y, z].map(|value| value.to_bits()))
+    let columns: Vec<&[f64]> = match (&recording.single, triad) {
+        (Some(channel), _) => vec![&channel.values],
+        (None, Some(triad)) => triad.axes.iter().map(Vec::as_slice).collect(),
+        (None, None) => vec![],
+    };
+    let rows = columns.iter().map(|column| column.len()).min().unwrap_or(0);
+    let run = |first: usize| {
+        let mut hasher = DefaultHasher::new();
+        for column in &columns {
+            let values = column[first..first + RUN_OF_ROWS].iter();
+            values.for_each(|value| value.to_bits().hash(&mut hasher));
+        }
+        hasher.finish()
+    };
+    (0..(rows + 1).saturating_sub(RUN_OF_ROWS))
+        .map(run)
         .collect()
 }

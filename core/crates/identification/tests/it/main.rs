@@ -5,6 +5,7 @@
 mod crossings;
 mod findings;
 mod instruments;
+mod motions;
 mod single_routes;
 mod uncertainty;
 mod vectors;
