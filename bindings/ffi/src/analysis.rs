@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use gyradius_core::diagnosis::judged_with;
 use gyradius_core::identification::{self, Measurement};
 use gyradius_core::import::Loaded;
 use gyradius_core::language::Language;
@@ -40,6 +41,12 @@ impl Analysis {
     /// The result.
     pub fn result(&self) -> Measurement {
         self.inner.measurement.clone()
+    }
+
+    /// The result with its verdicts on limits as they are after the criticism of the same session, as
+    /// the report has them.
+    pub fn judged(&self, criticism: Arc<Criticism>) -> Measurement {
+        judged_with(&self.inner.measurement, &criticism.result())
     }
 
     /// The `gyradius-measurement/1` text.

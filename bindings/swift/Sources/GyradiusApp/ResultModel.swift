@@ -8,7 +8,12 @@ public final class ResultModel {
   public private(set) var title = ""
   /// Class limits that it is judged by.
   public private(set) var limits: [String] = []
-  public private(set) var result: InertiaResult?
+  /// What was measured; its verdicts are those after the criticism, where one was made.
+  public var result: InertiaResult? {
+    guard let found = criticism.found, let analysis else { return measured }
+    return analysis.judged(criticism: found)
+  }
+  private var measured: InertiaResult?
   public private(set) var recordings: [RecordingFigureData] = []
   /// How much of the measurement is done, 0 to 1; absent while nothing is done.
   public private(set) var share: Double?
@@ -62,7 +67,7 @@ public final class ResultModel {
       Task { @MainActor in if self.share != nil { self.share = share } }
     }
     analysis = found
-    (result, recordings) = (found.result(), found.recordings(language: language))
+    (measured, recordings) = (found.result(), found.recordings(language: language))
   }
 
   private func work(_ what: () async throws -> Void) async {

@@ -4,6 +4,7 @@
 //! A finding says what was seen, of which swing and channel, and what to do. `Refused` takes the
 //! figures concerned out of the result.
 
+mod amplitude;
 mod dimensions;
 mod rate;
 mod recording;
@@ -17,8 +18,9 @@ use gyradius_base::message::{Argument, Message, advice_and_said, text_and_said};
 use gyradius_base::named;
 use gyradius_recording::AssumedU;
 
+pub(super) use amplitude::of_amplitude;
 pub(super) use dimensions::{of_dimensions, of_size, unchecked};
-pub(super) use recording::{clear_of_limit, of_list, of_recording, of_residual, too_harmonic};
+pub(super) use recording::{clear_of_limit, of_list, of_recording, of_residual};
 pub use support::NEAR_IN_PHASE;
 pub(super) use support::{
     duplicates, is_supported, near_resonance, not_one_motion, phone_mass, phone_moved,

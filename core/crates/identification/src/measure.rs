@@ -25,7 +25,7 @@ use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
     Finding, duplicates, near_resonance, not_one_motion, of_dimensions, of_list, of_recording,
-    of_residual, of_size, phone_mass, phone_moved, too_harmonic, unchecked,
+    of_residual, of_size, phone_mass, phone_moved, unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
@@ -161,7 +161,7 @@ fn plausibility(
             let evidence = work.evidence.as_ref();
             let mut found = of_recording(&swing.id, recording, evidence, gravity_m_s2);
             if stated.suspension.kind != SuspensionKind::Free {
-                found.extend(evidence.and_then(|evidence| too_harmonic(&swing.id, evidence)));
+                found.extend(evidence.and_then(|evidence| of_amplitude(&swing.id, evidence)));
             }
             found
         }

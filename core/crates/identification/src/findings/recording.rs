@@ -1,17 +1,16 @@
 //! What is not plausible in one swing's record, or in its list of periods.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::Argument;
-use gyradius_recording::{ChannelQuantity, ModeName, PeriodList, Recording, Repair, RepairKind};
-use gyradius_signal::{ChannelGroup, FittedMode, growth_with_square};
+use gyradius_recording::{ChannelQuantity, PeriodList, Recording, Repair, RepairKind};
+use gyradius_signal::{ChannelGroup, FittedMode};
 use num_complex::Complex64;
 
 use super::rate::{Sampled, sampled_enough};
 use super::support::of_axes;
 use super::{Finding, FindingKind as Kind, Severity};
-use crate::measure::windows;
 use crate::measurement::SwingResult;
 use crate::modes::ChannelMap;
 use crate::observe::Evidence;
@@ -25,13 +24,6 @@ const LEAST_DESCRIBED: f64 = 0.5;
 /// peaks is still told from its third harmonic: over |sin x| < 0.988 the two correlate by 0.24, over
 /// |sin x| < 0.65 by 0.97.
 const LOST_AT_LIMIT: f64 = 0.02;
-/// Half of what gravity makes of an amplitude: no spring or drag that leaves a swing to measure takes
-/// more of it.
-const LEAST_SHARE: f64 = 0.5;
-/// So many standard errors are sure: chance does that once in 10⁶.
-const SURE: f64 = 5.0;
-/// What is faster than this share of half the rate, a filter may have taken.
-const MOST_OF_NYQUIST: f64 = 0.6;
 /// A swing is looked for in the rest of a record if it is at least this part.
 const LEAST_REST: f64 = 0.25;
 /// Zero-g offset and scale of accelerometers in phones (data sheets: ±80 mg, ±3 %) add to this part
@@ -88,7 +80,7 @@ pub fn of_recording(
     found.into_iter().map(|one| one.of_swing(id)).collect()
 }
 
-fn number(value: f64, decimals: u8) -> Argument {
+pub(super) fn number(value: f64, decimals: u8) -> Argument {
     Argument::Number(value, decimals)
 }
 
@@ -229,69 +221,6 @@ fn more_than_half_a_turn(evidence: &Evidence) -> Option<Finding> {
     })
 }
 
-/// Of a swing on lines or on an axis, which gravity alone brings back. Its force goes with the sine
-/// of the angle, A − A³/6: the period grows by A²/16 of itself, and the rate has A²/64 of itself at
-/// three times the frequency (Duffing's equation to first order); of yaw on two or three lines both
-/// are up to twice that. Where one of the two is surely less than half of it, and the other does not
-/// surely show, the amplitude is not what the gyroscope says.
-pub fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
-    let swings = |name: ModeName| matches!(name, ModeName::Yaw | ModeName::Compound);
-    let named = evidence.named.iter().zip(&evidence.found.modes).enumerate();
-    let (strongest, (named, mode)) = named
-        .filter(|(_, (named, _))| swings(named.name))
-        .max_by(|a, b| a.1.1.snr_db.total_cmp(&b.1.1.snr_db))?;
-    let angle = named.angle_rad.filter(|angle| *angle <= PI)?;
-    let square = angle * angle;
-    let growth = growth_with_square(&windows(evidence, strongest));
-    let third = third_harmonic(evidence, strongest);
-    let shares = [
-        growth.map(|(growth, u)| [growth, u].map(|part| 16.0 * part / square)),
-        third.map(|(third, u)| [third, u].map(|part| 64.0 * part / square)),
-    ];
-    let known = || shares.iter().flatten();
-    let is_absent = |[share, u]: &[f64; 2]| share + SURE * u < LEAST_SHARE;
-    let is_there = |[share, u]: &[f64; 2]| share - SURE * u > LEAST_SHARE;
-    (known().any(is_absent) && !known().any(is_there)).then(|| {
-        let refused = (Kind::UnitSuspect, Severity::Refused);
-        let arguments = [
-            ("angle_deg", number(angle.to_degrees(), 0)),
-            ("in_deg", number(angle, 1)),
-            ("period_s", number(mode.period_s(), 3)),
-        ];
-        let found = Finding::new(refused, "too_harmonic", arguments).of_channel("gyroscope");
-        let found = found.with("angle_rad", angle).with("factor", PI / 180.0);
-        found.of_swing(id)
-    })
-}
-
-/// What a record of rates holds at three times a mode's frequency, as a share of the mode, with its
-/// standard error: by the channel that shows the mode best, in a window that sees no neighbour.
-fn third_harmonic(evidence: &Evidence, mode: usize) -> Option<(f64, f64)> {
-    let first = evidence.rates_from()?;
-    let group = evidence.groups.first()?;
-    let mode = &evidence.found.modes[mode];
-    let size = |c: &usize| mode.shape.get(*c).map_or(0.0, |shape| shape.norm());
-    let channel =
-        (first..first + group.channels.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-    let (begin, end) = (*group.t_s.first()?, *group.t_s.last()?);
-    let omega = 3.0 * mode.omega_rad_s;
-    let rate = group.t_s.len() as f64 / (end - begin);
-    if omega > MOST_OF_NYQUIST * PI * rate {
-        return None;
-    }
-    let (mut sum, mut squares, mut envelope) = (Complex64::default(), 0.0, 0.0);
-    for (t, value) in group.t_s.iter().zip(&group.channels[channel - first]) {
-        let rest = value - oscillation(evidence, channel, *t) - evidence.found.level[channel];
-        let weight = 1.0 - (TAU * (t - begin) / (end - begin)).cos();
-        sum += weight * rest * Complex64::from_polar(1.0, -omega * t);
-        squares += weight * weight;
-        envelope += weight * (-mode.alpha_per_s * (t - evidence.found.t_ref_s)).exp();
-    }
-    let own = size(&channel) * envelope;
-    let noise = evidence.found.noise.get(channel)?;
-    (own > 0.0).then(|| (2.0 * sum.norm() / own, noise * (2.0 * squares).sqrt() / own))
-}
-
 /// How far the samples themselves say that it turns to either side, rad: a rate by the slowest
 /// oscillation that was found.
 fn seen_rad(evidence: &Evidence) -> Option<(&'static str, f64)> {
@@ -424,7 +353,7 @@ fn described(evidence: &Evidence, channel: usize, group: &ChannelGroup) -> f64 {
 }
 
 /// The oscillations that were found, in a channel at a time.
-fn oscillation(evidence: &Evidence, channel: usize, t_s: f64) -> f64 {
+pub(super) fn oscillation(evidence: &Evidence, channel: usize, t_s: f64) -> f64 {
     let of = |mode: &FittedMode| {
         let pole = Complex64::new(-mode.alpha_per_s, mode.omega_rad_s);
         let size = mode.shape.get(channel).copied().unwrap_or_default();

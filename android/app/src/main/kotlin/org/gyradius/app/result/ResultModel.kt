@@ -64,6 +64,7 @@ class ResultModel(private val store: SessionStore) : ViewModel() {
         this.language = language
         flow.value = ResultShown(found.title, limits = found.limits, share = 0.0)
         opened = found
+        analysis = null
         criticism = null
         work {
             session = loadSession(found.session)
@@ -101,12 +102,14 @@ class ResultModel(private val store: SessionStore) : ViewModel() {
     private suspend fun measure(limits: List<String>) {
         val found = session?.measure(limits, ::tell) ?: return
         analysis = found
-        show { it.copy(result = found.result(), recordings = found.recordings(language)) }
+        val result = criticism?.let(found::judged) ?: found.result()
+        show { it.copy(result = result, recordings = found.recordings(language)) }
     }
 
     private fun show(found: Criticism) {
         criticism = found
-        show { it.copy(critique = found.result(), compared = found.compared()) }
+        val judged = analysis?.judged(found)
+        show { it.copy(result = judged ?: it.result, critique = found.result(), compared = found.compared()) }
     }
 
     private fun show(change: (ResultShown) -> ResultShown) = flow.update { it?.let(change) }
