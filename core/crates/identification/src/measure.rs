@@ -24,8 +24,8 @@ use super::by_samples::by_samples;
 use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
-    Finding, duplicates, near_resonance, not_one_motion, of_dimensions, of_list, of_recording,
-    of_residual, of_size, phone_mass, phone_moved, unchecked,
+    Finding, duplicates, near_resonance, not_one_motion, of_amplitude, of_dimensions, of_list,
+    of_recording, of_residual, of_size, phone_mass, phone_moved, unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
