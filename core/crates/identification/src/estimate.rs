@@ -455,6 +455,9 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
 }
 
 fn moved_points(session: &Session, i: usize) -> Option<Observation> {
+    if session.same_hanging(i).is_some() {
+        return None;
+    }
     let swing = &session.swings[i];
     let moved_m = session.reading(&moved_key(i), swing.suspension.points_moved_m?);
     Some(Observation {

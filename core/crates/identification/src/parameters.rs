@@ -186,7 +186,8 @@ impl Layout {
         let mut swings = Vec::new();
         for i in 0..session.swings.len() {
             let phone_pitch = pitch_deg.get(i).copied().flatten();
-            swings.push(builder.swing(session, i, phone_pitch, scale_m));
+            let hung = builder.swing(session, i, phone_pitch, scale_m, &swings);
+            swings.push(hung);
             added_masses.push(builder.added(i, &session.swings[i]));
         }
         builder.read_beside(session);
@@ -379,8 +380,17 @@ impl<'a> Builder<'a> {
         i: usize,
         phone_pitch: Option<Quantity>,
         scale_m: f64,
+        before: &[SwingIndex],
     ) -> SwingIndex {
         let swing = &session.swings[i];
+        let is_recorded = matches!(swing.data, SwingData::Recording(_));
+        if let Some(first) = session.same_hanging(i) {
+            return SwingIndex {
+                added_masses: i,
+                clock: is_recorded.then(|| self.clock_of_swing()),
+                ..before[first]
+            };
+        }
         let hung = &swing.suspension;
         let key = |name: &str| format!("swing[{}].suspension.{name}", i + 1);
         let mut read = |name: &str, kind: InputKind, figure: Option<Quantity>| {
@@ -428,7 +438,7 @@ impl<'a> Builder<'a> {
             }),
             axis_height,
             added_masses: i,
-            clock: matches!(swing.data, SwingData::Recording(_)).then(|| self.clock_of_swing()),
+            clock: is_recorded.then(|| self.clock_of_swing()),
         }
     }
 

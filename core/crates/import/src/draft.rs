@@ -63,6 +63,11 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
             }
         }
     }
+    for i in 0..session.swings.len() {
+        if let Some(first) = session.same_hanging(i) {
+            session.swings[i].suspension = session.swings[first].suspension.clone();
+        }
+    }
     Ok(draft(session, true))
 }
 

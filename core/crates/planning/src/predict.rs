@@ -125,7 +125,7 @@ pub fn swings(steps: &[Step]) -> impl Iterator<Item = &PlannedSwing> {
 /// What each swing will show: all small periods, what the amplitude of the release does to yaw and
 /// sway, the beat.
 pub fn predicted(hull: &Hull, means: &Means, steps: &[Step]) -> Result<Vec<PredictedSwing>> {
-    let session = session_of("plan", hull, means, steps);
+    let session = session_of("plan", hull, means, steps).with_same_hangings();
     let prospect = Prospect::new(&session, &hull.body())?;
     let each = swings(steps).zip(&prospect.periods_s);
     Ok(each
@@ -197,7 +197,7 @@ fn longer(hull: &Hull, means: &Means, swing: &PlannedSwing) -> BTreeMap<ModeName
 /// What the steps are expected to bring, by periods alone (quickly, good enough to choose by) or by
 /// the samples.
 pub fn expected(hull: &Hull, means: &Means, steps: &[Step], by_samples: bool) -> Result<Expected> {
-    let session = session_of("plan", hull, means, steps);
+    let session = session_of("plan", hull, means, steps).with_same_hangings();
     let prospect = Prospect::new(&session, &hull.body())?;
     let brought: Vec<Brought> = swings(steps)
         .zip(&prospect.periods_s)

@@ -71,6 +71,8 @@ impl Job {
         {
             job.add(index, step);
         }
+        // What is not measured anew is taken over from the hanging before.
+        job.session = job.session.with_same_hangings();
         job
     }
 

@@ -40,6 +40,10 @@ pub struct Session {
     /// `swing[1].suspension.spacing`.
     #[serde(default)]
     pub read_with: BTreeMap<String, String>,
+    /// Swings that hang as an earlier one did, untouched since: the earlier one's id by that of the
+    /// later. The figures of both suspensions are the same readings.
+    #[serde(default)]
+    pub hung_as: BTreeMap<String, String>,
 }
 
 impl Session {
@@ -47,6 +51,24 @@ impl Session {
     pub fn instrument(&self, key: &str) -> Option<&Instrument> {
         let id = self.read_with.get(key)?;
         self.instruments.iter().find(|one| one.id == *id)
+    }
+
+    /// The earlier swing that a swing hangs as, by their places.
+    pub fn same_hanging(&self, swing: usize) -> Option<usize> {
+        let id = self.hung_as.get(&self.swings.get(swing)?.id)?;
+        self.swings[..swing].iter().position(|one| one.id == *id)
+    }
+
+    /// Notes that swings of equal suspensions hang as the first of them does: for sessions that a
+    /// program makes, which hangs the hull once for each suspension and copies its figures.
+    pub fn with_same_hangings(mut self) -> Self {
+        for (i, swing) in self.swings.iter().enumerate() {
+            let before = &self.swings[..i];
+            if let Some(first) = before.iter().find(|one| one.suspension == swing.suspension) {
+                self.hung_as.insert(swing.id.clone(), first.id.clone());
+            }
+        }
+        self
     }
 
     /// A figure with all of its uncertainty: its own, and what its instrument shares among all of

@@ -134,7 +134,7 @@ pub fn session<'a>(root: &Table<'a>, of_swing: &'a [&'static str]) -> Result<Par
         ..Session::default()
     };
     for table in root.tables("swing", of_swing)? {
-        let next = swing(&table, &session.swings, &mut files)?;
+        let next = swing(&table, &session.swings, &mut files, &mut session.hung_as)?;
         session.swings.push(next);
     }
     for table in root.tables("incline", INCLINE)? {

@@ -26,6 +26,7 @@ pub const SWING: &[&str] = &[
     "suspension",
 ];
 const SUSPENSION: &[&str] = &[
+    "same_as",
     "kind",
     "orientation",
     "line_length",
@@ -53,6 +54,7 @@ pub(crate) fn swing(
     table: &Table<'_>,
     before: &[Swing],
     files: &mut Vec<NamedFile>,
+    hung_as: &mut BTreeMap<String, String>,
 ) -> Result<Swing> {
     let id = id(table, before)?;
     let data = data(table, files)?;
@@ -63,14 +65,53 @@ pub(crate) fn swing(
         .transpose()?;
     let added = table.tables("added_mass", ADDED_MASS)?;
     let suspension = table.require("suspension", "how it hung, as [swing.suspension]")?;
+    let hung = suspension.table(SUSPENSION)?;
+    let suspension = match same_as(&hung, before)? {
+        None => self::suspension(&hung)?,
+        Some(first) => {
+            hung_as.insert(id.clone(), first.id.clone());
+            first.suspension.clone()
+        }
+    };
     Ok(Swing {
         id,
         data,
         excited: excited.unwrap_or_default(),
         added_masses: added.iter().map(added_mass).collect::<Result<_>>()?,
         amplitude_deg,
-        suspension: self::suspension(&suspension.table(SUSPENSION)?)?,
+        suspension,
     })
+}
+
+/// The swing before that this one hangs as, untouched since: then nothing else is stated.
+fn same_as<'a>(table: &Table<'_>, before: &'a [Swing]) -> Result<Option<&'a Swing>> {
+    let Some(field) = table.get("same_as") else {
+        return Ok(None);
+    };
+    let others: Vec<&str> = SUSPENSION
+        .iter()
+        .copied()
+        .filter(|key| *key != "same_as")
+        .collect();
+    table.refuse(&others, "it hangs as the swing that `same_as` names")?;
+    let id = field.text()?;
+    let first = before.iter().find(|swing| swing.id == id);
+    let error = || {
+        let ids: Vec<&str> = before.iter().map(|swing| swing.id.as_str()).collect();
+        let before = if ids.is_empty() {
+            "none".to_owned()
+        } else {
+            ids.join(", ")
+        };
+        field.error(
+            format!(
+                "`{}` to be the id of a swing before this one ({before})",
+                field.path
+            ),
+            format!("{id:?}"),
+        )
+    };
+    first.map(Some).ok_or_else(error)
 }
 
 fn id(table: &Table<'_>, before: &[Swing]) -> Result<String> {

@@ -225,7 +225,7 @@ fn swing(text: &mut Lines, swing: &Swing, figures: &Figures, key: &str) {
         );
     }
     added_masses(text, &swing.added_masses, figures, key);
-    suspension(text, &swing.suspension, figures, key);
+    suspension(text, swing, figures, key);
 }
 
 fn swing_data(text: &mut Lines, data: &SwingData, figures: &Figures, key: &str) {
@@ -262,8 +262,13 @@ fn added_masses(text: &mut Lines, masses: &[AddedMass], figures: &Figures, key: 
     text.subheader("]");
 }
 
-fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key: &str) {
+fn suspension(text: &mut Lines, swing: &Swing, figures: &Figures, key: &str) {
     text.subheader("[swing.suspension]");
+    if let Some(first) = figures.0.hung_as.get(&swing.id) {
+        text.key("same_as", quoted(first));
+        return;
+    }
+    let suspension = &swing.suspension;
     text.key("kind", quoted(name_of(suspension.kind, KINDS)));
     text.key(
         "orientation",

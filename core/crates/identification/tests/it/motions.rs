@@ -219,3 +219,35 @@ fn a_heeled_hull_shows_its_pitch_gyradius_in_yaw() {
         assert!((value - expected).abs() < 0.05 * u, "{name}: {value} ± {u}");
     }
 }
+
+/// Two swings in one hanging have one reading of the spacing, whose error stays; two hangings have
+/// two, and the mean of them is better by √2, whatever digits they have.
+#[test]
+fn one_hanging_is_one_reading() {
+    let period = TAU * 1.1 / 0.6 * (2.0 / GRAVITY).sqrt();
+    let typed = |id: &str| {
+        format!(
+            "[[swing]]\nid = \"{id}\"\nperiods_s = {{ yaw = {{ value = {period:?}, u = 0.0 }} }}\n\
+             amplitude_deg = {{ yaw = 0 }}\n[swing.suspension]\n"
+        )
+    };
+    let stated = |spacing: f64| {
+        format!(
+            "kind = \"bifilar\"\norientation = \"athwartships\"\n\
+             line_length = {{ value = 2.0, u = 0.0 }}\nspacing = {{ value = {spacing}, u = 0.003 }}\n"
+        )
+    };
+    let u = |second: &str| {
+        let text = format!("{HEAD}{}{}{}{second}", typed("a"), stated(1.2), typed("b"));
+        scalar(&measured(&text, ""), "k_yaw_m").1
+    };
+    let once = u("same_as = \"a\"\n");
+    let twice = u(&stated(1.2));
+    let other = u(&stated(1.200_002));
+    assert!((once / (1.1 * 0.003 / 1.2) - 1.0).abs() < 0.01, "{once}");
+    assert!(
+        (twice / once - 0.5_f64.sqrt()).abs() < 0.02,
+        "{once} {twice}"
+    );
+    assert!((other / twice - 1.0).abs() < 0.02, "{twice} {other}");
+}

@@ -230,7 +230,7 @@ prop_compose! {
         let instruments = instruments(&swings);
         let read_with = instruments.1;
         let instruments = instruments.0;
-        Session { title, measured_on, phone, logger, body, site, attachments, swings, inclines, recorded, instruments, read_with }
+        Session { title, measured_on, phone, logger, body, site, attachments, swings, inclines, recorded, instruments, read_with, hung_as: BTreeMap::new() }
     }
 }
 
