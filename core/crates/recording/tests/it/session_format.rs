@@ -552,6 +552,42 @@ fn figures_name_the_instrument_that_they_were_read_with() {
     );
 }
 
+/// What hangs as an earlier swing did states nothing else; an id that is not there is refused.
+#[test]
+fn a_swing_hangs_as_an_earlier_one() {
+    let again = "[[swing]]\nid = \"again\"\nperiods_s = { yaw = 5.0 }\n[swing.suspension]\n";
+    let text = format!("{SMALL}{again}same_as = \"yaw\"\n");
+    let session = read(&text).unwrap();
+    assert_eq!(session.swings[1].suspension, session.swings[0].suspension);
+    assert_eq!(session.same_hanging(1), Some(0));
+    let written = gyradius_recording::write_session(&session);
+    assert!(written.contains("same_as = \"yaw\""), "{written}");
+    assert_eq!(read(&written).unwrap(), session);
+    let message = refused(&format!("{SMALL}{again}same_as = \"jaw\"\n"));
+    assert!(
+        message.contains("same_as") && message.contains("yaw"),
+        "{message}"
+    );
+    let both = refused(&format!("{SMALL}{again}same_as = \"yaw\"\nspacing = 1.5\n"));
+    assert!(both.contains("spacing"), "{both}");
+}
+
+#[test]
+fn points_lie_along_the_suspension() {
+    let points = |text: &str| SMALL.replace("spacing = 1.5", &format!("points_m = {text}"));
+    let session = read(&points("[[0.0, -0.75, 0.1], [0.0, 0.75, 0.1]]")).unwrap();
+    let hung = &session.swings[0].suspension;
+    assert_eq!(hung.spacing_m.unwrap().value, 1.5);
+    for wrong in [
+        "[[-0.75, 0.0, 0.1], [0.75, 0.0, 0.1]]",
+        "[[0.0, -0.75, 0.1]]",
+        "[[0.0, -0.75], [0.0, 0.75]]",
+        "[[0.0, 0.0, 0.1], [0.0, 0.0, 0.1]]",
+    ] {
+        assert!(refused(&points(wrong)).contains("points_m"), "{wrong}");
+    }
+}
+
 #[test]
 fn an_instrument_that_is_not_there_or_reads_something_else_is_refused() {
     let named = SMALL.replace(
