@@ -9,7 +9,7 @@ use super::quantity::Quantity;
 use super::recorded::{Recorded, RecordedRepair};
 use super::session::{
     AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Session, Site,
-    Suspension, SuspensionKind, Swing, SwingData,
+    SuspensionKind, Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 
