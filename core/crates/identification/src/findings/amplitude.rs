@@ -16,6 +16,8 @@ use crate::observe::Evidence;
 const LEAST_SHARE: f64 = 0.5;
 /// As much more than gravity makes of it.
 const MOST_SHARE: f64 = 1.5;
+/// Nobody swings a body by less to measure it, degrees; read as rad, 11°.
+const LEAST_SWING_DEG: f64 = 0.2;
 /// So many standard errors are sure: chance does that once in 10⁶.
 const SURE: f64 = 5.0;
 /// What is faster than this share of half the rate, a filter may have taken.
@@ -62,7 +64,8 @@ fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
     let (strongest, (named, mode)) = named
         .filter(|(_, (named, _))| swings(named.name))
         .max_by(|a, b| a.1.1.snr_db.total_cmp(&b.1.1.snr_db))?;
-    let angle = named.angle_rad.filter(|angle| *angle <= PI)?;
+    let swung = LEAST_SWING_DEG..=PI;
+    let angle = named.angle_rad.filter(|angle| swung.contains(angle))?;
     let square = angle * angle;
     let growth = growth_with_square(&windows(evidence, strongest));
     let third = third_harmonic(evidence, strongest);
