@@ -1,12 +1,12 @@
 """The generator's motion against another integrator and against closed forms; its sessions from their seeds."""
 
 import json
-import tomllib
 
 import motion
 import numpy as np
 import pytest
 import sessions
+import tomllib
 from borrowed import blind, rb
 from effects import EFFECTS, OUTSIDE
 from scene import Flaws, Mount, Scene, move, readings, rig_of, start_of
