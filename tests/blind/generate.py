@@ -570,24 +570,65 @@ def session_toml(title: str, hull: Hull, hungs: list[Hung], hints: bool) -> str:
     for a in hull.attachments:
         body = {"name": a.name, "mass": a.mass_kg, "position": a.position_m.tolist(), "gyradii": a.gyradii_m.tolist()}
         parts.append(toml_table("[[attachment]]", body))
+    readings = Readings([h.plan for h in hungs])
     for h in hungs:
         p = h.plan
         added = [{"mass": m, "position": r} for m, r in p.added] or None
         swing = {"id": p.id, "recording": f"{p.id}.csv", "excited": said(p) if hints or p.said else None, "added_mass": added}
         parts.append(toml_table("[[swing]]", swing))
-        suspension = {
-            "kind": "compound" if p.compound else "bifilar",
-            "orientation": orientation(p),
-        }
-        if not p.compound:
-            suspension |= {"line_length": p.stated_line, "spacing": p.stated_spacing, "hull_pitch_deg": p.stated_pitch}
-        parts.append(toml_table("[swing.suspension]", suspension | p.extra))
+        parts.append(toml_table("[swing.suspension]", readings.suspension(p)))
     for i in hull.inclines:
         weight = {"end": i.end, "mass": {"value": i.mass_kg, "u": round(1e-3 * i.mass_kg, 6)},
                   "arm": {"value": i.arm_m, "u": 0.001}, "depth": {"value": i.depth_m, "u": 0.001},
                   "recording": f"incline-{i.end}.csv"}  # fmt: skip
         parts.append(toml_table("[[incline]]", weight))
+    parts += readings.instruments()
     return "\n".join(parts)
+
+
+class Readings:
+    """What the operator read once and wrote down for several swings: a figure is one object then.
+
+    Swings of one hanging say `same_as`; a reading that several hangings share has an instrument, whose zero error is the
+    reading's.
+    """
+
+    def __init__(self, plans: list[Plan]):
+        self.first = {}
+        for plan in plans:
+            self.first.setdefault(self._hanging(plan), plan)
+        users = {}
+        for plan in self.first.values():
+            for name, figure in self._figures(plan).items():
+                users.setdefault(id(figure), []).append((name, figure))
+        several = [(key, found[0]) for key, found in users.items() if len(found) > 1]
+        self.shared = {key: (f"{name.replace('_', '-')}-{n}", figure) for n, (key, (name, figure)) in enumerate(several, 1)}
+
+    @staticmethod
+    def _figures(plan: Plan) -> dict:
+        if plan.compound:
+            return {}
+        named = {"line_length": plan.stated_line, "spacing": plan.stated_spacing, "hull_pitch_deg": plan.stated_pitch}
+        return {name: figure for name, figure in named.items() if figure is not None}
+
+    def _hanging(self, plan: Plan) -> tuple:
+        figures = tuple((name, id(figure)) for name, figure in self._figures(plan).items())
+        return (plan.compound, orientation(plan), figures, repr(plan.extra))
+
+    def suspension(self, plan: Plan) -> dict:
+        """The table of a swing's suspension."""
+        first = self.first[self._hanging(plan)]
+        if first is not plan:
+            return {"same_as": first.id}
+        written = {"kind": "compound" if plan.compound else "bifilar", "orientation": orientation(plan)}
+        for name, figure in self._figures(plan).items():
+            shared = self.shared.get(id(figure))
+            written[name] = {"value": figure["value"], "u": 0.0, "instrument": shared[0]} if shared else figure
+        return written | plan.extra
+
+    def instruments(self) -> list[str]:
+        """The tables of the readings that hangings share."""
+        return [toml_table("[[instrument]]", {"id": name, "kind": "tape", "zero_u": one["u"]}) for name, one in self.shared.values()]
 
 
 def orientation(plan: Plan) -> str:

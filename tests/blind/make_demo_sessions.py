@@ -58,14 +58,15 @@ def keelboat() -> None:
         {"name": "Yngling", "mass": q(622.7, 0.5), "length_overall": 6.35},
         {"gravity": q(G, 0.005, 5), "air_density": 1.2},
     )
+    again = {"same_as": "table-1-bare-1"}
     for n, period in enumerate((4.391, 4.390, 4.383), 1):
-        parts.append(swing(f"table-1-bare-{n}", {"yaw": q(period, u)}, rig, excited=["yaw"]))
+        parts.append(swing(f"table-1-bare-{n}", {"yaw": q(period, u)}, rig if n == 1 else again, excited=["yaw"]))
     for name, yaw, sway in (("table-2-ums-1", 4.394, 3.802), ("table-2-ums-4", 4.407, 3.820)):
-        parts.append(swing(name, {"yaw": q(yaw, u), "sway": q(sway, u)}, rig, excited=["yaw", "sway"]))
+        parts.append(swing(name, {"yaw": q(yaw, u), "sway": q(sway, u)}, again, excited=["yaw", "sway"]))
     added = (("1.2kg", 1.2, 4.446), ("2.4kg-1", 2.4, 4.504), ("2.4kg-2", 2.4, 4.496), ("3.6kg", 3.6, 4.555))
     for name, mass, period in added:
         masses = [{"mass": mass, "position": [x, 0.0, 0.0]} for x in (3.088, -2.717)]
-        parts.append(swing(f"table-1-{name}", {"yaw": q(period, u)}, rig, excited=["yaw"], added_mass=masses))
+        parts.append(swing(f"table-1-{name}", {"yaw": q(period, u)}, again, excited=["yaw"], added_mass=masses))
     write("keelboat", parts, KEELBOAT)
 
 
@@ -109,7 +110,9 @@ def model_hull() -> None:
     )
 
     def rig(line, d, orientation="athwartships", pitch=None):
-        values = {"kind": "bifilar", "orientation": orientation, "line_length": q(line, 0.001), "spacing": q(2 * d, 0.0005)}
+        # The points 0.56 m apart were marked and measured once: one reading, whose error is the same in every hanging.
+        spacing = {"value": 0.56, "u": 0.0, "instrument": MARKS} if 2 * d == 0.56 else q(2 * d, 0.0005)
+        values = {"kind": "bifilar", "orientation": orientation, "line_length": q(line, 0.001), "spacing": spacing}
         return values | ({"hull_pitch_deg": q(pitch, 0.2)} if pitch is not None else {})
 
     level = (
@@ -130,7 +133,11 @@ def model_hull() -> None:
         period = 2 * pi * sqrt((a * a + 0.205**2) / (a * G))  # (22)
         axis = {"kind": "compound", "orientation": "fore_and_aft", "axis_height": q(height, 0.001)}
         parts.append(swing(f"compound-{1000 * height:.0f}mm", {"compound": q(period, 0.002)}, axis))
+    parts.append(gen.toml_table("[[instrument]]", {"id": MARKS, "kind": "tape", "zero_u": 0.0005}))
     write("model-hull", parts, MODEL_HULL)
+
+
+MARKS = "points-on-the-hull"
 
 
 MODEL_HULL = """# Model hull

@@ -48,7 +48,7 @@ FACTORS = [
 ]
 KEYS = (
     "format title name mass length_overall density gravity latitude_deg altitude air_density position gyradii id recording displacement "
-    "periods at periods_s amplitude_deg excited added_mass suspension kind orientation line_length spacing top_spacing hull_pitch_deg "
+    "periods at periods_s amplitude_deg excited added_mass suspension kind orientation line_length spacing top_spacing hull_pitch_deg hull_roll_deg points_m same_as "
     "points_moved axis_height end arm depth angle_deg value u yaw sway surge pitch roll pitch_in_phase pitch_out_of_phase "
     "roll_in_phase roll_out_of_phase compound other measured_on"
 ).split()

@@ -1,12 +1,12 @@
 """The generator's motion against another integrator and against closed forms; its sessions from their seeds."""
 
 import json
-import re
 
 import motion
 import numpy as np
 import pytest
 import sessions
+import tomllib
 from borrowed import blind, rb
 from effects import EFFECTS, OUTSIDE
 from scene import Flaws, Mount, Scene, move, readings, rig_of, start_of
@@ -351,8 +351,11 @@ def test_a_shifted_truth_would_be_seen(tmp_path):
     name = sessions.make(tmp_path, 8, 1, "stated_length")
     truth = json.loads((tmp_path / f"{name}.truth.json").read_text())
     offset = truth["hidden"][0]["parameters"]["offset_m"]
-    text = (tmp_path / name / "session.toml").read_text()
-    tapes = re.findall(r"line_length = { value = ([0-9.]+), u = ([0-9.]+) }", text)
-    assert len(tapes) == len(truth["swings"])
-    for (value, u), swing in zip(tapes, truth["swings"].values()):
-        assert abs(float(value) - swing["line_length_m"] - offset) < 4.5 * float(u) + 1e-4
+    session = tomllib.loads((tmp_path / name / "session.toml").read_text())
+    hung = {swing["id"]: swing["suspension"] for swing in session["swing"]}
+    shared = {one["id"]: one["zero_u"] for one in session.get("instrument", [])}
+    assert len(hung) == len(truth["swings"])
+    for suspension, swing in zip(hung.values(), truth["swings"].values()):
+        tape = hung.get(suspension.get("same_as"), suspension)["line_length"]
+        u = shared.get(tape.get("instrument"), tape["u"])
+        assert abs(tape["value"] - swing["line_length_m"] - offset) < 4.5 * u + 1e-4
