@@ -2,7 +2,7 @@
 
 use toml_edit::{DocumentMut, InlineTable, Item, TableLike, TomlError, Value, value};
 
-use super::grow::Growth;
+use super::hanging::Hanging;
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{
     Orientation, Quantity, Session, Suspension, SuspensionKind, read_session,
@@ -54,37 +54,31 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
     }
     let mut session = read_session(&filled.to_string(), file)?;
     for (swing, gaps) in session.swings.iter_mut().zip(gaps) {
-        let hung = &mut swing.suspension;
         for gap in gaps {
-            match gap {
-                LINE_LENGTH => hung.line_length_m = None,
-                SPACING => hung.spacing_m = None,
-                _ => hung.axis_height_m = None,
-            }
+            swing.suspension.set_figure(gap, None);
         }
     }
     Ok(draft(session, true))
 }
 
-const LINE_LENGTH: &str = "line_length";
-const SPACING: &str = "spacing";
-const AXIS_HEIGHT: &str = "axis_height";
+/// Lines so long reach from any point to any other, m.
+const FILLER_M: f64 = 1e6;
 
 /// Gives a suspension the dimensions that it must have and lacks; their keys.
 fn fill_gaps(suspension: &mut dyn TableLike) -> Vec<&'static str> {
     let kind = suspension.get("kind").and_then(Item::as_str);
-    let needed: &[&str] = match kind {
-        Some("bifilar") => &[LINE_LENGTH, SPACING],
-        Some("compound") => &[AXIS_HEIGHT],
-        _ => &[],
-    };
+    let needed = kind
+        .and_then(SuspensionKind::named)
+        .map_or(&[][..], SuspensionKind::needs);
     let gaps: Vec<&str> = needed
         .iter()
         .copied()
         .filter(|key| !suspension.contains_key(key))
         .collect();
     for key in &gaps {
-        suspension.insert(key, value(1.0));
+        // Nothing but a figure that fits whatever stands beside it: it is taken out again.
+        let above = suspension.get(&format!("top_{key}")).cloned();
+        suspension.insert(key, above.unwrap_or_else(|| value(FILLER_M)));
     }
     gaps
 }
@@ -107,28 +101,25 @@ fn suspensions(document: &mut DocumentMut) -> Vec<&mut dyn TableLike> {
     }
 }
 
-/// The text with the dimensions of one swing that are stated; all else stands as it was.
+/// The text with the dimensions of one swing that are stated; all else stands as it was. Of
+/// another kind, it loses the figures that this one does not have.
 pub(crate) fn set_stated(
     text: &str,
     swing: usize,
-    stated: &Suspension,
-    growth: &Growth,
+    old: &Suspension,
+    stated: &Hanging,
 ) -> Result<String> {
-    let choice = |name: Option<&'static str>| name.map(Value::from);
-    let dimension = |stated: Option<Quantity>| stated.map(of_quantity);
-    let keys = [
-        ("kind", choice(growth.kind.map(SuspensionKind::name))),
-        (
-            "orientation",
-            choice(growth.orientation.map(Orientation::name)),
-        ),
-        (LINE_LENGTH, dimension(stated.line_length_m)),
-        (SPACING, dimension(stated.spacing_m)),
-        ("top_spacing", dimension(stated.top_spacing_m)),
-        ("hull_pitch_deg", dimension(stated.hull_pitch_deg)),
-        ("points_moved", dimension(stated.points_moved_m)),
-        (AXIS_HEIGHT, dimension(stated.axis_height_m)),
+    let kind = stated.over(old)?.kind;
+    let choices = [
+        ("kind", stated.kind.map(SuspensionKind::name)),
+        ("orientation", stated.orientation.map(Orientation::name)),
     ];
+    let choices = choices.map(|(key, name)| (key, name.map(Value::from)));
+    let figures = kind.figures().iter().map(|key| {
+        let figure = stated.figures.get(*key).copied();
+        (*key, figure.map(of_quantity))
+    });
+    let keys: Vec<(&str, Option<Value>)> = choices.into_iter().chain(figures).collect();
     if keys.iter().all(|(_, stated)| stated.is_none()) {
         return Ok(text.to_owned());
     }
@@ -138,6 +129,10 @@ pub(crate) fn set_stated(
     };
     let mut document = document(bare, gyradius_recording::SESSION_FILE)?;
     if let Some(suspension) = suspensions(&mut document).into_iter().nth(swing) {
+        let foreign = |key: &&&str| !kind.figures().contains(*key);
+        for key in old.kind.figures().iter().filter(foreign) {
+            suspension.remove(key);
+        }
         for (key, stated) in keys {
             if let Some(stated) = stated {
                 set(suspension, key, stated);

@@ -20,6 +20,7 @@ mod samples;
 mod save;
 mod session;
 mod store;
+mod suspension;
 mod toml_read;
 mod toml_recorded;
 mod toml_swing;

@@ -8,8 +8,8 @@ use super::names::{
 use super::quantity::Quantity;
 use super::recorded::{Recorded, RecordedRepair};
 use super::session::{
-    AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Session, Site,
-    Suspension, SuspensionKind, Swing, SwingData,
+    AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Orientation,
+    Session, Site, Suspension, SuspensionKind, Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 
@@ -56,6 +56,10 @@ fn written(session: &Session, mut text: Lines) -> String {
     }
     if session.attachments.is_empty() {
         text.hint(PHONE);
+        let hung = |swing: &Swing| swing.suspension.kind == SuspensionKind::Trifilar;
+        if session.swings.iter().any(hung) {
+            text.hint(PLATFORM);
+        }
     }
     for (i, one) in session.swings.iter().enumerate() {
         swing(&mut text, one, &figures, &format!("swing[{}]", i + 1));
@@ -102,15 +106,42 @@ const SITE: &str = "\n# [site]\n# gravity = { value = 9.81, u = 0.005 }  # m/s2;
 const PHONE: &str = "\n# [[attachment]]  # rides on the hull and is taken off the result\n\
     # name = \"phone\"\n# mass = { value = 0.2, u = 0.001 }  # kg\n\
     # position = [0.0, 0.0, 0.0]  # m, forward, to port, up, from the mid-point of the suspension points\n";
+const PLATFORM: &str = "\n# [[attachment]]  # what the body lies on\n\
+    # name = \"platform\"\n# mass = { value = 5.0, u = 0.01 }  # kg\n\
+    # position = [0.0, 0.0, -0.02]  # m, forward, to port, up, from the centre of the circle\n\
+    # gyradii = [0.2, 0.2, 0.28]  # m, about its own centre\n";
 const EXCITED: &str =
     "# excited = [\"yaw\", \"sway\"]  # what was set going: yaw, sway, surge, pitch, roll\n";
-const LINE_LENGTH: &str = "# line_length = { value = 3.0, u = 0.003 }  # m, of the lines\n";
-const SPACING: &str =
-    "# spacing = { value = 1.5, u = 0.002 }  # m, between the points on the hull\n";
-const TOP_SPACING: &str = "# top_spacing = { value = 1.5, u = 0.002 }  # m, between the points above; without it, spacing\n";
-const HULL_PITCH: &str = "# hull_pitch_deg = { value = 0.0, u = 0.3 }  # degrees, bow up\n";
-const AXIS_HEIGHT: &str =
-    "# axis_height = { value = 0.5, u = 0.002 }  # m, of the axis above the suspension points\n";
+const HINTS: [(&str, &str); 7] = [
+    (
+        "line_length",
+        "# line_length = { value = 3.0, u = 0.003 }  # m, of the lines\n",
+    ),
+    (
+        "spacing",
+        "# spacing = { value = 1.5, u = 0.002 }  # m, between the points on the hull\n",
+    ),
+    (
+        "top_spacing",
+        "# top_spacing = { value = 1.5, u = 0.002 }  # m, between the points above; without it, spacing\n",
+    ),
+    (
+        "radius",
+        "# radius = { value = 0.5, u = 0.001 }  # m, of the circle through the line ends on the platform\n",
+    ),
+    (
+        "top_radius",
+        "# top_radius = { value = 0.5, u = 0.001 }  # m, of that through the line ends above; without it, radius\n",
+    ),
+    (
+        "hull_pitch_deg",
+        "# hull_pitch_deg = { value = 0.0, u = 0.3 }  # degrees, bow up\n",
+    ),
+    (
+        "axis_height",
+        "# axis_height = { value = 0.5, u = 0.002 }  # m, of the axis above the suspension points\n",
+    ),
+];
 
 /// The lines written so far.
 #[derive(Default)]
@@ -265,43 +296,28 @@ fn added_masses(text: &mut Lines, masses: &[AddedMass], figures: &Figures, key: 
 fn suspension(text: &mut Lines, suspension: &Suspension, figures: &Figures, key: &str) {
     text.subheader("[swing.suspension]");
     text.key("kind", quoted(name_of(suspension.kind, KINDS)));
-    text.key(
-        "orientation",
-        quoted(name_of(suspension.orientation, ORIENTATIONS)),
-    );
-    let is_round = suspension.kind == SuspensionKind::Trifilar;
-    let half = |across: Option<Quantity>| {
-        let figure = across.filter(|_| is_round)?;
-        Some(Quantity::new(0.5 * figure.value, 0.5 * figure.u))
-    };
-    let across = |across: Option<Quantity>| across.filter(|_| !is_round);
-    // A kind has no lines to fill in of another.
-    let of = |kind: SuspensionKind, hint: &'static str| {
-        if suspension.kind == kind { hint } else { "" }
-    };
-    let lines = |hint| of(SuspensionKind::Bifilar, hint);
-    let axis = of(SuspensionKind::Compound, AXIS_HEIGHT);
-    let stated = [
-        ("line_length", suspension.line_length_m, lines(LINE_LENGTH)),
-        ("spacing", across(suspension.spacing_m), lines(SPACING)),
-        (
-            "top_spacing",
-            across(suspension.top_spacing_m),
-            lines(TOP_SPACING),
-        ),
-        ("radius", half(suspension.spacing_m), ""),
-        ("top_radius", half(suspension.top_spacing_m), ""),
-        ("hull_pitch_deg", suspension.hull_pitch_deg, HULL_PITCH),
-        ("points_moved", suspension.points_moved_m, ""),
-        ("axis_height", suspension.axis_height_m, axis),
-    ];
-    for (name, figure, hint) in stated {
-        let written = |figure| figures.written(&format!("{key}.suspension.{name}"), figure);
-        match figure {
-            Some(figure) => text.key(name, written(figure)),
-            None => text.hint(hint),
+    // What is round has no direction but the one that somebody stated.
+    if suspension.kind.has_direction() || suspension.orientation != Orientation::Athwartships {
+        text.key(
+            "orientation",
+            quoted(name_of(suspension.orientation, ORIENTATIONS)),
+        );
+    }
+    for name in suspension.kind.figures() {
+        match suspension.figure(name) {
+            Some(figure) => text.key(
+                name,
+                figures.written(&format!("{key}.suspension.{name}"), figure),
+            ),
+            None => text.hint(hint_of(name)),
         }
     }
+}
+
+/// The line that a figure of a suspension is to be filled in at.
+fn hint_of(key: &str) -> &'static str {
+    let hint = HINTS.iter().find(|(name, _)| *name == key);
+    hint.map_or("", |(_, line)| line)
 }
 
 fn incline(text: &mut Lines, incline: &Incline, figures: &Figures, key: &str) {

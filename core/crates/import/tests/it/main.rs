@@ -5,4 +5,5 @@
 mod described;
 mod grow;
 mod kept;
+mod kinds;
 mod told;
