@@ -1,17 +1,21 @@
 //! The text of a session that may still lack dimensions.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use toml_edit::{DocumentMut, InlineTable, Item, TableLike, TomlError, Value, value};
 
 use super::hanging::Hanging;
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{
-    Orientation, Quantity, Session, Suspension, SuspensionKind, read_session,
+    Orientation, ParsedSession, Quantity, Session, Suspension, SuspensionKind, parse_session,
 };
 
 /// A session as far as it is filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Draft {
     pub session: Session,
+    /// Keys of the figures that are stated without an uncertainty.
+    assumed: BTreeSet<String>,
     /// Whether a swing lacks a dimension that it must have.
     lacks: bool,
     /// `swing` or `recorded`, where it is a list in one line.
@@ -23,6 +27,29 @@ impl Draft {
     pub fn is_complete(&self) -> bool {
         !self.lacks
     }
+
+    /// How a swing hung, as it is stated: u is NaN where nobody states it; and the instruments that
+    /// its figures were read with, by the key of the figure.
+    pub fn hung(&self, swing: usize) -> Option<(Suspension, BTreeMap<String, String>)> {
+        let mut hung = self.session.swings.get(swing)?.suspension.clone();
+        let mut read_with = BTreeMap::new();
+        for key in hung.kind.figures() {
+            let full = figure_key(swing, key);
+            if let Some(instrument) = self.session.read_with.get(&full) {
+                read_with.insert((*key).to_owned(), instrument.clone());
+            }
+            let figure = hung.figure(key);
+            if let Some(stated) = figure.filter(|_| self.assumed.contains(&full)) {
+                hung.set_figure(key, Some(Quantity::new(stated.value, f64::NAN)));
+            }
+        }
+        Some((hung, read_with))
+    }
+}
+
+/// The key of a figure of a swing's suspension in the whole session; swings count from 0.
+pub(crate) fn figure_key(swing: usize, key: &str) -> String {
+    format!("swing[{}].suspension.{key}", swing + 1)
 }
 
 /// Reads a session; dimensions of suspensions may be missing, all else must be right.
@@ -33,13 +60,14 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
             .into_iter()
             .find(|list| document.get(list).is_some_and(Item::is_value))
     });
-    let draft = |session, lacks| Draft {
-        session,
+    let draft = |parsed: ParsedSession, lacks| Draft {
+        session: parsed.session,
+        assumed: parsed.assumed.into_iter().map(|one| one.path).collect(),
         lacks,
         in_line,
     };
-    let refused = match read_session(text, file) {
-        Ok(session) => return Ok(draft(session, false)),
+    let refused = match parse_session(text, file) {
+        Ok(parsed) => return Ok(draft(parsed, false)),
         Err(refused) => refused,
     };
     let Ok(mut filled) = document(text, file) else {
@@ -52,13 +80,13 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
     if gaps.iter().all(Vec::is_empty) {
         return Err(refused);
     }
-    let mut session = read_session(&filled.to_string(), file)?;
-    for (swing, gaps) in session.swings.iter_mut().zip(gaps) {
+    let mut parsed = parse_session(&filled.to_string(), file)?;
+    for (swing, gaps) in parsed.session.swings.iter_mut().zip(gaps) {
         for gap in gaps {
             swing.suspension.set_figure(gap, None);
         }
     }
-    Ok(draft(session, true))
+    Ok(draft(parsed, true))
 }
 
 /// Lines so long reach from any point to any other, m.

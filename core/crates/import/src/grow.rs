@@ -3,10 +3,11 @@
 //! The session's text is kept as it stands: new swings are put at its end, and of a planned swing
 //! only the figures that the caller states anew are changed.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::draft::{Draft, read_draft, set_stated};
+use super::draft::{Draft, figure_key, read_draft, set_stated};
 use super::gather::{Gathered, gather};
 use super::hanging::Hanging;
 use super::import::{ImportRequest, draft_note, missing};
@@ -49,7 +50,7 @@ pub fn import_into(
     let text = utf8(&bytes, &file)?;
     let before = read_draft(text, &file)?;
     before.refuse_lists_in_line(&file)?;
-    let hung = growth.new_ones(&before.session)?;
+    let (hung, read_with) = growth.new_ones(&before)?;
     let mut places = places(&before.session, &store)?;
     if let Some(swing) = &growth.swing {
         places.mean(swing)?;
@@ -81,8 +82,8 @@ pub fn import_into(
         }
         notes.push(draft_note(&lacks));
     }
-    let new: Vec<Swing> = new.into_iter().cloned().collect();
-    after = with_tables(after, &write_swings_to_fill_in(&new, &gathered.recorded));
+    let added = added(new, gathered.recorded, &read_with);
+    after = with_tables(after, &write_swings_to_fill_in(&added));
     // What cannot be read back is not written.
     read_draft(&after, &file)?;
 
@@ -257,21 +258,24 @@ fn with_tables(mut text: String, tables: &str) -> String {
 }
 
 impl Growth {
-    /// How new swings hung.
-    fn new_ones(&self, session: &Session) -> Result<Suspension> {
+    /// How new swings hung, and the instruments that figures taken from another swing were read
+    /// with, by the key of the figure.
+    fn new_ones(&self, draft: &Draft) -> Result<(Suspension, BTreeMap<String, String>)> {
         let Some(like) = &self.like else {
-            return self.hung.alone();
+            return Ok((self.hung.alone()?, BTreeMap::new()));
         };
-        let found = session.swings.iter().find(|swing| swing.id == *like);
-        let base = found.map(|swing| &swing.suspension).ok_or_else(|| {
-            let ids: Vec<&str> = session.swings.iter().map(|swing| &*swing.id).collect();
+        let swings = &draft.session.swings;
+        let found = swings.iter().position(|swing| swing.id == *like);
+        let (base, mut read_with) = found.and_then(|at| draft.hung(at)).ok_or_else(|| {
+            let ids: Vec<&str> = swings.iter().map(|swing| &*swing.id).collect();
             Error::argument(
                 "like",
                 format!("a swing of the session: {}", ids.join(", ")),
                 format!("`{like}`"),
             )
         })?;
-        self.hung.over(base)
+        read_with.retain(|key, _| !self.hung.figures.contains_key(key));
+        Ok((self.hung.over(&base)?, read_with))
     }
 
     /// The text with what is stated of a planned swing, whose recording is of the kind that it
@@ -293,6 +297,25 @@ impl Growth {
             ));
         }
         set_stated(text, place, &old.suspension, &self.hung)
+    }
+}
+
+/// What is put at the end of a session: swings that hung alike, read with the same instruments.
+fn added(
+    swings: Vec<&Swing>,
+    recorded: Vec<Recorded>,
+    read_with: &BTreeMap<String, String>,
+) -> Session {
+    let each = 0..swings.len();
+    let keys = each.flat_map(|i| {
+        let of_swing = read_with.iter();
+        of_swing.map(move |(key, instrument)| (figure_key(i, key), instrument.clone()))
+    });
+    Session {
+        read_with: keys.collect(),
+        swings: swings.into_iter().cloned().collect(),
+        recorded,
+        ..Session::default()
     }
 }
 

@@ -23,19 +23,22 @@ pub fn write_session_to_fill_in(session: &Session) -> String {
     written(session, Lines::to_fill_in())
 }
 
-/// The tables of swings and recordings alone, to be put at the end of a session's text, with what
-/// is usual and not stated as comments.
-pub fn write_swings_to_fill_in(swings: &[Swing], recorded: &[Recorded]) -> String {
+/// The tables of its swings and recordings alone, to be put at the end of another session's text,
+/// with what is usual and not stated as comments. Instruments are those of the other session.
+pub fn write_swings_to_fill_in(added: &Session) -> String {
     let mut text = Lines::to_fill_in();
-    let none = Session::default();
-    let figures = Figures(&none);
-    for one in swings {
-        swing(&mut text, one, &figures, "");
-    }
-    for one in recorded {
-        self::recorded(&mut text, one);
+    swings(&mut text, added);
+    for one in &added.recorded {
+        recorded(&mut text, one);
     }
     text.text
+}
+
+fn swings(text: &mut Lines, session: &Session) {
+    let figures = Figures(session);
+    for (i, one) in session.swings.iter().enumerate() {
+        swing(text, one, &figures, &format!("swing[{}]", i + 1));
+    }
 }
 
 fn written(session: &Session, mut text: Lines) -> String {
@@ -61,9 +64,7 @@ fn written(session: &Session, mut text: Lines) -> String {
             text.hint(PLATFORM);
         }
     }
-    for (i, one) in session.swings.iter().enumerate() {
-        swing(&mut text, one, &figures, &format!("swing[{}]", i + 1));
-    }
+    swings(&mut text, session);
     for (i, one) in session.inclines.iter().enumerate() {
         incline(&mut text, one, &figures, &format!("incline[{}]", i + 1));
     }

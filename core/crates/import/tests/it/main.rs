@@ -2,6 +2,7 @@
 
 #![allow(missing_docs)]
 
+mod alike;
 mod described;
 mod grow;
 mod kept;
