@@ -2,6 +2,7 @@
 //!
 //! May know `error`, `constants`, `frames`. Knows nothing of what is done with the data.
 
+mod assembled;
 mod csv;
 mod csv_write;
 mod domain;
@@ -37,8 +38,8 @@ pub use repair::{
     CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, median_interval_s,
 };
 pub use samples::{
-    Channel, ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor,
-    SingleChannel, Track, Triad,
+    Channel, ChannelQuantity, GateEvents, PartialTriad, PeriodList, Recording, Repair, RepairKind,
+    Sensor, SensorChannels, SingleChannel, Track, Triad,
 };
 pub use save::{
     Overwrite, save_session, save_session_with, save_session_zip, session_zip_bytes, write_files,

@@ -440,20 +440,19 @@ fn rows_of(swing: &LoadedSwing) -> BTreeSet<[u64; 3]> {
     let LoadedData::Recording(recording) = &swing.data else {
         return BTreeSet::new();
     };
-    if let Some(channel) = &recording.single {
-        let rows = channel.t_s.iter().zip(&channel.values);
-        return rows.map(|(t, v)| [t.to_bits(), v.to_bits(), 0]).collect();
-    }
-    let triad = recording
-        .gyroscope
-        .as_ref()
-        .or(recording.accelerometer.as_ref());
-    let [x, y, z] = triad.map_or([&[][..]; 3], |triad| {
-        triad.axes.each_ref().map(Vec::as_slice)
-    });
-    x.iter()
-        .zip(y)
-        .zip(z)
-        .map(|((x, y), z)| [x, y, z].map(|value| value.to_bits()))
+    let sensors = recording.sensors();
+    let Some(first) = sensors.first() else {
+        return BTreeSet::new();
+    };
+    let bits = |place: usize, i: usize| {
+        let channel = first.channels.get(place);
+        channel
+            .and_then(|(_, samples)| samples.get(i))
+            .map(|v| v.to_bits())
+    };
+    // Fewer than three axes have their stamp beside them: one value alone comes again.
+    let stamp = |i: usize| (first.channels.len() < 3).then(|| first.t_s[i].to_bits());
+    (0..first.t_s.len())
+        .map(|i| [bits(0, i), bits(1, i), bits(2, i).or(stamp(i))].map(Option::unwrap_or_default))
         .collect()
 }
