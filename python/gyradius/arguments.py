@@ -13,6 +13,8 @@ class Suspension(str, Enum):
 
     bifilar = "bifilar"
     compound = "compound"
+    trifilar = "trifilar"
+    free = "free"
 
 
 class Orientation(str, Enum):

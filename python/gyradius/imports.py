@@ -17,12 +17,25 @@ from .matlab import readable
 # A number, or a number with one standard uncertainty.
 Stated = float | tuple[float, float]
 Pair = tuple[float, float]
+# How it hung: on two lines, on a fixed axis, on three lines; of a free one nothing is stated.
+Kind = Literal["bifilar", "compound", "trifilar", "free"]
 
 SESSION_FILE = "session.toml"
 
 #: What may carry an uncertainty.
 STATED = frozenset(
-    ("mass", "gravity", "line_length", "spacing", "top_spacing", "hull_pitch", "points_moved", "axis_height")
+    (
+        "mass",
+        "gravity",
+        "line_length",
+        "spacing",
+        "top_spacing",
+        "radius",
+        "top_radius",
+        "hull_pitch",
+        "points_moved",
+        "axis_height",
+    )
 )
 
 
@@ -45,6 +58,8 @@ class ImportPlan:
     line_length: Pair | None = None
     spacing: Pair | None = None
     top_spacing: Pair | None = None
+    radius: Pair | None = None
+    top_radius: Pair | None = None
     hull_pitch: Pair | None = None
     points_moved: Pair | None = None
     axis_height: Pair | None = None
@@ -60,13 +75,15 @@ def import_files(
     flag_width: float | None = None,
     replace: bool = False,
     title: str = "",
-    suspension: Literal["bifilar", "compound"] | None = None,
+    suspension: Kind | None = None,
     orientation: Literal["athwartships", "fore_and_aft"] | None = None,
     mass: Stated | None = None,
     gravity: Stated | None = None,
     line_length: Stated | None = None,
     spacing: Stated | None = None,
     top_spacing: Stated | None = None,
+    radius: Stated | None = None,
+    top_radius: Stated | None = None,
     hull_pitch: Stated | None = None,
     points_moved: Stated | None = None,
     axis_height: Stated | None = None,
@@ -93,6 +110,8 @@ def import_files(
         line_length=pair(line_length),
         spacing=pair(spacing),
         top_spacing=pair(top_spacing),
+        radius=pair(radius),
+        top_radius=pair(top_radius),
         hull_pitch=pair(hull_pitch),
         points_moved=pair(points_moved),
         axis_height=pair(axis_height),
@@ -111,11 +130,13 @@ def import_into(
     trial: str | int | None = None,
     platform: Literal["android", "ios"] | None = None,
     flag_width: float | None = None,
-    suspension: Literal["bifilar", "compound"] | None = None,
+    suspension: Kind | None = None,
     orientation: Literal["athwartships", "fore_and_aft"] | None = None,
     line_length: Stated | None = None,
     spacing: Stated | None = None,
     top_spacing: Stated | None = None,
+    radius: Stated | None = None,
+    top_radius: Stated | None = None,
     hull_pitch: Stated | None = None,
     points_moved: Stated | None = None,
     axis_height: Stated | None = None,
@@ -139,6 +160,8 @@ def import_into(
         line_length=pair(line_length),
         spacing=pair(spacing),
         top_spacing=pair(top_spacing),
+        radius=pair(radius),
+        top_radius=pair(top_radius),
         hull_pitch=pair(hull_pitch),
         points_moved=pair(points_moved),
         axis_height=pair(axis_height),

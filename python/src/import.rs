@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use gyradius_core::import::{self, Growth, ImportRequest, import_session};
+use gyradius_core::import::{self, Growth, Hanging, ImportRequest, import_session};
 use gyradius_core::recording::import::Platform;
-use gyradius_core::recording::{Orientation, Overwrite, Quantity, Suspension, SuspensionKind};
+use gyradius_core::recording::{Orientation, Overwrite, Quantity, SuspensionKind};
 use gyradius_core::{Error, Result};
 use pyo3::prelude::*;
 
@@ -28,6 +28,8 @@ pub struct Plan {
     line_length: Stated,
     spacing: Stated,
     top_spacing: Stated,
+    radius: Stated,
+    top_radius: Stated,
     hull_pitch: Stated,
     points_moved: Stated,
     axis_height: Stated,
@@ -77,7 +79,7 @@ pub fn describe_exports(py: Python<'_>, files: Vec<PathBuf>, plan: Plan) -> PyRe
 impl Plan {
     fn request(self) -> Result<ImportRequest> {
         Ok(ImportRequest {
-            suspension: self.hanging()?,
+            suspension: self.hung()?.alone()?,
             platform: self.platform.as_deref().map(platform).transpose()?,
             mapping: self.mapping,
             trial: self.trial,
@@ -93,53 +95,39 @@ impl Plan {
         Ok(Growth {
             swing: self.swing.clone(),
             like: self.like.clone(),
-            kind: self.suspension.as_deref().map(kind).transpose()?,
-            orientation: self.orientation.as_deref().map(orientation).transpose()?,
+            hung: self.hung()?,
         })
     }
 
-    fn hanging(&self) -> Result<Suspension> {
-        let Growth {
-            kind, orientation, ..
-        } = self.growth()?;
-        Ok(Suspension {
-            kind: kind.unwrap_or(SuspensionKind::Bifilar),
-            orientation: orientation.unwrap_or(Orientation::Athwartships),
-            line_length_m: quantity(self.line_length),
-            spacing_m: quantity(self.spacing),
-            top_spacing_m: quantity(self.top_spacing),
-            hull_pitch_deg: quantity(self.hull_pitch),
-            hull_roll_deg: None,
-            points_m: None,
-            points_moved_m: quantity(self.points_moved),
-            axis_height_m: quantity(self.axis_height),
+    /// What is stated of the hanging.
+    fn hung(&self) -> Result<Hanging> {
+        let figures = [
+            ("line_length", self.line_length),
+            ("spacing", self.spacing),
+            ("top_spacing", self.top_spacing),
+            ("radius", self.radius),
+            ("top_radius", self.top_radius),
+            ("hull_pitch_deg", self.hull_pitch),
+            ("points_moved", self.points_moved),
+            ("axis_height", self.axis_height),
+        ];
+        let stated = |(key, figure): (&str, Stated)| Some((key.to_owned(), quantity(figure)?));
+        Ok(Hanging {
+            kind: self.suspension.as_deref().map(kind).transpose()?,
+            orientation: self.orientation.as_deref().map(orientation).transpose()?,
+            figures: figures.into_iter().filter_map(stated).collect(),
         })
     }
 }
 
 fn kind(name: &str) -> Result<SuspensionKind> {
-    match name {
-        "bifilar" => Ok(SuspensionKind::Bifilar),
-        "compound" => Ok(SuspensionKind::Compound),
-        "free" => Ok(SuspensionKind::Free),
-        other => Err(Error::argument(
-            "suspension",
-            "bifilar, compound or free",
-            other,
-        )),
-    }
+    let unknown = || Error::argument("suspension", SuspensionKind::names(), name);
+    SuspensionKind::named(name).ok_or_else(unknown)
 }
 
 fn orientation(name: &str) -> Result<Orientation> {
-    match name {
-        "athwartships" => Ok(Orientation::Athwartships),
-        "fore_and_aft" => Ok(Orientation::ForeAndAft),
-        other => Err(Error::argument(
-            "orientation",
-            "athwartships or fore_and_aft",
-            other,
-        )),
-    }
+    let unknown = || Error::argument("orientation", Orientation::names(), name);
+    Orientation::named(name).ok_or_else(unknown)
 }
 
 fn platform(name: &str) -> Result<Platform> {

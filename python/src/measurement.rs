@@ -130,8 +130,9 @@ fn fit<'py>(
         .map(|before| before.channels.len())
         .sum();
     let fitted = py.detach(|| model(&group.t_s, &evidence.found));
-    let labels = (first..first + group.channels.len())
-        .map(|channel| label(evidence, channel))
+    let labels = evidence.channels[first..first + group.channels.len()]
+        .iter()
+        .map(|name| (*name).to_owned())
         .collect();
     let fitted = &fitted[first..first + group.channels.len()];
     Ok((
@@ -140,24 +141,4 @@ fn fit<'py>(
         rows(py, &group.channels)?,
         rows(py, fitted)?,
     ))
-}
-
-/// `gx`, `ay`, `lz`: the names of the session format; a track's only channel is `y`.
-fn label(evidence: &Evidence, channel: usize) -> String {
-    if let Some(single) = evidence.single {
-        return single.name().into();
-    }
-    let axis = |first: usize| ["x", "y", "z"].get(channel.wrapping_sub(first)).copied();
-    let sensor = if evidence.map.gravity_free { "l" } else { "a" };
-    let gyroscope = evidence
-        .map
-        .gyroscope
-        .and_then(axis)
-        .map(|axis| format!("g{axis}"));
-    let accelerometer = evidence
-        .map
-        .accelerometer
-        .and_then(axis)
-        .map(|axis| format!("{sensor}{axis}"));
-    gyroscope.or(accelerometer).unwrap_or_else(|| "y".into())
 }

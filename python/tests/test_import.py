@@ -178,3 +178,25 @@ def test_what_is_usual_and_not_stated_stands_as_comments(tmp_path: Path) -> None
     for key in ("mass", "gravity", "excited", "top_spacing", "hull_pitch_deg"):
         assert f"# {key} = " in text
     assert '# name = "phone"' in text
+
+
+def test_three_lines_and_a_free_swing_are_imported(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    (tmp_path / "up.csv").write_text(swing_csv(period_s=2.5))
+    (tmp_path / "free.csv").write_text(swing_csv(period_s=3.0))
+    round_ = ["--suspension", "trifilar", "--line-length", "2:0.002", "--radius", "0.25:0.001", "--mass", "100:0.1"]
+    assert run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *round_).returncode == 0
+    text = (tmp_path / "s" / "session.toml").read_text()
+    assert 'kind = "trifilar"' in text
+    assert "radius = { value = 0.25, u = 0.001 }" in text
+    alike = run("import", tmp_path / "up.csv", "--into", tmp_path / "s", "--like", "yaw", "--radius", "0.3:0.002")
+    assert alike.returncode == 0, alike.stderr
+    free = run("import", tmp_path / "free.csv", "--into", tmp_path / "s", "--suspension", "free")
+    assert free.returncode == 0, free.stderr
+    assert gyradius.load(tmp_path / "s").swing_ids == ["yaw", "up", "free"]
+
+
+def test_a_figure_of_another_kind_of_suspension_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "yaw.csv").write_text(swing_csv())
+    assert_refused(run("import", tmp_path / "yaw.csv", "-o", tmp_path / "s", *SIZES, "--radius", "0.3"), 2, "radius")
+    assert not (tmp_path / "s").exists()

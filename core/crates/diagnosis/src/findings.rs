@@ -85,13 +85,7 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
     let poles: Vec<Pole> = evidence.found.modes.iter().map(pole).collect();
     let mut turns: Vec<(usize, [Complex64; 3])> = Vec::new();
     for (m, mode) in evidence.found.modes.iter().enumerate() {
-        turns.extend(
-            evidence
-                .map
-                .gyroscope
-                .and_then(|first| shape(mode, first))
-                .map(|shape| (m, shape)),
-        );
+        turns.extend(shape(mode, &evidence.rates()).map(|shape| (m, shape)));
     }
     turns.sort_by(|a, b| energy(&b.1).total_cmp(&energy(&a.1)));
     let mut all = Vec::new();

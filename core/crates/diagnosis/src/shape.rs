@@ -1,15 +1,19 @@
 //! How a mode turns the phone.
 
+use std::ops::Range;
+
 use nalgebra::Matrix3;
 use num_complex::Complex64;
 
 use gyradius_base::frames::Vec3;
 use gyradius_signal::FittedMode;
 
-/// Three readings that a mode's shape has in the gyroscope; of a single rate the first.
-pub fn shape(mode: &FittedMode, first: usize) -> Option<[Complex64; 3]> {
-    mode.shape.get(first)?;
-    let axis = |k: usize| mode.shape.get(first + k).copied().unwrap_or_default();
+/// The readings that a mode's shape has in the gyroscope, 0 beyond the axes that there are; `None`
+/// without any.
+pub fn shape(mode: &FittedMode, rates: &Range<usize>) -> Option<[Complex64; 3]> {
+    let seen = mode.shape.get(rates.clone())?;
+    seen.first()?;
+    let axis = |k: usize| seen.get(k).copied().unwrap_or_default();
     Some([0, 1, 2].map(axis))
 }
 

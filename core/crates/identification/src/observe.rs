@@ -1,13 +1,15 @@
 //! From a swing's data to named modes with periods: the step from signal to physics.
 
 use super::names::AmplitudeUnit;
+use std::ops::Range;
+
 use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::{Argument, Message};
 use gyradius_recording::{
-    Channel, ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor,
-    SuspensionKind, Swing, Track, Triad,
+    ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor, SensorChannels,
+    SuspensionKind, Swing, Track,
 };
 use gyradius_signal::{ChannelGroup, Decomposition, FittedMode, FreeSpan, SpanNoteKind};
 
@@ -19,6 +21,15 @@ use super::words::mode_text;
 /// A parasitic motion is worth a warning from this share of the strongest, dB.
 const PARASITIC_DB: f64 = -30.0;
 
+/// Axes of a gyroscope that see so much of a turn about the vertical, squared, see the turn: its
+/// angle is at most a twentieth too small.
+const MOSTLY_VERTICAL: f64 = 0.9;
+/// What is told where the modes are not named by their shapes: with the operator's word, without.
+const NO_GRAVITY: [&str; 2] = ["yaw_by_word", "no_shapes"];
+const AXES_MISSING: [&str; 2] = ["yaw_by_word_axes", "no_shapes_axes"];
+/// The name of a single rate's channel.
+const RATE: &str = ChannelQuantity::Rate.name();
+
 /// Everything found in one record.
 #[derive(Debug, Clone)]
 pub struct Evidence {
@@ -26,7 +37,9 @@ pub struct Evidence {
     pub id: String,
     /// The channels of the free swing.
     pub groups: Vec<ChannelGroup>,
-    /// Which channel is which.
+    /// Names of the channels, counted through all groups: `gx`, `rate`, `y`.
+    pub channels: Vec<&'static str>,
+    /// Which channels are those of a whole sensor.
     pub map: ChannelMap,
     /// Free part of the record.
     pub span: FreeSpan,
@@ -58,37 +71,94 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    /// The first channel of a gyroscope, or the only one of a single rate.
-    pub fn rates_from(&self) -> Option<usize> {
+    /// The channels that tell how fast it turns: the axes of a gyroscope that were recorded, or a
+    /// single rate. They are the first ones; empty where there are none.
+    pub fn rates(&self) -> Range<usize> {
+        let is_rate = |name: &&&str| name.starts_with('g') || **name == RATE;
+        0..self.channels.iter().take_while(is_rate).count()
+    }
+
+    /// How far a mode turns by the channels that tell it, rad: the least that it can be where axes
+    /// are missing.
+    pub fn turn_rad(&self, mode: &FittedMode) -> Option<f64> {
+        let norm = |channels: Range<usize>| {
+            let seen = channels.filter_map(|c| mode.shape.get(c));
+            seen.map(|c| c.norm_sqr()).sum::<f64>().sqrt()
+        };
+        let rates = self.rates();
         match self.single {
-            Some(ChannelQuantity::Rate) => Some(0),
-            _ => self.map.gyroscope,
+            Some(ChannelQuantity::Angle) => Some(norm(0..1)),
+            _ if rates.is_empty() => None,
+            _ => Some(norm(rates) / mode.undamped_omega_rad_s()),
         }
+    }
+
+    /// Share of a turn about the vertical that the recorded axes of a gyroscope see, squared; where
+    /// the vertical is unknown they are taken to see it all.
+    fn vertical_seen(&self) -> f64 {
+        let Some(up) = self.up else { return 1.0 };
+        let axis = |name: &&str| ["gx", "gy", "gz"].iter().position(|axis| axis == name);
+        let seen = self.channels[self.rates()].iter().filter_map(axis);
+        seen.map(|axis| up[axis].powi(2)).sum()
     }
 }
 
-/// A phone's channels: gyroscope first, then whichever accelerometer there is.
-fn channels(recording: &Recording) -> (Vec<ChannelGroup>, ChannelMap) {
-    let mut groups = Vec::new();
-    let mut map = ChannelMap::default();
-    let group = |triad: &Triad| ChannelGroup {
-        t_s: triad.t_s.clone(),
-        channels: triad.axes.to_vec(),
-    };
-    if let Some(gyroscope) = &recording.gyroscope {
-        map.gyroscope = Some(0);
-        groups.push(group(gyroscope));
+/// A phone's channels by sensor, with their names.
+#[derive(Default)]
+struct Channels {
+    groups: Vec<ChannelGroup>,
+    names: Vec<&'static str>,
+    map: ChannelMap,
+}
+
+impl Channels {
+    /// The gyroscope first, then the accelerometer with more axes, of two alike the one that sees
+    /// gravity.
+    fn of(recording: &Recording) -> Self {
+        let sensors = recording.sensors();
+        let is_force = |one: &&SensorChannels| {
+            let forces = [Sensor::Accelerometer, Sensor::LinearAccelerometer];
+            forces.contains(&one.sensor)
+        };
+        let forces = sensors.iter().rev().filter(is_force);
+        let force = forces.max_by_key(|one| one.channels.len());
+        let others = sensors.iter().filter(|one| !is_force(one));
+        let mut all = Self::default();
+        others.chain(force).for_each(|one| all.add(one));
+        all
     }
-    let next = 3 * groups.len();
-    if let Some(accelerometer) = &recording.accelerometer {
-        map.accelerometer = Some(next);
-        groups.push(group(accelerometer));
-    } else if let Some(linear) = &recording.linear_accelerometer {
-        map.accelerometer = Some(next);
-        map.gravity_free = true;
-        groups.push(group(linear));
+
+    fn add(&mut self, sensor: &SensorChannels) {
+        let whole = (sensor.channels.len() == 3).then_some(self.names.len());
+        match sensor.sensor {
+            Sensor::Gyroscope => self.map.gyroscope = whole,
+            Sensor::Accelerometer => self.map.accelerometer = whole,
+            Sensor::LinearAccelerometer => {
+                self.map.accelerometer = whole;
+                self.map.gravity_free = true;
+            }
+            Sensor::Displacement | Sensor::Timer => {}
+        }
+        let samples = sensor.channels.iter().map(|(_, samples)| samples.to_vec());
+        self.groups.push(ChannelGroup {
+            t_s: sensor.t_s.to_vec(),
+            channels: samples.collect(),
+        });
+        let names = sensor.channels.iter().map(|(name, _)| *name);
+        self.names.extend(names);
     }
-    (groups, map)
+
+    /// The only channel of a track.
+    fn of_track(track: &Track) -> Self {
+        Self {
+            groups: vec![ChannelGroup {
+                t_s: track.t_s.clone(),
+                channels: vec![track.y_m.clone()],
+            }],
+            names: vec!["y"],
+            map: ChannelMap::default(),
+        }
+    }
 }
 
 /// The part of each group between two times.
@@ -113,12 +183,12 @@ pub(crate) fn clipped(groups: &[ChannelGroup], start_s: f64, end_s: f64) -> Vec<
 /// What the free part of a record holds; no mode has its name yet.
 fn found_in(
     id: &str,
-    all: &[ChannelGroup],
-    map: ChannelMap,
+    channels: &Channels,
     amplitude_unit: AmplitudeUnit,
     repairs: &[Repair],
     (disturbed_s, at_limit_s): (&[f64], &[f64]),
 ) -> Result<Evidence> {
+    let all = channels.groups.as_slice();
     let (clear_s, lost_at_limit) = clear_of_limit(all, at_limit_s);
     let rest;
     let cut_at_limit_s = clear_s.filter(|t| t.is_finite());
@@ -144,7 +214,8 @@ fn found_in(
         single: None,
         id,
         groups,
-        map,
+        channels: channels.names.clone(),
+        map: channels.map,
         span,
         found,
         named,
@@ -173,20 +244,26 @@ pub fn observe_recording(
     hanging: &Hanging,
     swing: Option<&Swing>,
 ) -> Result<Evidence> {
-    if let Some(channel) = &recording.single {
-        return observe_single(id, recording, channel, swing);
-    }
-    let (all, map) = channels(recording);
+    let channels = Channels::of(recording);
+    let map = channels.map;
     let mut evidence = found_in(
         id,
-        &all,
-        map,
+        &channels,
         AmplitudeUnit::Radian,
         &recording.repairs,
         (&recording.disturbed_s, &recording.at_limit_s),
     )?;
+    evidence.single = recording.lone_quantity();
+    let up = up_direction(&evidence.found, map).map(|(up, _)| up);
+    // Of a sensor that lacks axes no motion has a shape.
+    let is_rate_whole = evidence.rates().is_empty() || map.gyroscope.is_some();
+    let has_whole = map.gyroscope.is_some() || map.accelerometer.is_some();
+    if !(is_rate_whole && has_whole) {
+        evidence.up = up;
+        name_without_shapes(&mut evidence, swing);
+        return Ok(evidence);
+    }
     let found = &evidence.found;
-    let up = up_direction(found, map).map(|(up, _)| up);
     let motions: Vec<PhoneMotion> = found
         .modes
         .iter()
@@ -194,7 +271,9 @@ pub fn observe_recording(
         .collect();
     let mut named = name_modes(&motions, up, gravity_m_s2, hanging);
     if up.is_none() {
-        evidence.warnings.extend(name_by_hint(&mut named, swing));
+        evidence
+            .warnings
+            .extend(name_by_hint(&mut named, swing, 1.0, NO_GRAVITY));
     }
     Ok(Evidence {
         named,
@@ -220,64 +299,51 @@ fn merged(repairs: &[Repair]) -> Vec<Repair> {
     list
 }
 
-/// Analyses one channel of a motion of one degree of freedom.
-fn observe_single(
-    id: &str,
-    recording: &Recording,
-    channel: &Channel,
-    swing: Option<&Swing>,
-) -> Result<Evidence> {
-    let all = [ChannelGroup {
-        t_s: channel.t_s.clone(),
-        channels: vec![channel.values.clone()],
-    }];
-    let mut evidence = found_in(
-        id,
-        &all,
-        ChannelMap::default(),
-        AmplitudeUnit::Radian,
-        &recording.repairs,
-        (&recording.disturbed_s, &recording.at_limit_s),
-    )?;
-    evidence.single = Some(channel.quantity);
-    let angle = |mode: &FittedMode| {
-        let size = mode.shape.first()?.norm();
-        Some(match channel.quantity {
-            ChannelQuantity::Angle => size,
-            ChannelQuantity::Rate => size / mode.undamped_omega_rad_s(),
-        })
-    };
+/// Names the modes of channels that show no shapes, and gives them their angles.
+fn name_without_shapes(evidence: &mut Evidence, swing: Option<&Swing>) {
     let modes = evidence.found.modes.iter();
-    evidence.named = modes
-        .map(|mode| NamedMode {
-            name: ModeName::Other,
-            angle_rad: angle(mode),
-        })
-        .collect();
-    let told = name_by_hint(&mut evidence.named, swing);
+    let angles: Vec<Option<f64>> = modes.map(|mode| evidence.turn_rad(mode)).collect();
+    let unnamed = |angle_rad| NamedMode {
+        name: ModeName::Other,
+        angle_rad,
+    };
+    let mut named: Vec<NamedMode> = angles.into_iter().map(unnamed).collect();
+    let vertical = evidence.vertical_seen();
+    // An accelerometer's axis may show twice the frequency of the motion.
+    let turns = evidence.single.is_some() || !evidence.rates().is_empty();
+    let why = match evidence.single {
+        Some(_) => NO_GRAVITY,
+        None => AXES_MISSING,
+    };
+    let told = name_by_hint(&mut named, swing.filter(|_| turns), vertical, why);
     evidence.warnings.extend(told);
-    Ok(evidence)
+    evidence.named = named;
 }
 
 /// Without gravity in the record a shape has no name. On a fixed axis there is one motion, else the
 /// strongest turn takes the operator's word.
-fn name_by_hint(named: &mut [NamedMode], swing: Option<&Swing>) -> Option<Message> {
+fn name_by_hint(
+    named: &mut [NamedMode],
+    swing: Option<&Swing>,
+    vertical_seen: f64,
+    [yaw_by_word, no_shapes]: [&str; 2],
+) -> Option<Message> {
     let strongest = (0..named.len()).max_by(|a, b| size(&named[*a]).total_cmp(&size(&named[*b])));
     let Some(strongest) = strongest else {
-        return Some(message("no_shapes", []));
+        return Some(message(no_shapes, []));
     };
     let Some(swing) = swing else {
-        return Some(message("no_shapes", []));
+        return Some(message(no_shapes, []));
     };
     if swing.suspension.kind == SuspensionKind::Compound {
         named[strongest].name = ModeName::Compound;
         return None;
     }
-    if swing.excited.first() == Some(&Excitation::Yaw) {
+    if swing.excited.first() == Some(&Excitation::Yaw) && vertical_seen > MOSTLY_VERTICAL {
         named[strongest].name = ModeName::Yaw;
-        return Some(message("yaw_by_word", []));
+        return Some(message(yaw_by_word, []));
     }
-    Some(message("no_shapes", []))
+    Some(message(no_shapes, []))
 }
 
 fn trimmed(span: &FreeSpan, warnings: &mut Vec<Message>) -> Vec<Repair> {
@@ -385,14 +451,9 @@ pub fn observe_track(
     hanging: &Hanging,
     swing: &Swing,
 ) -> Result<Evidence> {
-    let all = vec![ChannelGroup {
-        t_s: track.t_s.clone(),
-        channels: vec![track.y_m.clone()],
-    }];
     let mut evidence = found_in(
         id,
-        &all,
-        ChannelMap::default(),
+        &Channels::of_track(track),
         AmplitudeUnit::Metre,
         &track.repairs,
         (&[], &[]),

@@ -64,31 +64,21 @@ fn command(files: &[PathBuf], request: &ImportRequest, of_gate: bool) -> String 
     }
     option("output", "SESSION".to_owned());
     let hung = &request.suspension;
-    let is_bifilar = hung.kind == SuspensionKind::Bifilar;
-    if !is_bifilar {
-        option("suspension", "compound".to_owned());
+    if hung.kind != SuspensionKind::Bifilar {
+        option("suspension", hung.kind.name().to_owned());
     }
-    if hung.orientation == Orientation::ForeAndAft {
-        option("orientation", "fore_and_aft".to_owned());
+    if hung.orientation != Orientation::Athwartships {
+        option("orientation", hung.orientation.name().to_owned());
     }
-    for (name, stated, wanted) in [
-        ("mass", request.mass_kg, Some("KG:U")),
-        ("gravity", request.gravity_m_s2, None),
-        (
-            "line-length",
-            hung.line_length_m,
-            is_bifilar.then_some("M:U"),
-        ),
-        ("spacing", hung.spacing_m, is_bifilar.then_some("M:U")),
-        ("top-spacing", hung.top_spacing_m, None),
-        ("hull-pitch", hung.hull_pitch_deg, None),
-        ("points-moved", hung.points_moved_m, None),
-        (
-            "axis-height",
-            hung.axis_height_m,
-            (!is_bifilar).then_some("M:U"),
-        ),
-    ] {
+    let of_hanging = hung.kind.figures().iter().map(|key| {
+        let wanted = hung.kind.needs().contains(key).then_some("M:U");
+        (option_of(key), hung.figure(key), wanted)
+    });
+    let of_session = [
+        ("mass".to_owned(), request.mass_kg, Some("KG:U")),
+        ("gravity".to_owned(), request.gravity_m_s2, None),
+    ];
+    for (name, stated, wanted) in of_session.into_iter().chain(of_hanging) {
         match (stated, wanted) {
             (Some(stated), _) => words.push(format!("--{name}={}", reading(stated))),
             (None, Some(wanted)) => words.push(format!("--{name} {wanted}")),
@@ -96,6 +86,11 @@ fn command(files: &[PathBuf], request: &ImportRequest, of_gate: bool) -> String 
         }
     }
     words.join(" ")
+}
+
+/// The option that states a figure of a suspension.
+fn option_of(key: &str) -> String {
+    key.trim_end_matches("_deg").replace('_', "-")
 }
 
 fn reading(stated: Quantity) -> String {

@@ -1,17 +1,21 @@
 //! The text of a session that may still lack dimensions.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use toml_edit::{DocumentMut, InlineTable, Item, TableLike, TomlError, Value, value};
 
-use super::grow::Growth;
+use super::hanging::Hanging;
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{
-    Orientation, Quantity, Session, Suspension, SuspensionKind, read_session,
+    Orientation, ParsedSession, Quantity, Session, Suspension, SuspensionKind, parse_session,
 };
 
 /// A session as far as it is filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Draft {
     pub session: Session,
+    /// Keys of the figures that are stated without an uncertainty.
+    assumed: BTreeSet<String>,
     /// Whether a swing lacks a dimension that it must have.
     lacks: bool,
     /// `swing` or `recorded`, where it is a list in one line.
@@ -23,6 +27,29 @@ impl Draft {
     pub fn is_complete(&self) -> bool {
         !self.lacks
     }
+
+    /// How a swing hung, as it is stated: u is NaN where nobody states it; and the instruments that
+    /// its figures were read with, by the key of the figure.
+    pub fn hung(&self, swing: usize) -> Option<(Suspension, BTreeMap<String, String>)> {
+        let mut hung = self.session.swings.get(swing)?.suspension.clone();
+        let mut read_with = BTreeMap::new();
+        for key in hung.kind.figures() {
+            let full = figure_key(swing, key);
+            if let Some(instrument) = self.session.read_with.get(&full) {
+                read_with.insert((*key).to_owned(), instrument.clone());
+            }
+            let figure = hung.figure(key);
+            if let Some(stated) = figure.filter(|_| self.assumed.contains(&full)) {
+                hung.set_figure(key, Some(Quantity::new(stated.value, f64::NAN)));
+            }
+        }
+        Some((hung, read_with))
+    }
+}
+
+/// The key of a figure of a swing's suspension in the whole session; swings count from 0.
+pub(crate) fn figure_key(swing: usize, key: &str) -> String {
+    format!("swing[{}].suspension.{key}", swing + 1)
 }
 
 /// Reads a session; dimensions of suspensions may be missing, all else must be right.
@@ -33,13 +60,14 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
             .into_iter()
             .find(|list| document.get(list).is_some_and(Item::is_value))
     });
-    let draft = |session, lacks| Draft {
-        session,
+    let draft = |parsed: ParsedSession, lacks| Draft {
+        session: parsed.session,
+        assumed: parsed.assumed.into_iter().map(|one| one.path).collect(),
         lacks,
         in_line,
     };
-    let refused = match read_session(text, file) {
-        Ok(session) => return Ok(draft(session, false)),
+    let refused = match parse_session(text, file) {
+        Ok(parsed) => return Ok(draft(parsed, false)),
         Err(refused) => refused,
     };
     let Ok(mut filled) = document(text, file) else {
@@ -52,44 +80,39 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
     if gaps.iter().all(Vec::is_empty) {
         return Err(refused);
     }
-    let mut session = read_session(&filled.to_string(), file)?;
-    for (swing, gaps) in session.swings.iter_mut().zip(gaps) {
-        let hung = &mut swing.suspension;
+    let mut parsed = parse_session(&filled.to_string(), file)?;
+    for (swing, gaps) in parsed.session.swings.iter_mut().zip(gaps) {
         for gap in gaps {
-            match gap {
-                LINE_LENGTH => hung.line_length_m = None,
-                SPACING => hung.spacing_m = None,
-                _ => hung.axis_height_m = None,
-            }
+            swing.suspension.set_figure(gap, None);
         }
     }
+    let session = &mut parsed.session;
     for i in 0..session.swings.len() {
         if let Some(first) = session.same_hanging(i) {
             session.swings[i].suspension = session.swings[first].suspension.clone();
         }
     }
-    Ok(draft(session, true))
+    Ok(draft(parsed, true))
 }
 
-const LINE_LENGTH: &str = "line_length";
-const SPACING: &str = "spacing";
-const AXIS_HEIGHT: &str = "axis_height";
+/// Lines so long reach from any point to any other, m.
+const FILLER_M: f64 = 1e6;
 
 /// Gives a suspension the dimensions that it must have and lacks; their keys.
 fn fill_gaps(suspension: &mut dyn TableLike) -> Vec<&'static str> {
     let kind = suspension.get("kind").and_then(Item::as_str);
-    let needed: &[&str] = match kind {
-        Some("bifilar") => &[LINE_LENGTH, SPACING],
-        Some("compound") => &[AXIS_HEIGHT],
-        _ => &[],
-    };
+    let needed = kind
+        .and_then(SuspensionKind::named)
+        .map_or(&[][..], SuspensionKind::needs);
     let gaps: Vec<&str> = needed
         .iter()
         .copied()
         .filter(|key| !suspension.contains_key(key))
         .collect();
     for key in &gaps {
-        suspension.insert(key, value(1.0));
+        // Nothing but a figure that fits whatever stands beside it: it is taken out again.
+        let above = suspension.get(&format!("top_{key}")).cloned();
+        suspension.insert(key, above.unwrap_or_else(|| value(FILLER_M)));
     }
     gaps
 }
@@ -112,28 +135,25 @@ fn suspensions(document: &mut DocumentMut) -> Vec<&mut dyn TableLike> {
     }
 }
 
-/// The text with the dimensions of one swing that are stated; all else stands as it was.
+/// The text with the dimensions of one swing that are stated; all else stands as it was. Of
+/// another kind, it loses the figures that this one does not have.
 pub(crate) fn set_stated(
     text: &str,
     swing: usize,
-    stated: &Suspension,
-    growth: &Growth,
+    old: &Suspension,
+    stated: &Hanging,
 ) -> Result<String> {
-    let choice = |name: Option<&'static str>| name.map(Value::from);
-    let dimension = |stated: Option<Quantity>| stated.map(of_quantity);
-    let keys = [
-        ("kind", choice(growth.kind.map(SuspensionKind::name))),
-        (
-            "orientation",
-            choice(growth.orientation.map(Orientation::name)),
-        ),
-        (LINE_LENGTH, dimension(stated.line_length_m)),
-        (SPACING, dimension(stated.spacing_m)),
-        ("top_spacing", dimension(stated.top_spacing_m)),
-        ("hull_pitch_deg", dimension(stated.hull_pitch_deg)),
-        ("points_moved", dimension(stated.points_moved_m)),
-        (AXIS_HEIGHT, dimension(stated.axis_height_m)),
+    let kind = stated.over(old)?.kind;
+    let choices = [
+        ("kind", stated.kind.map(SuspensionKind::name)),
+        ("orientation", stated.orientation.map(Orientation::name)),
     ];
+    let choices = choices.map(|(key, name)| (key, name.map(Value::from)));
+    let figures = kind.figures().iter().map(|key| {
+        let figure = stated.figures.get(*key).copied();
+        (*key, figure.map(of_quantity))
+    });
+    let keys: Vec<(&str, Option<Value>)> = choices.into_iter().chain(figures).collect();
     if keys.iter().all(|(_, stated)| stated.is_none()) {
         return Ok(text.to_owned());
     }
@@ -143,6 +163,10 @@ pub(crate) fn set_stated(
     };
     let mut document = document(bare, gyradius_recording::SESSION_FILE)?;
     if let Some(suspension) = suspensions(&mut document).into_iter().nth(swing) {
+        let foreign = |key: &&&str| !kind.figures().contains(*key);
+        for key in old.kind.figures().iter().filter(foreign) {
+            suspension.remove(key);
+        }
         for (key, stated) in keys {
             if let Some(stated) = stated {
                 set(suspension, key, stated);

@@ -3,17 +3,19 @@
 //! The session's text is kept as it stands: new swings are put at its end, and of a planned swing
 //! only the figures that the caller states anew are changed.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::draft::{Draft, read_draft, set_stated};
+use super::draft::{Draft, figure_key, read_draft, set_stated};
 use super::gather::{Gathered, gather};
+use super::hanging::Hanging;
 use super::import::{ImportRequest, draft_note, missing};
 use super::places::Places;
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{
-    Orientation, Overwrite, Recorded, SESSION_FILE, Session, Store, Suspension, SuspensionKind,
-    Swing, SwingData, utf8, write_files, write_swings_to_fill_in,
+    Overwrite, Recorded, SESSION_FILE, Session, Store, Suspension, Swing, SwingData, utf8,
+    write_files, write_swings_to_fill_in,
 };
 
 /// Which swings of a session the recordings are, and how new ones hung.
@@ -24,10 +26,8 @@ pub struct Growth {
     pub swing: Option<String>,
     /// The swing of the session that new ones hung like, but for what is stated anew.
     pub like: Option<String>,
-    /// The kind of suspension, where it is stated.
-    pub kind: Option<SuspensionKind>,
-    /// What joins the points, where it is stated.
-    pub orientation: Option<Orientation>,
+    /// What is stated of how they hung.
+    pub hung: Hanging,
 }
 
 /// Adds a swing to the session in a folder for each recording, or gives a swing that is planned
@@ -35,7 +35,8 @@ pub struct Growth {
 ///
 /// Nothing that the session holds is dropped or renamed: ids and file names that are taken make
 /// the new swing take another. All files are written or none. The folder's lock is the caller's.
-/// Of the request, title, mass and gravity must be empty: they are the session's.
+/// Of the request, title, mass and gravity must be empty: they are the session's. Its suspension is
+/// not looked at: how swings hung stands in `growth`.
 pub fn import_into(
     files: &[PathBuf],
     folder: &Path,
@@ -49,8 +50,7 @@ pub fn import_into(
     let text = utf8(&bytes, &file)?;
     let before = read_draft(text, &file)?;
     before.refuse_lists_in_line(&file)?;
-    let stated = Stated { request, growth };
-    let hung = stated.hung(&before.session)?;
+    let (hung, read_with) = growth.new_ones(&before)?;
     let mut places = places(&before.session, &store)?;
     if let Some(swing) = &growth.swing {
         places.mean(swing)?;
@@ -69,7 +69,7 @@ pub fn import_into(
     let (planned, new): (Vec<&Swing>, Vec<&Swing>) = gathered.swings.iter().partition(is_planned);
     let mut after = text.to_owned();
     for swing in planned {
-        after = stated.fill(&after, &before.session, swing)?;
+        after = growth.fill(&after, &before.session, swing)?;
         notes.push(format!(
             "the swing `{}` of the session has its recording; what it states beside is kept",
             swing.id
@@ -82,8 +82,8 @@ pub fn import_into(
         }
         notes.push(draft_note(&lacks));
     }
-    let new: Vec<Swing> = new.into_iter().cloned().collect();
-    after = with_tables(after, &write_swings_to_fill_in(&new, &gathered.recorded));
+    let added = added(new, gathered.recorded, &read_with);
+    after = with_tables(after, &write_swings_to_fill_in(&added));
     // What cannot be read back is not written.
     read_draft(&after, &file)?;
 
@@ -257,46 +257,25 @@ fn with_tables(mut text: String, tables: &str) -> String {
     text
 }
 
-/// What the caller states of the hanging.
-struct Stated<'a> {
-    request: &'a ImportRequest,
-    growth: &'a Growth,
-}
-
-impl Stated<'_> {
-    /// How new swings hung.
-    fn hung(&self, session: &Session) -> Result<Suspension> {
-        let given = &self.request.suspension;
-        let Some(like) = &self.growth.like else {
-            return Ok(given.clone());
+impl Growth {
+    /// How new swings hung, and the instruments that figures taken from another swing were read
+    /// with, by the key of the figure.
+    fn new_ones(&self, draft: &Draft) -> Result<(Suspension, BTreeMap<String, String>)> {
+        let Some(like) = &self.like else {
+            return Ok((self.hung.alone()?, BTreeMap::new()));
         };
-        let found = session.swings.iter().find(|swing| swing.id == *like);
-        let base = found.map(|swing| &swing.suspension).ok_or_else(|| {
-            let ids: Vec<&str> = session.swings.iter().map(|swing| &*swing.id).collect();
+        let swings = &draft.session.swings;
+        let found = swings.iter().position(|swing| swing.id == *like);
+        let (base, mut read_with) = found.and_then(|at| draft.hung(at)).ok_or_else(|| {
+            let ids: Vec<&str> = swings.iter().map(|swing| &*swing.id).collect();
             Error::argument(
                 "like",
                 format!("a swing of the session: {}", ids.join(", ")),
                 format!("`{like}`"),
             )
         })?;
-        Ok(self.over(base))
-    }
-
-    /// A suspension with what is stated in the place of its own.
-    fn over(&self, base: &Suspension) -> Suspension {
-        let given = &self.request.suspension;
-        Suspension {
-            kind: self.growth.kind.unwrap_or(base.kind),
-            orientation: self.growth.orientation.unwrap_or(base.orientation),
-            line_length_m: given.line_length_m.or(base.line_length_m),
-            spacing_m: given.spacing_m.or(base.spacing_m),
-            top_spacing_m: given.top_spacing_m.or(base.top_spacing_m),
-            hull_pitch_deg: given.hull_pitch_deg.or(base.hull_pitch_deg),
-            hull_roll_deg: given.hull_roll_deg.or(base.hull_roll_deg),
-            points_m: given.points_m.clone().or(base.points_m.clone()),
-            points_moved_m: given.points_moved_m.or(base.points_moved_m),
-            axis_height_m: given.axis_height_m.or(base.axis_height_m),
-        }
+        read_with.retain(|key, _| !self.hung.figures.contains_key(key));
+        Ok((self.hung.over(&base)?, read_with))
     }
 
     /// The text with what is stated of a planned swing, whose recording is of the kind that it
@@ -317,7 +296,26 @@ impl Stated<'_> {
                 format!("a {}", kind_of(&swing.data)),
             ));
         }
-        set_stated(text, place, &self.request.suspension, self.growth)
+        set_stated(text, place, &old.suspension, &self.hung)
+    }
+}
+
+/// What is put at the end of a session: swings that hung alike, read with the same instruments.
+fn added(
+    swings: Vec<&Swing>,
+    recorded: Vec<Recorded>,
+    read_with: &BTreeMap<String, String>,
+) -> Session {
+    let each = 0..swings.len();
+    let keys = each.flat_map(|i| {
+        let of_swing = read_with.iter();
+        of_swing.map(move |(key, instrument)| (figure_key(i, key), instrument.clone()))
+    });
+    Session {
+        read_with: keys.collect(),
+        swings: swings.into_iter().cloned().collect(),
+        recorded,
+        ..Session::default()
     }
 }
 

@@ -7,8 +7,8 @@ use super::places::Places;
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::import::Platform;
 use gyradius_recording::{
-    Body, Overwrite, Quantity, Recorded, SESSION_FILE, Session, Site, Suspension, SuspensionKind,
-    read_session, write_files, write_session_to_fill_in,
+    Body, Overwrite, Quantity, Recorded, SESSION_FILE, Session, Site, Suspension, read_session,
+    write_files, write_session_to_fill_in,
 };
 
 /// What the caller knows of the session beside its recordings.
@@ -119,25 +119,8 @@ pub(crate) fn draft_note(missing: &[&str]) -> String {
 
 /// Keys of a suspension that a session must have and the caller did not give.
 pub(crate) fn missing(hung: &Suspension) -> Vec<&'static str> {
-    let needed = match hung.kind {
-        SuspensionKind::Compound => vec![("axis_height", hung.axis_height_m)],
-        SuspensionKind::Free => vec![],
-        SuspensionKind::Trifilar => vec![
-            ("line_length", hung.line_length_m),
-            ("radius", hung.spacing_m),
-        ],
-        SuspensionKind::Bifilar => {
-            vec![
-                ("line_length", hung.line_length_m),
-                ("spacing", hung.spacing_m),
-            ]
-        }
-    };
-    needed
-        .into_iter()
-        .filter(|(_, stated)| stated.is_none())
-        .map(|(key, _)| key)
-        .collect()
+    let needed = hung.kind.needs().iter().copied();
+    needed.filter(|key| hung.figure(key).is_none()).collect()
 }
 
 impl ImportRequest {

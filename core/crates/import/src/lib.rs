@@ -7,6 +7,7 @@ mod describe;
 mod draft;
 mod gather;
 mod grow;
+mod hanging;
 mod import;
 mod input;
 mod loaded;
@@ -14,5 +15,6 @@ mod places;
 
 pub use describe::describe_exports;
 pub use grow::{Growth, import_into};
+pub use hanging::Hanging;
 pub use import::{ImportRequest, import_session};
 pub use loaded::{Loaded, load_any, load_tables};

@@ -15,7 +15,7 @@ const SAME_TILT_DEG: f64 = 1.0;
 
 /// The suggested swing: the one of the session that it names, with its masses and its tape, changed
 /// as suggested. A tilt asks for points moved along the deck, which the depth of the centre of mass
-/// below the level ones tells.
+/// below the level ones tells. It knows no instruments: their errors are in its figures' own.
 ///
 /// `None` where the session does not have the swing that it is to hang like.
 pub fn suggested(
@@ -23,9 +23,11 @@ pub fn suggested(
     session: &Session,
     cm_depth_m: Option<f64>,
 ) -> Option<PlannedSwing> {
+    let free = free_id(session);
+    let session = session.without_instruments();
     let like = session.swings.iter().find(|swing| swing.id == next.like)?;
     Some(PlannedSwing {
-        id: free_id(session),
+        id: free,
         suspension: hung(next, &like.suspension, cm_depth_m),
         added_masses: like.added_masses.clone(),
         excited: next.excited.clone(),
@@ -167,6 +169,20 @@ axis_height = { value = 0.3, u = 0.001 }
             (moved.value + 0.181985).abs() < 1e-6 && moved.u == 0.001,
             "{moved:?}"
         );
+    }
+
+    /// A plan names no instruments: 3 mm of the reading and 4 mm of the tape are 5 mm.
+    #[test]
+    fn the_errors_of_an_instrument_go_with_the_figure() {
+        let tape = "[[instrument]]\nid = \"t\"\nkind = \"tape\"\nzero_u = 0.004\n";
+        let read = SESSION.replace(
+            "line_length = { value = 3.0, u = 0.004 }",
+            "line_length = { value = 3.0, u = 0.003, instrument = \"t\" }",
+        ) + tape;
+        let session = read_session(&read, "session.toml").unwrap();
+        let hung = suggested(&next("extra-1", 0.0), &session, None).unwrap();
+        let length = hung.suspension.line_length_m.unwrap();
+        assert!((length.u - 0.005).abs() < 1e-12, "{length:?}");
     }
 
     #[test]

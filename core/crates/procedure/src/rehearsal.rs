@@ -82,9 +82,10 @@ enum Scene {
     Step { index: usize, take: usize },
 }
 
-/// What a practice plan asks for: the rig's swings, in its order.
+/// What a practice plan asks for: the rig's swings, in its order. A plan knows no instruments: their
+/// errors are in its figures' own.
 pub fn practice_task(rig: &RigFile) -> Task {
-    let session = &rig.session;
+    let session = rig.session.without_instruments();
     let step = |swing: &Swing| {
         let excited = if swing.excited.is_empty() {
             vec![Excitation::Yaw]

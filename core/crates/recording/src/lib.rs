@@ -2,10 +2,12 @@
 //!
 //! May know `error`, `constants`, `frames`. Knows nothing of what is done with the data.
 
+mod assembled;
 mod csv;
 mod csv_write;
 mod domain;
 pub mod import;
+mod instruments;
 mod keys;
 mod load;
 mod member_path;
@@ -20,6 +22,7 @@ mod samples;
 mod save;
 mod session;
 mod store;
+mod suspension;
 mod toml_read;
 mod toml_recorded;
 mod toml_swing;
@@ -35,8 +38,8 @@ pub use repair::{
     CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, median_interval_s,
 };
 pub use samples::{
-    Channel, ChannelQuantity, GateEvents, PeriodList, Recording, Repair, RepairKind, Sensor,
-    SingleChannel, Track, Triad,
+    Channel, ChannelQuantity, GateEvents, PartialTriad, PeriodList, Recording, Repair, RepairKind,
+    Sensor, SensorChannels, SingleChannel, Track, Triad,
 };
 pub use save::{
     Overwrite, save_session, save_session_with, save_session_zip, session_zip_bytes, write_files,
@@ -54,5 +57,5 @@ pub use domain::Domain;
 pub use keys::{AssumedU, Table};
 pub use load::utf8;
 pub use replace::replace_file;
-pub use toml_read::{ROOT, session, with_root};
+pub use toml_read::{ParsedSession, ROOT, parse_session, session, with_root};
 pub use toml_swing::SWING;

@@ -163,6 +163,29 @@ fn incline_data(
 ) -> Result<Option<Recording>> {
     match angle {
         InclineAngle::Stated(_) => Ok(None),
-        InclineAngle::Recording(file) => phone_recording(store, session, file).map(Some),
+        InclineAngle::Recording(file) => {
+            let recording = phone_recording(store, session, file)?;
+            refuse_without_gravity(&recording, &store.describe(file))?;
+            Ok(Some(recording))
+        }
     }
+}
+
+/// A direction needs all three axes: what is missing is not zero.
+fn refuse_without_gravity(recording: &Recording, file: &str) -> Result<()> {
+    if recording.accelerometer.is_some() {
+        return Ok(());
+    }
+    let sensors = recording.sensors().into_iter();
+    let names: Vec<&str> = sensors
+        .flat_map(|sensor| sensor.channels)
+        .map(|(name, _)| name)
+        .collect();
+    Err(Error::Malformed {
+        file: file.into(),
+        line: None,
+        expected: "the accelerometer's ax, ay and az, whose gravity gives the angle of the incline"
+            .into(),
+        found: format!("{} alone", names.join(", ")),
+    })
 }

@@ -72,12 +72,32 @@ impl SuspensionKind {
     pub fn name(self) -> &'static str {
         name_of(self, KINDS)
     }
+
+    /// The kind that files call so.
+    pub fn named(name: &str) -> Option<Self> {
+        of_name(name, KINDS)
+    }
+
+    /// All names, for messages.
+    pub fn names() -> String {
+        listed(KINDS)
+    }
 }
 
 impl Orientation {
     /// As files call it.
     pub fn name(self) -> &'static str {
         name_of(self, ORIENTATIONS)
+    }
+
+    /// The orientation that files call so.
+    pub fn named(name: &str) -> Option<Self> {
+        of_name(name, ORIENTATIONS)
+    }
+
+    /// All names, for messages.
+    pub fn names() -> String {
+        listed(ORIENTATIONS)
     }
 }
 
@@ -94,4 +114,18 @@ pub(crate) fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'
         .iter()
         .find(|(_, named)| *named == value)
         .map_or("", |(name, _)| name)
+}
+
+fn of_name<T: Copy>(name: &str, names: &[(&'static str, T)]) -> Option<T> {
+    let mut known = names.iter().filter(|(known, _)| *known == name);
+    known.next().map(|(_, value)| *value)
+}
+
+/// `a, b or c`.
+fn listed<T>(names: &[(&'static str, T)]) -> String {
+    let names: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => names.concat(),
+    }
 }

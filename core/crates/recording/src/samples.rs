@@ -53,6 +53,36 @@ pub struct Triad {
     pub axes: [Vec<f64>; 3],
 }
 
+/// The three-axis sensors with the names of their axes in files.
+pub(crate) const TRIADS: [(Sensor, [&str; 3]); 3] = [
+    (Sensor::Gyroscope, ["gx", "gy", "gz"]),
+    (Sensor::Accelerometer, ["ax", "ay", "az"]),
+    (Sensor::LinearAccelerometer, ["lx", "ly", "lz"]),
+];
+
+/// A sensor of which one or two axes were recorded: what is missing is not zero, and nothing that
+/// takes a vector can take it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct PartialTriad {
+    /// Which sensor.
+    pub sensor: Sensor,
+    /// Time stamps, s, strictly increasing.
+    pub t_s: Vec<f64>,
+    /// Samples by axis, x first; none of an axis that was not recorded.
+    pub axes: [Option<Vec<f64>>; 3],
+}
+
+/// The channels that one sensor recorded, whether they are all of it or not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SensorChannels<'a> {
+    /// Which sensor.
+    pub sensor: Sensor,
+    /// Time stamps, s, strictly increasing.
+    pub t_s: &'a [f64],
+    /// Samples by the name of the channel in files: `gx`, `rate`.
+    pub channels: Vec<(&'static str, &'a [f64])>,
+}
+
 /// A phone's recording after its repairs.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Recording {
@@ -64,6 +94,10 @@ pub struct Recording {
     pub accelerometer: Option<Triad>,
     /// Gravity-free acceleration, m/s², where the phone gave that instead.
     pub linear_accelerometer: Option<Triad>,
+    /// Sensors of which one or two axes were recorded, at most one of a kind, in place of the whole
+    /// one of that kind.
+    #[serde(default)]
+    pub incomplete: Vec<PartialTriad>,
     /// One channel of a motion of one degree of freedom, in place of all of these.
     #[serde(default)]
     pub single: Option<Channel>,
@@ -120,6 +154,14 @@ impl ChannelQuantity {
             ChannelQuantity::Rate => "rate",
         }
     }
+
+    /// What reads it.
+    pub const fn sensor(self) -> Sensor {
+        match self {
+            ChannelQuantity::Angle => Sensor::Displacement,
+            ChannelQuantity::Rate => Sensor::Gyroscope,
+        }
+    }
 }
 
 /// The samples of a single channel.
@@ -133,6 +175,54 @@ pub struct Channel {
     pub values: Vec<f64>,
 }
 
+impl Recording {
+    /// Every sensor with the axes that it recorded, in the order of a written recording.
+    pub fn sensors(&self) -> Vec<SensorChannels<'_>> {
+        let mut all = Vec::new();
+        for (sensor, names) in TRIADS {
+            let whole = match sensor {
+                Sensor::Gyroscope => &self.gyroscope,
+                Sensor::Accelerometer => &self.accelerometer,
+                _ => &self.linear_accelerometer,
+            };
+            let partial = self.incomplete.iter().find(|one| one.sensor == sensor);
+            let (t_s, axes): (&[f64], [Option<&[f64]>; 3]) = match (whole, partial) {
+                (Some(whole), _) => (&whole.t_s, whole.axes.each_ref().map(|x| Some(&**x))),
+                (None, Some(partial)) => {
+                    (&partial.t_s, partial.axes.each_ref().map(Option::as_deref))
+                }
+                (None, None) => continue,
+            };
+            let channels = names.into_iter().zip(axes);
+            all.push(SensorChannels {
+                sensor,
+                t_s,
+                channels: channels
+                    .filter_map(|(name, samples)| Some((name, samples?)))
+                    .collect(),
+            });
+        }
+        all.extend(self.single.iter().map(|channel| SensorChannels {
+            sensor: channel.quantity.sensor(),
+            t_s: &channel.t_s,
+            channels: vec![(channel.quantity.name(), &channel.values)],
+        }));
+        all
+    }
+
+    /// What the only channel measured, where it tells a motion of one degree of freedom: an angle, a
+    /// rate, or one axis of a gyroscope with nothing beside it.
+    pub fn lone_quantity(&self) -> Option<ChannelQuantity> {
+        match (&self.single, &self.sensors()[..]) {
+            (Some(channel), _) => Some(channel.quantity),
+            (None, [one]) if one.sensor == Sensor::Gyroscope && one.channels.len() == 1 => {
+                Some(ChannelQuantity::Rate)
+            }
+            _ => None,
+        }
+    }
+}
+
 impl From<SingleChannel> for Recording {
     fn from(channel: SingleChannel) -> Self {
         Recording {
@@ -143,13 +233,13 @@ impl From<SingleChannel> for Recording {
                 values: channel.values,
             }),
             repairs: channel.repairs,
+            at_limit_s: channel.at_limit_s,
             ..Recording::default()
         }
     }
 }
 
-/// One channel of a motion of one degree of freedom: an encoder, a video tracker, one axis of a
-/// gyroscope. The other axes are missing, not zero.
+/// One channel of a motion of one degree of freedom: an encoder, a video tracker.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SingleChannel {
     /// File name as the user knows it.
@@ -162,6 +252,8 @@ pub struct SingleChannel {
     pub values: Vec<f64>,
     /// Repairs.
     pub repairs: Vec<Repair>,
+    /// When samples were left out because the sensor was at its limit, s, in time order.
+    pub at_limit_s: Vec<f64>,
 }
 
 /// A list of periods in time order.

@@ -49,8 +49,10 @@ const MAX_TEXT_BYTES: usize = 4 << 20;
 /// A session and the places where it names files.
 #[derive(Debug)]
 pub struct ParsedSession {
+    /// The session.
     pub session: Session,
-    pub files: Vec<NamedFile>,
+    /// The files that it names.
+    pub(crate) files: Vec<NamedFile>,
     /// Figures that are stated without an uncertainty.
     pub assumed: Vec<AssumedU>,
 }
@@ -60,7 +62,8 @@ pub fn read_session(text: &str, file_name: &str) -> Result<Session> {
     parse_session(text, file_name).map(|parsed| parsed.session)
 }
 
-pub(crate) fn parse_session(text: &str, file_name: &str) -> Result<ParsedSession> {
+/// The same with what the text says beside the session's figures.
+pub fn parse_session(text: &str, file_name: &str) -> Result<ParsedSession> {
     with_root(text, file_name, ROOT, FORMAT, |root| session(root, SWING))
 }
 

@@ -43,6 +43,38 @@ const SUSPENSION: &[&str] = &[
 /// The sine of 3°: what hangs further askew is another suspension, and by less the spacing along
 /// the axis is right to 0.14 %.
 const MOST_ASKEW: f64 = 0.0523;
+/// The figures of suspensions: key, what it is, what it may be.
+const FIGURES: [(&str, &str, Domain); 9] = [
+    ("line_length", "length of the lines, m", Domain::LENGTH),
+    (
+        "spacing",
+        "between the points on the hull, m",
+        Domain::LENGTH,
+    ),
+    ("top_spacing", "between the points above, m", Domain::LENGTH),
+    (
+        "radius",
+        "of the circle through the line ends below, m",
+        Domain::LENGTH,
+    ),
+    (
+        "top_radius",
+        "of the circle through the line ends above, m",
+        Domain::LENGTH,
+    ),
+    ("hull_pitch_deg", "bow up, degrees", Domain::PITCH),
+    ("hull_roll_deg", "starboard down, degrees", Domain::PITCH),
+    (
+        "points_moved",
+        "of the points, forward from level hanging, m",
+        Domain::COORDINATE,
+    ),
+    (
+        "axis_height",
+        "height l0 of the swing axis above the suspension points, m",
+        Domain::LENGTH,
+    ),
+];
 const ADDED_MASS: &[&str] = &["mass", "position"];
 const DATA: &[&str] = &["recording", "displacement", "periods", "periods_s"];
 
@@ -206,61 +238,34 @@ fn suspension(table: &Table<'_>) -> Result<Suspension> {
     let kind = table
         .require("kind", "bifilar, compound, trifilar or free")?
         .choice(KINDS)?;
-    match kind {
-        SuspensionKind::Bifilar => bifilar_keys(table)?,
-        SuspensionKind::Compound => compound_keys(table)?,
-        SuspensionKind::Trifilar => trifilar_keys(table)?,
-        SuspensionKind::Free => free_keys(table)?,
+    for key in FIGURES.map(|(key, ..)| key) {
+        let why_not = kind.why_not(key);
+        if !why_not.is_empty() {
+            table.refuse(&[key], &why_not)?;
+        }
     }
-    let is_round = matches!(kind, SuspensionKind::Trifilar | SuspensionKind::Free);
     let orientation = match table.get("orientation") {
-        None if is_round => Orientation::Athwartships,
+        None if !kind.has_direction() => Orientation::Athwartships,
         None => table
             .require("orientation", "athwartships or fore_and_aft")?
             .choice(ORIENTATIONS)?,
         Some(field) => field.choice(ORIENTATIONS)?,
     };
-    let across = |spacing: &str, radius: &str| match kind {
-        SuspensionKind::Trifilar => {
-            let radius = table.quantity(radius, Domain::LENGTH)?;
-            Ok(radius.map(|r| Quantity::new(2.0 * r.value, 2.0 * r.u)))
-        }
-        _ => table.quantity(spacing, Domain::LENGTH),
-    };
     let points = points(table, kind, orientation)?;
-    let apart = points.as_ref().map(|(_, spacing)| *spacing);
-    let suspension = Suspension {
-        kind,
-        orientation,
-        line_length_m: table.quantity("line_length", Domain::LENGTH)?,
-        spacing_m: across("spacing", "radius")?.or(apart),
-        top_spacing_m: across("top_spacing", "top_radius")?,
-        hull_pitch_deg: table.quantity("hull_pitch_deg", Domain::PITCH)?,
-        hull_roll_deg: table.quantity("hull_roll_deg", Domain::PITCH)?,
-        points_m: points.map(|(points, _)| points),
-        points_moved_m: table.quantity("points_moved", Domain::COORDINATE)?,
-        axis_height_m: table.quantity("axis_height", Domain::LENGTH)?,
-    };
+    let mut suspension = Suspension::unmeasured(kind, orientation);
+    for (key, what, domain) in FIGURES {
+        // The points say how far apart they are.
+        let is_told = key == "spacing" && points.is_some();
+        if kind.needs().contains(&key) && !is_told {
+            table.require(key, what)?;
+        }
+        suspension.set_figure(key, table.quantity(key, domain)?);
+    }
+    if let Some((points, apart)) = points {
+        (suspension.points_m, suspension.spacing_m) = (Some(points), Some(apart));
+    }
     refuse_lines_too_short(table, &suspension)?;
     Ok(suspension)
-}
-
-fn bifilar_keys(table: &Table<'_>) -> Result<()> {
-    table.refuse(
-        &["axis_height"],
-        "a bifilar suspension has no fixed axis; that is kind = \"compound\"",
-    )?;
-    table.refuse(
-        &["radius", "top_radius"],
-        "two lines have a `spacing`; three on a circle are kind = \"trifilar\"",
-    )?;
-    table.require("line_length", "length of the lines, m")?;
-    if table.get("points_m").is_some() {
-        return table.refuse(&["spacing"], "`points_m` say how far apart the points are");
-    }
-    table
-        .require("spacing", "between the points on the hull, m")
-        .map(|_| ())
 }
 
 /// The two points of suspension, and how far apart they are: along the suspension, at one height.
@@ -275,6 +280,7 @@ fn points(
     if kind != SuspensionKind::Bifilar {
         table.refuse(&["points_m"], "two points are those of kind = \"bifilar\"")?;
     }
+    table.refuse(&["spacing"], "`points_m` say how far apart the points are")?;
     let both = field.vectors(Domain::COORDINATE)?;
     let expected = || format!("`{}` to be two points, [[x, y, z], [x, y, z]]", field.path);
     let &[one, other] = both.as_slice() else {
@@ -297,53 +303,6 @@ fn points(
     Ok(Some((both, apart)))
 }
 
-fn trifilar_keys(table: &Table<'_>) -> Result<()> {
-    table.refuse(
-        &["axis_height", "spacing", "top_spacing"],
-        "a trifilar suspension is described by `line_length` and `radius`",
-    )?;
-    table.require("line_length", "length of the lines, m")?;
-    table
-        .require("radius", "of the circle through the line ends below, m")
-        .map(|_| ())
-}
-
-fn free_keys(table: &Table<'_>) -> Result<()> {
-    let stated = [
-        "axis_height",
-        "line_length",
-        "spacing",
-        "top_spacing",
-        "radius",
-        "top_radius",
-        "points_moved",
-        "points_m",
-        "hull_roll_deg",
-    ];
-    table.refuse(&stated, "of a free suspension nothing is stated")
-}
-
-fn compound_keys(table: &Table<'_>) -> Result<()> {
-    let lines = [
-        "line_length",
-        "spacing",
-        "points_m",
-        "top_spacing",
-        "radius",
-        "top_radius",
-    ];
-    table.refuse(
-        &lines,
-        "a compound suspension is described by `axis_height` alone",
-    )?;
-    table
-        .require(
-            "axis_height",
-            "height l0 of the swing axis above the suspension points, m",
-        )
-        .map(|_| ())
-}
-
 /// Lines that lean outwards by more than their length cannot hang.
 fn refuse_lines_too_short(table: &Table<'_>, suspension: &Suspension) -> Result<()> {
     let (Some(length), Some(spacing), Some(top)) = (
@@ -357,12 +316,17 @@ fn refuse_lines_too_short(table: &Table<'_>, suspension: &Suspension) -> Result<
     if lean < length.value {
         return Ok(());
     }
-    let place = table.require("top_spacing", "between the points above, m")?;
+    let keys = match suspension.kind {
+        SuspensionKind::Trifilar => ["top_radius", "radius"],
+        _ => ["top_spacing", "spacing"],
+    };
+    let [above, below] = keys.map(|key| suspension.figure(key).map_or(0.0, |one| one.value));
+    let place = table.require(keys[0], "between the points above, m")?;
     Err(place.error(
         format!(
-            "`{}` that lines of {} m can reach from `spacing` {} m",
-            place.path, length.value, spacing.value
+            "`{}` that lines of {} m can reach from `{}` {below} m",
+            place.path, length.value, keys[1]
         ),
-        format!("{} m", top.value),
+        format!("{above} m"),
     ))
 }

@@ -8,8 +8,8 @@ use super::names::{
 use super::quantity::Quantity;
 use super::recorded::{Recorded, RecordedRepair};
 use super::session::{
-    AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Session, Site,
-    SuspensionKind, Swing, SwingData,
+    AddedMass, Attachment, Body, End, Incline, InclineAngle, Instrument, ModeName, Orientation,
+    Session, Site, SuspensionKind, Swing, SwingData,
 };
 use super::toml_read::FORMAT;
 
@@ -23,19 +23,22 @@ pub fn write_session_to_fill_in(session: &Session) -> String {
     written(session, Lines::to_fill_in())
 }
 
-/// The tables of swings and recordings alone, to be put at the end of a session's text, with what
-/// is usual and not stated as comments.
-pub fn write_swings_to_fill_in(swings: &[Swing], recorded: &[Recorded]) -> String {
+/// The tables of its swings and recordings alone, to be put at the end of another session's text,
+/// with what is usual and not stated as comments. Instruments are those of the other session.
+pub fn write_swings_to_fill_in(added: &Session) -> String {
     let mut text = Lines::to_fill_in();
-    let none = Session::default();
-    let figures = Figures(&none);
-    for one in swings {
-        swing(&mut text, one, &figures, "");
-    }
-    for one in recorded {
-        self::recorded(&mut text, one);
+    swings(&mut text, added);
+    for one in &added.recorded {
+        recorded(&mut text, one);
     }
     text.text
+}
+
+fn swings(text: &mut Lines, session: &Session) {
+    let figures = Figures(session);
+    for (i, one) in session.swings.iter().enumerate() {
+        swing(text, one, &figures, &format!("swing[{}]", i + 1));
+    }
 }
 
 fn written(session: &Session, mut text: Lines) -> String {
@@ -56,10 +59,12 @@ fn written(session: &Session, mut text: Lines) -> String {
     }
     if session.attachments.is_empty() {
         text.hint(PHONE);
+        let hung = |swing: &Swing| swing.suspension.kind == SuspensionKind::Trifilar;
+        if session.swings.iter().any(hung) {
+            text.hint(PLATFORM);
+        }
     }
-    for (i, one) in session.swings.iter().enumerate() {
-        swing(&mut text, one, &figures, &format!("swing[{}]", i + 1));
-    }
+    swings(&mut text, session);
     for (i, one) in session.inclines.iter().enumerate() {
         incline(&mut text, one, &figures, &format!("incline[{}]", i + 1));
     }
@@ -102,15 +107,42 @@ const SITE: &str = "\n# [site]\n# gravity = { value = 9.81, u = 0.005 }  # m/s2;
 const PHONE: &str = "\n# [[attachment]]  # rides on the hull and is taken off the result\n\
     # name = \"phone\"\n# mass = { value = 0.2, u = 0.001 }  # kg\n\
     # position = [0.0, 0.0, 0.0]  # m, forward, to port, up, from the mid-point of the suspension points\n";
+const PLATFORM: &str = "\n# [[attachment]]  # what the body lies on\n\
+    # name = \"platform\"\n# mass = { value = 5.0, u = 0.01 }  # kg\n\
+    # position = [0.0, 0.0, -0.02]  # m, forward, to port, up, from the centre of the circle\n\
+    # gyradii = [0.2, 0.2, 0.28]  # m, about its own centre\n";
 const EXCITED: &str =
     "# excited = [\"yaw\", \"sway\"]  # what was set going: yaw, sway, surge, pitch, roll\n";
-const LINE_LENGTH: &str = "# line_length = { value = 3.0, u = 0.003 }  # m, of the lines\n";
-const SPACING: &str =
-    "# spacing = { value = 1.5, u = 0.002 }  # m, between the points on the hull\n";
-const TOP_SPACING: &str = "# top_spacing = { value = 1.5, u = 0.002 }  # m, between the points above; without it, spacing\n";
-const HULL_PITCH: &str = "# hull_pitch_deg = { value = 0.0, u = 0.3 }  # degrees, bow up\n";
-const AXIS_HEIGHT: &str =
-    "# axis_height = { value = 0.5, u = 0.002 }  # m, of the axis above the suspension points\n";
+const HINTS: [(&str, &str); 7] = [
+    (
+        "line_length",
+        "# line_length = { value = 3.0, u = 0.003 }  # m, of the lines\n",
+    ),
+    (
+        "spacing",
+        "# spacing = { value = 1.5, u = 0.002 }  # m, between the points on the hull\n",
+    ),
+    (
+        "top_spacing",
+        "# top_spacing = { value = 1.5, u = 0.002 }  # m, between the points above; without it, spacing\n",
+    ),
+    (
+        "radius",
+        "# radius = { value = 0.5, u = 0.001 }  # m, of the circle through the line ends on the platform\n",
+    ),
+    (
+        "top_radius",
+        "# top_radius = { value = 0.5, u = 0.001 }  # m, of that through the line ends above; without it, radius\n",
+    ),
+    (
+        "hull_pitch_deg",
+        "# hull_pitch_deg = { value = 0.0, u = 0.3 }  # degrees, bow up\n",
+    ),
+    (
+        "axis_height",
+        "# axis_height = { value = 0.5, u = 0.002 }  # m, of the axis above the suspension points\n",
+    ),
+];
 
 /// The lines written so far.
 #[derive(Default)]
@@ -270,50 +302,36 @@ fn suspension(text: &mut Lines, swing: &Swing, figures: &Figures, key: &str) {
     }
     let suspension = &swing.suspension;
     text.key("kind", quoted(name_of(suspension.kind, KINDS)));
-    text.key(
-        "orientation",
-        quoted(name_of(suspension.orientation, ORIENTATIONS)),
-    );
-    let is_round = suspension.kind == SuspensionKind::Trifilar;
-    let half = |across: Option<Quantity>| {
-        let figure = across.filter(|_| is_round)?;
-        Some(Quantity::new(0.5 * figure.value, 0.5 * figure.u))
-    };
-    let across = |across: Option<Quantity>| across.filter(|_| !is_round);
-    // A kind has no lines to fill in of another.
-    let of = |kind: SuspensionKind, hint: &'static str| {
-        if suspension.kind == kind { hint } else { "" }
-    };
-    let lines = |hint| of(SuspensionKind::Bifilar, hint);
-    // The points say how far apart they are.
-    let spacing = across(suspension.spacing_m).filter(|_| suspension.points_m.is_none());
+    // What is round has no direction but the one that somebody stated.
+    if suspension.kind.has_direction() || suspension.orientation != Orientation::Athwartships {
+        text.key(
+            "orientation",
+            quoted(name_of(suspension.orientation, ORIENTATIONS)),
+        );
+    }
     if let Some(points) = &suspension.points_m {
         let each: Vec<String> = points.iter().map(|point| vector(*point)).collect();
         text.key("points_m", format!("[{}]", each.join(", ")));
     }
-    let axis = of(SuspensionKind::Compound, AXIS_HEIGHT);
-    let stated = [
-        ("line_length", suspension.line_length_m, lines(LINE_LENGTH)),
-        ("spacing", spacing, lines(SPACING)),
-        (
-            "top_spacing",
-            across(suspension.top_spacing_m),
-            lines(TOP_SPACING),
-        ),
-        ("radius", half(suspension.spacing_m), ""),
-        ("top_radius", half(suspension.top_spacing_m), ""),
-        ("hull_pitch_deg", suspension.hull_pitch_deg, HULL_PITCH),
-        ("hull_roll_deg", suspension.hull_roll_deg, ""),
-        ("points_moved", suspension.points_moved_m, ""),
-        ("axis_height", suspension.axis_height_m, axis),
-    ];
-    for (name, figure, hint) in stated {
-        let written = |figure| figures.written(&format!("{key}.suspension.{name}"), figure);
-        match figure {
-            Some(figure) => text.key(name, written(figure)),
-            None => text.hint(hint),
+    for name in suspension.kind.figures() {
+        // The points say how far apart they are.
+        if *name == "spacing" && suspension.points_m.is_some() {
+            continue;
+        }
+        match suspension.figure(name) {
+            Some(figure) => text.key(
+                name,
+                figures.written(&format!("{key}.suspension.{name}"), figure),
+            ),
+            None => text.hint(hint_of(name)),
         }
     }
+}
+
+/// The line that a figure of a suspension is to be filled in at.
+fn hint_of(key: &str) -> &'static str {
+    let hint = HINTS.iter().find(|(name, _)| *name == key);
+    hint.map_or("", |(_, line)| line)
 }
 
 fn incline(text: &mut Lines, incline: &Incline, figures: &Figures, key: &str) {

@@ -152,17 +152,12 @@ struct Channel<'a> {
 
 fn recording(evidence: &Evidence, language: Language) -> RecordingFigureData {
     let left = residuals(&evidence.groups, &evidence.found);
-    let firsts: Vec<usize> =
-        if evidence.map.gyroscope.is_none() && evidence.map.accelerometer.is_none() {
-            vec![0]
-        } else {
-            [evidence.map.gyroscope, evidence.map.accelerometer]
-                .into_iter()
-                .flatten()
-                .collect()
-        };
+    let firsts = evidence.groups.iter().scan(0, |next, group| {
+        let first = *next;
+        *next += group.channels.len();
+        Some(first)
+    });
     let channels: Vec<Channel> = firsts
-        .into_iter()
         .filter_map(|first| Channel::strongest((evidence, language), &left, first))
         .collect();
     RecordingFigureData {
@@ -286,17 +281,13 @@ fn label(evidence: &Evidence, index: usize, language: Language) -> (String, &'st
         let axis = ("axis", Argument::Plain(axis.into()));
         Message::new(key, [axis]).in_language(language)
     };
-    match evidence.single {
-        Some(ChannelQuantity::Angle) => return (say(language, "angle", []), "rad"),
-        Some(ChannelQuantity::Rate) => return (say(language, "rate", []), "rad/s"),
-        None => {}
-    }
-    let axis = |first: Option<usize>| first.and_then(|first| AXES.get(index.checked_sub(first)?));
-    if let Some(axis) = axis(evidence.map.gyroscope) {
-        return (along("critique.channel_turn", axis), "rad/s");
-    }
-    match axis(evidence.map.accelerometer) {
-        Some(axis) => (along("critique.channel_force", axis), "m/s²"),
-        None => (say(language, "displacement", []), "m"),
+    let name = evidence.channels.get(index).copied().unwrap_or_default();
+    let axis = AXES.iter().find(|axis| name.ends_with(**axis));
+    match (name.get(..1), axis) {
+        (Some("g"), Some(axis)) => (along("critique.channel_turn", axis), "rad/s"),
+        (Some("a" | "l"), Some(axis)) => (along("critique.channel_force", axis), "m/s²"),
+        _ if name == ChannelQuantity::Angle.name() => (say(language, "angle", []), "rad"),
+        _ if name == ChannelQuantity::Rate.name() => (say(language, "rate", []), "rad/s"),
+        _ => (say(language, "displacement", []), "m"),
     }
 }

@@ -8,6 +8,8 @@
 //! part of the motion in one angle. Times count from the start of the part that is used. Parameters
 //! in order: [`OWN`] of the swing itself, [`LINE`] of each line, those of the causes.
 
+use std::ops::Range;
+
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
@@ -93,8 +95,8 @@ impl<'a> Swing<'a> {
     pub fn of(system: &System<'a>, x: &[f64], work: &'a SwingWork, number: usize) -> Option<Self> {
         let session = system.session;
         let evidence = work.evidence.as_ref()?;
-        let (first, modes) = (evidence.rates_from()?, &evidence.found.modes);
-        let strength = |m: &usize| shape(&modes[*m], first).map_or(0.0, |s| energy(&s));
+        let (rates, modes) = (evidence.rates(), &evidence.found.modes);
+        let strength = |m: &usize| shape(&modes[*m], &rates).map_or(0.0, |s| energy(&s));
         let main = (0..modes.len()).max_by(|a, b| strength(a).total_cmp(&strength(b)))?;
         let (mode, name) = (&modes[main], evidence.named.get(main)?.name);
         let turning = Turning::of(evidence, mode.period_s())?;
@@ -102,7 +104,7 @@ impl<'a> Swing<'a> {
         // Rate and angle at the start of the part that is used: pole and amplitude of the spectrum
         // led on to there.
         let pole = Complex64::new(-mode.alpha_per_s, mode.omega_rad_s);
-        let seen = shape(mode, first)?;
+        let seen = shape(mode, &rates)?;
         let axis = direction(&seen);
         let rate = (0..3).map(|k| seen[k] * axis[k]).sum::<Complex64>() * (pole * from_s).exp();
         let angle = rate / pole;
@@ -113,7 +115,7 @@ impl<'a> Swing<'a> {
         if scales.reach_rad <= 0.0 {
             return None;
         }
-        let lines = lines(evidence, (first, axis), main, from_s);
+        let lines = lines(evidence, (rates, axis), main, from_s);
         let mut start = vec![angle.re, rate.re, 0.0, mode.alpha_per_s.max(0.0), 0.0];
         for line in &lines {
             start.extend([
@@ -370,7 +372,12 @@ fn law(system: &System, x: &[f64], number: usize, mode: ModeName) -> Law {
 
 /// The strongest lines beside the swing that are no part of it, led on to the start of the part
 /// that is used.
-fn lines(evidence: &Evidence, (first, axis): (usize, Vec3), main: usize, from_s: f64) -> Vec<Line> {
+fn lines(
+    evidence: &Evidence,
+    (rates, axis): (Range<usize>, Vec3),
+    main: usize,
+    from_s: f64,
+) -> Vec<Line> {
     let modes = &evidence.found.modes;
     let main_rad_s = modes[main].omega_rad_s;
     let is_own = |omega: f64| {
@@ -378,7 +385,7 @@ fn lines(evidence: &Evidence, (first, axis): (usize, Vec3), main: usize, from_s:
         (ratio - 1.0).abs() < OWN_LINE || (ratio / ratio.round().max(1.0) - 1.0).abs() < OVERTONE
     };
     let along = |mode: &FittedMode| -> Option<Complex64> {
-        let seen = shape(mode, first)?;
+        let seen = shape(mode, &rates)?;
         Some((0..3).map(|k| seen[k] * axis[k]).sum())
     };
     let mut others: Vec<(&FittedMode, Complex64)> = modes

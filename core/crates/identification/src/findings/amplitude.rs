@@ -92,12 +92,12 @@ fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
 /// What a record of rates holds at three times a mode's frequency, as a share of the mode, with its
 /// standard error: by the channel that shows the mode best, in a window that sees no neighbour.
 fn third_harmonic(evidence: &Evidence, mode: usize) -> Option<(f64, f64)> {
-    let first = evidence.rates_from()?;
     let group = evidence.groups.first()?;
     let mode = &evidence.found.modes[mode];
     let size = |c: &usize| mode.shape.get(*c).map_or(0.0, |shape| shape.norm());
-    let channel =
-        (first..first + group.channels.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let channel = evidence
+        .rates()
+        .max_by(|a, b| size(a).total_cmp(&size(b)))?;
     let (begin, end) = (*group.t_s.first()?, *group.t_s.last()?);
     let omega = 3.0 * mode.omega_rad_s;
     let rate = group.t_s.len() as f64 / (end - begin);
@@ -105,7 +105,7 @@ fn third_harmonic(evidence: &Evidence, mode: usize) -> Option<(f64, f64)> {
         return None;
     }
     let (mut sum, mut squares, mut envelope) = (Complex64::default(), 0.0, 0.0);
-    for (t, value) in group.t_s.iter().zip(&group.channels[channel - first]) {
+    for (t, value) in group.t_s.iter().zip(group.channels.get(channel)?) {
         let rest = value - oscillation(evidence, channel, *t) - evidence.found.level[channel];
         let weight = 1.0 - (TAU * (t - begin) / (end - begin)).cos();
         sum += weight * rest * Complex64::from_polar(1.0, -omega * t);

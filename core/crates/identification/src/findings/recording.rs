@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::Argument;
-use gyradius_recording::{ChannelQuantity, PeriodList, Recording, Repair, RepairKind};
+use gyradius_recording::{ChannelQuantity, PeriodList, Recording, Repair, RepairKind, Sensor};
 use gyradius_signal::{ChannelGroup, FittedMode};
 use num_complex::Complex64;
 
@@ -67,6 +67,7 @@ pub fn of_recording(
     gravity_m_s2: f64,
 ) -> Vec<Finding> {
     let mut found = constant_channels(recording);
+    found.extend(missing_axes(recording));
     found.extend(of_repairs(&recording.repairs));
     if let Some(evidence) = evidence {
         found.extend(at_limit(evidence));
@@ -84,24 +85,33 @@ pub(super) fn number(value: f64, decimals: u8) -> Argument {
     Argument::Number(value, decimals)
 }
 
-fn channels_of(recording: &Recording) -> Vec<(&'static str, &Vec<f64>)> {
-    let all = [
-        (&recording.gyroscope, ["gx", "gy", "gz"]),
-        (&recording.accelerometer, ["ax", "ay", "az"]),
-        (&recording.linear_accelerometer, ["lx", "ly", "lz"]),
-    ];
-    let mut channels = Vec::new();
-    for (triad, names) in all {
-        let axes = triad.iter().flat_map(|triad| &triad.axes);
-        channels.extend(names.into_iter().zip(axes));
-    }
-    let single = recording.single.iter();
-    channels.extend(single.map(|channel| (channel.quantity.name(), &channel.values)));
-    channels
+fn channels_of(recording: &Recording) -> Vec<(&'static str, &[f64])> {
+    let sensors = recording.sensors().into_iter();
+    sensors.flat_map(|sensor| sensor.channels).collect()
+}
+
+/// What sensors of which axes are missing cannot tell.
+fn missing_axes(recording: &Recording) -> Vec<Finding> {
+    let sensors = recording.sensors().into_iter();
+    let partial = sensors.filter(|one| recording.incomplete.iter().any(|p| p.sensor == one.sensor));
+    partial
+        .map(|one| {
+            let names: Vec<&str> = one.channels.iter().map(|(name, _)| *name).collect();
+            let key = match one.sensor {
+                Sensor::Gyroscope => "gyroscope_axes",
+                _ => "accelerometer_axes",
+            };
+            let names = names.join(", ");
+            let arguments = [("channels", Argument::Plain(names.clone()))];
+            Finding::new((Kind::NotIdentifiable, Severity::Warned), key, arguments)
+                .of_channel(&names)
+                .with("axes", one.channels.len() as f64)
+        })
+        .collect()
 }
 
 fn constant_channels(recording: &Recording) -> Vec<Finding> {
-    let is_constant = |samples: &&Vec<f64>| samples.windows(2).all(|pair| pair[0] == pair[1]);
+    let is_constant = |samples: &[f64]| samples.windows(2).all(|pair| pair[0] == pair[1]);
     channels_of(recording)
         .into_iter()
         .filter(|(_, samples)| is_constant(samples))
@@ -177,14 +187,7 @@ fn cut_at_gap(evidence: &Evidence) -> Option<Finding> {
 
 /// Rotation of a mode by the gyroscope alone, rad.
 fn rotation_rad(evidence: &Evidence, mode: usize) -> Option<f64> {
-    if evidence.single.is_some() {
-        return evidence.named[mode].angle_rad;
-    }
-    let first = evidence.map.gyroscope?;
-    let mode = &evidence.found.modes[mode];
-    let rate = (first..first + 3).filter_map(|c| mode.shape.get(c));
-    let rate = rate.map(|c| c.norm_sqr()).sum::<f64>().sqrt();
-    Some(rate / mode.undamped_omega_rad_s())
+    evidence.turn_rad(evidence.found.modes.get(mode)?)
 }
 
 /// Nothing that hangs turns by more than half a turn to either side. Where the samples themselves do
@@ -229,11 +232,12 @@ fn seen_rad(evidence: &Evidence) -> Option<(&'static str, f64)> {
         let high = channel.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         0.5 * (high - low)
     };
-    let (name, first, count) = match evidence.single {
-        Some(quantity) => (quantity.name(), 0, 1),
-        None => ("gyroscope", evidence.map.gyroscope? / 3, 3),
+    let name = match evidence.single {
+        Some(_) => evidence.channels.first().copied()?,
+        None if evidence.rates().is_empty() => return None,
+        None => "gyroscope",
     };
-    let channels = evidence.groups.get(first)?.channels.iter().take(count);
+    let channels = evidence.groups.first()?.channels.iter();
     let range = channels.map(|c| half_range(c).powi(2)).sum::<f64>().sqrt();
     if evidence.single == Some(ChannelQuantity::Angle) {
         return Some((name, range));

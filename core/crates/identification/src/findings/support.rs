@@ -449,25 +449,19 @@ fn runs_of(swing: &LoadedSwing) -> BTreeSet<u64> {
     let LoadedData::Recording(recording) = &swing.data else {
         return BTreeSet::new();
     };
-    let triad = recording
-        .gyroscope
-        .as_ref()
-        .or(recording.accelerometer.as_ref());
-    let columns: Vec<&[f64]> = match (&recording.single, triad) {
-        (Some(channel), _) => vec![&channel.values],
-        (None, Some(triad)) => triad.axes.iter().map(Vec::as_slice).collect(),
-        (None, None) => vec![],
+    let sensors = recording.sensors();
+    let Some(first) = sensors.first() else {
+        return BTreeSet::new();
     };
-    let rows = columns.iter().map(|column| column.len()).min().unwrap_or(0);
-    let run = |first: usize| {
+    let run = |from: usize| {
         let mut hasher = DefaultHasher::new();
-        for column in &columns {
-            let values = column[first..first + RUN_OF_ROWS].iter();
+        for (_, samples) in &first.channels {
+            let values = samples[from..from + RUN_OF_ROWS].iter();
             values.for_each(|value| value.to_bits().hash(&mut hasher));
         }
         hasher.finish()
     };
-    (0..(rows + 1).saturating_sub(RUN_OF_ROWS))
+    (0..(first.t_s.len() + 1).saturating_sub(RUN_OF_ROWS))
         .map(run)
         .collect()
 }

@@ -37,6 +37,11 @@ pub struct Stream {
     pub blocks: Vec<Range<usize>>,
 }
 
+/// The channels of a whole sensor.
+fn whole(first: usize) -> Range<usize> {
+    first..first + 3
+}
+
 /// Start of the part that is used, s by the phone's clock, and its duration, s.
 fn inside(evidence: &Evidence) -> (f64, f64) {
     let start_s = evidence.span.start_s + MARGIN_S;
@@ -57,7 +62,7 @@ impl Turning {
     /// From what was found in a phone's record; `None` without a gyroscope.
     pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
         let block_s = fastest_period_s * BLOCK_OF_PERIOD;
-        let stream = Stream::of(evidence, Sensor::Gyroscope, evidence.rates_from()?, block_s)?;
+        let stream = Stream::of(evidence, Sensor::Gyroscope, evidence.rates(), block_s)?;
         let (start_s, duration_s) = inside(evidence);
         (duration_s > 0.0).then_some(Self {
             stream,
@@ -68,11 +73,26 @@ impl Turning {
 }
 
 impl Stream {
-    /// Three channels from the first one of a sensor's on, averaged over blocks no longer than
-    /// `block_s`.
-    fn of(evidence: &Evidence, sensor: Sensor, first: usize, block_s: f64) -> Option<Self> {
+    /// The channels of one sensor, averaged over blocks no longer than `block_s`; `None` without
+    /// any. Those of a sensor that lacks axes come first: what they read along does not matter where
+    /// all is about one axis.
+    fn of(
+        evidence: &Evidence,
+        sensor: Sensor,
+        channels: Range<usize>,
+        block_s: f64,
+    ) -> Option<Self> {
         let (start_s, duration_s) = inside(evidence);
-        let group = evidence.groups.get(first / 3)?;
+        if channels.is_empty() {
+            return None;
+        }
+        let first = channels.start;
+        let mut passed = 0;
+        let group = evidence.groups.iter().find(|group| {
+            let starts = passed == first;
+            passed += group.channels.len();
+            starts
+        })?;
         let axis = |c: usize, i: usize| group.channels.get(c).map_or(0.0, |axis| axis[i]);
         // An axis that is missing or never changes measured nothing: it has no weight.
         let noise = Vec3::from_fn(|c, _| {
@@ -190,8 +210,13 @@ impl Samples {
         }
         let (up, block_s) = (evidence.up?, fastest_period_s * BLOCK_OF_PERIOD);
         let streams = vec![
-            Stream::of(evidence, Sensor::Gyroscope, map.gyroscope?, block_s)?,
-            Stream::of(evidence, Sensor::Accelerometer, map.accelerometer?, block_s)?,
+            Stream::of(evidence, Sensor::Gyroscope, whole(map.gyroscope?), block_s)?,
+            Stream::of(
+                evidence,
+                Sensor::Accelerometer,
+                whole(map.accelerometer?),
+                block_s,
+            )?,
         ];
         let (start_s, duration_s) = inside(evidence);
         (duration_s > 0.0).then_some(Self {

@@ -2,6 +2,7 @@
 
 #![allow(missing_docs)]
 
+mod axes;
 mod crossings;
 mod findings;
 mod instruments;

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use gyradius_import::{Growth, ImportRequest, import_into, import_session};
+use gyradius_import::{Growth, Hanging, ImportRequest, import_into, import_session};
 use gyradius_recording::{
     LoadedData, Orientation, Overwrite, Quantity, Suspension, load_session, read_session,
 };
@@ -70,19 +70,32 @@ fn export(dir: &Path, name: &str, rate: f64) -> PathBuf {
     file
 }
 
-/// With the lengths of `request`, 2 m and 1 m, or without.
-fn stated(is_stated: bool) -> ImportRequest {
-    let all = request(&[]);
-    let suspension = Suspension {
-        line_length_m: all.suspension.line_length_m.filter(|_| is_stated),
-        spacing_m: all.suspension.spacing_m.filter(|_| is_stated),
-        ..all.suspension
-    };
+/// Without a title, which is the session's.
+fn untitled() -> ImportRequest {
     ImportRequest {
         title: String::new(),
-        suspension,
-        ..all
+        ..request(&[])
     }
+}
+
+/// A hanging of which these figures are stated.
+fn stated(figures: &[(&str, Quantity)]) -> Growth {
+    let figures = figures.iter().map(|(key, q)| ((*key).to_owned(), *q));
+    Growth {
+        hung: Hanging {
+            figures: figures.collect(),
+            ..Hanging::default()
+        },
+        ..Growth::default()
+    }
+}
+
+/// Lines of 2 m, 1 m apart.
+fn lines() -> Growth {
+    stated(&[
+        ("line_length", Quantity::exact(2.0)),
+        ("spacing", Quantity::exact(1.0)),
+    ])
 }
 
 fn text_of(folder: &Path) -> String {
@@ -118,7 +131,7 @@ fn a_session_keeps_its_text_and_gains_swings() {
             export(dir.path(), "Up 2.csv", 2.0),
         ];
         let into = folder.join("session.toml");
-        let notes = import_into(&files, &into, &stated(true), &Growth::default()).unwrap();
+        let notes = import_into(&files, &into, &untitled(), &lines()).unwrap();
         assert_eq!(notes, Vec::<String>::new());
         let text = text_of(&folder);
         assert!(text.starts_with(&kept), "{text}");
@@ -154,7 +167,7 @@ fn a_name_that_is_taken_gets_a_number_and_is_told() {
         export(dir.path(), "table.csv", 1.0),
         export(dir.path(), "yaw.csv", 2.0),
     ];
-    let notes = import_into(&files, &folder, &stated(true), &Growth::default()).unwrap();
+    let notes = import_into(&files, &folder, &untitled(), &lines()).unwrap();
     let ids: Vec<String> = load_session(&folder)
         .unwrap()
         .session
@@ -175,9 +188,9 @@ fn the_same_samples_again_are_refused() {
     let dir = tempfile::tempdir().unwrap();
     let folder = session(dir.path(), KEPT);
     let file = [export(dir.path(), "yaw.csv", 1.0)];
-    import_into(&file, &folder, &stated(true), &Growth::default()).unwrap();
+    import_into(&file, &folder, &untitled(), &lines()).unwrap();
     let again = [export(dir.path(), "other.csv", 1.0)];
-    let text = refused(&again, &folder, &stated(true), &Growth::default());
+    let text = refused(&again, &folder, &untitled(), &lines());
     assert!(text.contains("`yaw.csv` again, as `other.csv`"), "{text}");
 }
 
@@ -197,7 +210,7 @@ fn a_planned_swing_gets_its_recording_by_its_name_or_by_its_id() {
             swing,
             ..Growth::default()
         };
-        let notes = import_into(&file, &folder, &stated(false), &growth).unwrap();
+        let notes = import_into(&file, &folder, &untitled(), &growth).unwrap();
         assert!(notes[0].contains("`yaw`"), "{notes:?}");
         assert_eq!(text_of(&folder), planned);
         let loaded = load_session(&folder).unwrap();
@@ -213,14 +226,12 @@ fn what_is_read_off_takes_the_place_of_what_was_planned() {
     let planned = format!("\u{feff}{KEPT}\n{PLANNED}");
     let folder = session(dir.path(), &planned);
     let file = [export(dir.path(), "yaw.csv", 1.0)];
-    let mut request = stated(false);
-    request.suspension.line_length_m = Some(Quantity::new(1.987, 0.002));
-    request.suspension.top_spacing_m = Some(Quantity::new(1.01, f64::NAN));
-    let growth = Growth {
-        orientation: Some(Orientation::ForeAndAft),
-        ..Growth::default()
-    };
-    import_into(&file, &folder, &request, &growth).unwrap();
+    let mut growth = stated(&[
+        ("line_length", Quantity::new(1.987, 0.002)),
+        ("top_spacing", Quantity::new(1.01, f64::NAN)),
+    ]);
+    growth.hung.orientation = Some(Orientation::ForeAndAft);
+    import_into(&file, &folder, &untitled(), &growth).unwrap();
     let expected = planned
         .replace(
             "orientation = \"athwartships\"",
@@ -236,13 +247,13 @@ fn a_swing_that_waits_for_something_else_is_refused() {
     let track = PLANNED.replace("recording =", "displacement =");
     let folder = session(dir.path(), &format!("{KEPT}\n{track}"));
     let file = [export(dir.path(), "yaw.csv", 1.0)];
-    let text = refused(&file, &folder, &stated(false), &Growth::default());
+    let text = refused(&file, &folder, &untitled(), &Growth::default());
     assert!(text.contains("`yaw` waits for, a track"), "{text}");
     let growth = Growth {
         swing: Some("table".to_owned()),
         ..Growth::default()
     };
-    let text = refused(&file, &folder, &stated(false), &growth);
+    let text = refused(&file, &folder, &untitled(), &growth);
     assert!(
         text.contains("no recording yet: yaw") && text.contains("`table`"),
         "{text}"
@@ -254,21 +265,19 @@ fn a_new_swing_says_how_it_hung_or_which_swing_hung_alike() {
     let dir = tempfile::tempdir().unwrap();
     let folder = session(dir.path(), KEPT);
     let file = [export(dir.path(), "yaw.csv", 1.0)];
-    let text = refused(&file, &folder, &stated(false), &Growth::default());
+    let text = refused(&file, &folder, &untitled(), &Growth::default());
     assert!(
         text.contains("line_length and spacing") && text.contains("--like"),
         "{text}"
     );
     let mut growth = Growth {
         like: Some("tabel".to_owned()),
-        ..Growth::default()
+        ..stated(&[("spacing", Quantity::new(1.2, 0.001))])
     };
-    let text = refused(&file, &folder, &stated(false), &growth);
+    let text = refused(&file, &folder, &untitled(), &growth);
     assert!(text.contains("a swing of the session: table"), "{text}");
     growth.like = Some("table".to_owned());
-    let mut request = stated(false);
-    request.suspension.spacing_m = Some(Quantity::new(1.2, 0.001));
-    import_into(&file, &folder, &request, &growth).unwrap();
+    import_into(&file, &folder, &untitled(), &growth).unwrap();
     let session = load_session(&folder).unwrap().session;
     let expected = Suspension {
         spacing_m: Some(Quantity::new(1.2, 0.001)),
@@ -282,12 +291,12 @@ fn a_draft_grows_as_a_draft_and_is_filled_in_once() {
     let dir = tempfile::tempdir().unwrap();
     let folder = dir.path().join("session");
     let file = [export(dir.path(), "yaw.csv", 1.0)];
-    let mut first = stated(false);
-    first.title = "boat".to_owned();
+    let mut first = request(&[]);
+    first.suspension = Hanging::default().alone().unwrap();
     import_session(&file, &folder, &first, Overwrite::Refuse).unwrap();
     let before = text_of(&folder);
     let file = [export(dir.path(), "up.csv", 2.0)];
-    let notes = import_into(&file, &folder, &stated(false), &Growth::default()).unwrap();
+    let notes = import_into(&file, &folder, &untitled(), &Growth::default()).unwrap();
     assert!(
         notes[0].contains("still lacks line_length and spacing"),
         "{notes:?}"
@@ -312,22 +321,22 @@ fn a_draft_grows_as_a_draft_and_is_filled_in_once() {
 fn what_is_no_session_or_a_spoilt_one_is_refused() {
     let dir = tempfile::tempdir().unwrap();
     let file = [export(dir.path(), "yaw.csv", 1.0)];
-    let growth = Growth::default();
+    let growth = lines();
     let nowhere = dir.path().join("nowhere");
-    let text = refused(&file, &nowhere, &stated(true), &growth);
+    let text = refused(&file, &nowhere, &untitled(), &growth);
     assert!(
         text.contains("-o instead of --into") && !nowhere.exists(),
         "{text}"
     );
     let empty = dir.path().join("empty");
     fs::create_dir(&empty).unwrap();
-    assert!(refused(&file, &empty, &stated(true), &growth).contains("session.toml"));
+    assert!(refused(&file, &empty, &untitled(), &growth).contains("session.toml"));
     let zip = dir.path().join("boat.zip");
     fs::write(&zip, "PK").unwrap();
-    assert!(refused(&file, &zip, &stated(true), &growth).contains("unpack"));
+    assert!(refused(&file, &zip, &untitled(), &growth).contains("unpack"));
 
     let folder = session(dir.path(), &KEPT.replace("title =", "titel ="));
-    let text = refused(&file, &folder, &stated(true), &growth);
+    let text = refused(&file, &folder, &untitled(), &growth);
     assert!(
         text.contains("line 3") && text.contains("`titel`"),
         "{text}"
@@ -337,12 +346,12 @@ swing = [{ id = "a", periods_s = { yaw = 4.0 }, suspension = { kind = "compound"
 [body]
 "#;
     fs::write(folder.join("session.toml"), in_line).unwrap();
-    let text = refused(&file, &folder, &stated(true), &growth);
+    let text = refused(&file, &folder, &untitled(), &growth);
     assert!(text.contains("[[swing]]"), "{text}");
     fs::write(folder.join("session.toml"), KEPT).unwrap();
     let titled = ImportRequest {
         title: "new".to_owned(),
-        ..stated(true)
+        ..untitled()
     };
     assert!(refused(&file, &folder, &titled, &growth).contains("title"));
 }

@@ -67,13 +67,11 @@ fn what_recordings_say_otherwise_stands_with_each() {
         title: String::new(),
         ..request(&[])
     };
-    import_into(
-        &[file],
-        &dir.path().join("session"),
-        &later,
-        &Growth::default(),
-    )
-    .unwrap();
+    let alike = Growth {
+        like: Some("yaw".to_owned()),
+        ..Growth::default()
+    };
+    import_into(&[file], &dir.path().join("session"), &later, &alike).unwrap();
     let session = load_session(dir.path().join("session")).unwrap().session;
     assert_eq!(session.measured_on, "2024-05-06");
     let last = session.recorded.last().unwrap();

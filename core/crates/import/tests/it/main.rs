@@ -2,7 +2,9 @@
 
 #![allow(missing_docs)]
 
+mod alike;
 mod described;
 mod grow;
 mod kept;
+mod kinds;
 mod told;

@@ -56,6 +56,8 @@ pub(super) struct SensorColumns {
     pub sensor: Sensor,
     pub clock: Clock,
     pub axes: Vec<usize>,
+    /// Which axis each of them is: 0 is x.
+    pub directions: Vec<usize>,
     pub factors: Vec<f64>,
     /// The rows that are this sensor's, where they are tagged.
     pub tag: Option<Tag>,
@@ -72,6 +74,7 @@ impl SensorColumns {
             sensor,
             clock,
             axes: axes.to_vec(),
+            directions: vec![0, 1, 2],
             factors: vec![factor; 3],
             tag: None,
         }
@@ -88,7 +91,7 @@ impl SensorColumns {
     /// beside it.
     pub fn read(&self, table: &Table) -> Result<RawSeries> {
         let numbers = self.numbers(table)?;
-        let places: Vec<usize> = (1..=self.axes.len()).collect();
+        let places: Vec<(usize, usize)> = self.directions.iter().copied().zip(1..).collect();
         let mut raw = collect(table, &numbers, self.sensor, &places)?;
         let empty = |row: usize| raw.channels.iter().all(|channel| channel[row].is_nan());
         let length = (0..raw.t_s.len())
@@ -96,8 +99,12 @@ impl SensorColumns {
             .find(|&row| !empty(row))
             .map_or(0, |last| last + 1);
         raw.truncate(length);
-        for (channel, factor) in raw.channels.iter_mut().zip(&self.factors) {
-            channel.iter_mut().for_each(|value| *value *= factor);
+        for (channel, axis) in raw.channels.iter_mut().zip(&raw.axes) {
+            let place = self.directions.iter().position(|one| one == axis);
+            let factor = place.and_then(|place| self.factors.get(place));
+            channel
+                .iter_mut()
+                .for_each(|value| *value *= factor.copied().unwrap_or(1.0));
         }
         Ok(raw)
     }
@@ -180,15 +187,19 @@ pub(super) fn xyz(table: &Table, name: impl Fn(&str) -> String) -> Option<[usize
 /// Gravity-free acceleration plus gravity at the stamps that both have.
 pub(super) fn sum(free: &RawSeries, gravity: &RawSeries) -> RawSeries {
     let rows: HashMap<u64, usize> = gravity.t_s.iter().map(|t| t.to_bits()).zip(0..).collect();
-    let mut total = RawSeries::new(Sensor::Accelerometer, 3);
-    for (i, &t_s) in free.t_s.iter().enumerate() {
-        if let Some(&j) = rows.get(&t_s.to_bits()) {
-            let axes = 0..free.channels.len().min(gravity.channels.len());
-            total.push(
-                free.row[i],
-                t_s,
-                axes.map(|axis| free.channels[axis][i] + gravity.channels[axis][j]),
-            );
+    // Of the axes that both have: each with its places among the channels.
+    let common = free.axes.iter().enumerate().filter_map(|(i, axis)| {
+        let j = gravity.axes.iter().position(|other| other == axis)?;
+        Some((*axis, (i, j)))
+    });
+    let (axes, places): (Vec<usize>, Vec<(usize, usize)>) = common.unzip();
+    let mut total = RawSeries::of_axes(Sensor::Accelerometer, axes);
+    for (row, &t_s) in free.t_s.iter().enumerate() {
+        if let Some(&other) = rows.get(&t_s.to_bits()) {
+            let sums = places
+                .iter()
+                .map(|&(i, j)| free.channels[i][row] + gravity.channels[j][other]);
+            total.push(free.row[row], t_s, sums);
         }
     }
     total
@@ -202,7 +213,7 @@ pub(super) fn assemble(name: &str, mut series: Vec<(usize, RawSeries)>) -> Resul
     }
     let mut series: Vec<RawSeries> = series.into_iter().map(|(_, raw)| raw).collect();
     from_first_stamp(&mut series);
-    crate::csv::recording(name, series)
+    crate::assembled::recording(name, series)
 }
 
 /// Counts Unix time from the first stamp.
@@ -221,15 +232,8 @@ pub(super) fn from_first_stamp(series: &mut [RawSeries]) {
 
 /// A repair that holds for every sensor of a recording.
 pub(super) fn add_repair(recording: &mut Recording, repair: &Repair) {
-    let sensors = [
-        (Sensor::Gyroscope, recording.gyroscope.is_some()),
-        (Sensor::Accelerometer, recording.accelerometer.is_some()),
-        (
-            Sensor::LinearAccelerometer,
-            recording.linear_accelerometer.is_some(),
-        ),
-    ];
-    for (sensor, _) in sensors.into_iter().filter(|sensor| sensor.1) {
+    let sensors: Vec<Sensor> = recording.sensors().iter().map(|one| one.sensor).collect();
+    for sensor in sensors {
         let text = format!("{}: {}", sensor.name(), repair.text);
         recording.repairs.push(Repair {
             sensor,

@@ -49,7 +49,7 @@ fn content(table: &Table, name: &str) -> Content {
     let has = |wanted: &str| header.iter().any(|name| name == wanted);
     let starts = |wanted: &str| header.iter().any(|name| name.starts_with(wanted));
     let only = |names: [&str; 2]| header.len() == 2 && names.into_iter().all(has);
-    let axes = crate::csv::TRIADS.iter().flat_map(|triad| triad.1);
+    let axes = crate::samples::TRIADS.iter().flat_map(|triad| triad.1);
     if gcsv::recognises(table) {
         Content::Gcsv
     } else if has("t") && axes.into_iter().any(has) {

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use super::facts::Facts;
 use super::source::stem;
 use crate::recorded::{Recorded, RecordedRepair};
-use crate::samples::{GateEvents, Recording, Repair, RepairKind, Sensor, SingleChannel, Track};
+use crate::samples::{
+    GateEvents, Recording, Repair, RepairKind, SensorChannels, SingleChannel, Track,
+};
 
 /// Which program wrote a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -149,14 +151,18 @@ impl ImportedRecording {
             format!("{name}, {} samples in {span:.1} s", t_s.len())
         };
         let held: Vec<String> = match &self.data {
-            ImportedData::Recording(all) => [
-                (Sensor::Gyroscope, &all.gyroscope),
-                (Sensor::Accelerometer, &all.accelerometer),
-                (Sensor::LinearAccelerometer, &all.linear_accelerometer),
-            ]
-            .into_iter()
-            .filter_map(|(sensor, triad)| Some(series(sensor.name(), &triad.as_ref()?.t_s)))
-            .collect(),
+            ImportedData::Recording(all) => {
+                let named = |one: &SensorChannels| match one.channels.len() {
+                    3 => one.sensor.name().to_owned(),
+                    _ => {
+                        let axes: Vec<&str> = one.channels.iter().map(|(name, _)| *name).collect();
+                        format!("{} ({} alone)", one.sensor.name(), axes.join(", "))
+                    }
+                };
+                let sensors = all.sensors();
+                let each = sensors.iter();
+                each.map(|one| series(&named(one), one.t_s)).collect()
+            }
             ImportedData::Track(track) => vec![series("track", &track.t_s)],
             ImportedData::GateEvents(events) => vec![series("edges of a light gate", &events.t_s)],
             ImportedData::Channel(channel) => vec![series(channel.quantity.name(), &channel.t_s)],

@@ -163,20 +163,28 @@ struct Met {
 }
 
 impl Met {
-    fn complete(self) -> Option<SensorColumns> {
-        let axes: Vec<(usize, f64)> = self.axes.into_iter().collect::<Option<_>>()?;
-        let (axes, factors) = axes.into_iter().unzip();
-        Some(SensorColumns {
+    /// The axes that there are.
+    fn columns(self) -> SensorColumns {
+        let mut columns = SensorColumns {
             sensor: self.sensor,
             clock: self.clock,
-            axes,
-            factors,
+            axes: Vec::new(),
+            directions: Vec::new(),
+            factors: Vec::new(),
             tag: None,
-        })
+        };
+        for (axis, met) in self.axes.into_iter().enumerate() {
+            if let Some((column, factor)) = met {
+                columns.axes.push(column);
+                columns.directions.push(axis);
+                columns.factors.push(factor);
+            }
+        }
+        columns
     }
 }
 
-/// The complete sensors of a table whose header tells units, each with the nearest time column
+/// The sensors of a table whose header tells units, each with the axes that it has and the nearest time column
 /// before it; `set` is the name of the file.
 pub(super) fn sensors(table: &Table, set: &str) -> Vec<SensorColumns> {
     let mut clock = None;
@@ -205,7 +213,7 @@ pub(super) fn sensors(table: &Table, set: &str) -> Vec<SensorColumns> {
             });
         found[place].axes[axis].get_or_insert((column, unit.factor));
     }
-    found.into_iter().filter_map(Met::complete).collect()
+    found.into_iter().map(Met::columns).collect()
 }
 
 /// Rows by which a proposal judges a column.

@@ -11,7 +11,7 @@ use super::phyphox::Pauses;
 use super::source::{Source, stem};
 use super::table::{Table, Tag};
 use super::units::{Dimension, Unit};
-use crate::csv::{channel, track};
+use crate::assembled::{channel, track};
 use crate::repair::RawSeries;
 use crate::samples::{ChannelQuantity, Sensor};
 use gyradius_base::{Error, Result};
@@ -138,13 +138,6 @@ const TRACK: Wanted = Wanted {
 };
 const ANGLE: Wanted = channel_of(Sensor::Displacement, ChannelQuantity::Angle, &["angle"]);
 const RATE: Wanted = channel_of(Sensor::Gyroscope, ChannelQuantity::Rate, &["rate"]);
-/// One axis of a gyroscope alone is the rate about the axis of the motion.
-const ONE_AXIS: [Wanted; 3] = [
-    channel_of(Sensor::Gyroscope, ChannelQuantity::Rate, &["gx"]),
-    channel_of(Sensor::Gyroscope, ChannelQuantity::Rate, &["gy"]),
-    channel_of(Sensor::Gyroscope, ChannelQuantity::Rate, &["gz"]),
-];
-
 impl ColumnMapping {
     fn wanted(&self) -> Result<Vec<Wanted>> {
         let has = |key: &str| self.columns.contains_key(key);
@@ -170,34 +163,18 @@ impl ColumnMapping {
                 )),
             };
         }
-        if let ([one], Some(wanted)) = (
-            &samples[..],
-            ONE_AXIS.into_iter().find(|wanted| has(wanted.fields[0])),
-        ) && one.as_str() == wanted.fields[0]
-        {
-            return Ok(vec![wanted]);
-        }
         let triads = TRIADS
             .into_iter()
             .filter(|wanted| wanted.fields.iter().any(|key| has(key)));
         let triads: Vec<Wanted> = triads.collect();
-        let missing = triads
-            .iter()
-            .flat_map(|wanted| wanted.fields)
-            .find(|key| !has(key));
-        match missing {
-            Some(key) => Err(Error::argument(
-                "mapping",
-                format!("an entry for `{key}`"),
-                "none",
-            )),
-            None if triads.is_empty() => Err(Error::argument(
+        if triads.is_empty() {
+            return Err(Error::argument(
                 "mapping",
                 "an entry for samples, such as gx, ax, angle or y",
                 "none",
-            )),
-            None => Ok(triads),
+            ));
         }
+        Ok(triads)
     }
 
     fn column(&self, key: &str) -> Result<&MappedColumn> {
@@ -219,11 +196,14 @@ impl ColumnMapping {
     fn place(&self, table: &Table, wanted: Wanted) -> Result<SensorColumns> {
         let mut tag = None;
         let mut axes = Vec::new();
+        let mut directions = Vec::new();
         let mut factors = Vec::new();
-        for key in wanted.fields {
+        let stated = wanted.fields.iter().enumerate();
+        for (axis, key) in stated.filter(|(_, key)| self.columns.contains_key(**key)) {
             let mapped = self.column(key)?;
             let place = find(table, mapped)?;
             axes.push(place.0);
+            directions.push(axis);
             factors.push(mapped.unit.factor);
             tag = tag.or(place.1);
         }
@@ -251,6 +231,7 @@ impl ColumnMapping {
             sensor: wanted.sensor,
             clock,
             axes,
+            directions,
             factors,
             tag,
         })

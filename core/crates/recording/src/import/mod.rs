@@ -136,16 +136,6 @@ fn recognised(
     for (name, bytes) in of(Content::Native) {
         // With a preamble, another separator or a decimal comma it is read all the same.
         let table = Table::open(bytes, name)?;
-        if super::csv::single_column(&table).is_some() {
-            let data = ImportedData::Channel(super::csv::read_channel(bytes, name)?);
-            out.push(ImportedRecording::of(
-                name,
-                Format::Native,
-                data,
-                Vec::new(),
-            ));
-            continue;
-        }
         let recording = super::csv::read_table(&table)?;
         out.push(ImportedRecording::new(
             name,
@@ -155,7 +145,7 @@ fn recognised(
         ));
     }
     for (name, bytes) in of(Content::Track) {
-        let data = ImportedData::Track(super::csv::read_track(bytes, name)?);
+        let data = ImportedData::Track(super::csv::track_of(&Table::open(bytes, name)?)?);
         out.push(ImportedRecording::of(
             name,
             Format::Native,
@@ -164,7 +154,8 @@ fn recognised(
         ));
     }
     for (name, bytes) in of(Content::Channel) {
-        let data = ImportedData::Channel(super::csv::read_channel(bytes, name)?);
+        let table = Table::open(bytes, name)?;
+        let data = ImportedData::Channel(super::csv::channel_of(&table)?);
         out.push(ImportedRecording::of(
             name,
             Format::Native,

@@ -17,7 +17,7 @@ pub(super) use pauses::Pauses;
 
 type File<'a> = (&'a str, &'a [u8]);
 
-/// True for a header with a time column and a sensor with three axes, units told.
+/// True for a header with a time column and an axis of a sensor, units told.
 pub(super) fn recognises(table: &Table, name: &str) -> bool {
     !sensors(table, stem(name)).is_empty()
 }
@@ -125,12 +125,21 @@ fn repeats_a_sensor(series: &[(usize, RawSeries)]) -> bool {
     })
 }
 
-/// A second set of the same sensor (filtered, say) cannot be told from the first, which is kept.
+/// A second set of the same sensor (filtered, say) cannot be told from the first, which is kept; one
+/// with more axes is.
 fn keep_first_of_each(series: &mut Vec<(usize, RawSeries)>) -> Vec<String> {
     let mut seen: Vec<Sensor> = Vec::new();
     let mut notes = Vec::new();
+    let axes: Vec<(Sensor, usize)> = series
+        .iter()
+        .map(|(_, raw)| (raw.sensor, raw.axes.len()))
+        .collect();
+    let is_fullest = |raw: &RawSeries| {
+        let same = axes.iter().filter(|(sensor, _)| *sensor == raw.sensor);
+        same.map(|(_, count)| *count).max() == Some(raw.axes.len())
+    };
     series.retain(|(_, raw)| {
-        let new = !seen.contains(&raw.sensor);
+        let new = is_fullest(raw) && !seen.contains(&raw.sensor);
         if new {
             seen.push(raw.sensor);
         } else {

@@ -13,6 +13,8 @@ pub(crate) struct RawSeries {
     pub row: Vec<usize>,
     /// Time stamps, s; may be anything.
     pub t_s: Vec<f64>,
+    /// The axis of each channel: 0 is x.
+    pub axes: Vec<usize>,
     /// Samples by channel; NaN where a cell is missing beside filled ones.
     pub channels: Vec<Vec<f64>>,
     /// The sensor's stated limit, in the channels' unit.
@@ -23,14 +25,15 @@ pub(crate) struct RawSeries {
 pub(crate) type Fates = Vec<Option<RepairKind>>;
 
 impl RawSeries {
-    /// A series without samples.
-    pub fn new(sensor: Sensor, channels: usize) -> Self {
+    /// A series without samples, one channel for each axis.
+    pub fn of_axes(sensor: Sensor, axes: Vec<usize>) -> Self {
         Self {
             sensor,
             table: 0,
             row: Vec::new(),
             t_s: Vec::new(),
-            channels: vec![Vec::new(); channels],
+            channels: vec![Vec::new(); axes.len()],
+            axes,
             limit: None,
         }
     }

@@ -2,6 +2,7 @@
 
 #![allow(missing_docs)]
 
+mod axes;
 mod containers;
 mod import;
 mod recorder;

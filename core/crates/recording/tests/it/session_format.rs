@@ -405,12 +405,17 @@ fn swings_that_contradict_themselves_are_refused() {
             "`swing[1].added_mass`",
         ),
         ("\"bifilar\"", "\"bifiler\"", 8, "the nearest is `bifilar`"),
-        ("\"bifilar\"", "\"compound\"", 10, "`axis_height` alone"),
+        (
+            "\"bifilar\"",
+            "\"compound\"",
+            10,
+            "a bifilar or trifilar suspension; a compound one is described by axis_height",
+        ),
         (
             "\"bifilar\"",
             "\"bifilar\"\naxis_height = 1",
             9,
-            "no fixed axis",
+            "a compound suspension; a bifilar one",
         ),
         ("spacing = 1.5\n", "", 7, "`swing[1].suspension.spacing`"),
         (

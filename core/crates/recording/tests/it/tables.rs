@@ -555,7 +555,7 @@ fn physics_toolbox_may_write_a_time_of_day() {
 }
 
 #[test]
-fn angles_and_single_axes_are_channels_and_no_axis_is_made_up() {
+fn angles_and_rates_are_channels() {
     let text = format!(
         "clock,swing\n{}",
         rows(|i| format!("{},{}", 0.01 * i as f64, 9 * i))
@@ -565,7 +565,7 @@ fn angles_and_single_axes_are_channels_and_no_axis_is_made_up() {
         ("angle=swing:rad", ChannelQuantity::Angle, 9.0),
         ("angle=swing:rev", ChannelQuantity::Angle, 18.0 * PI),
         ("rate=swing:deg/s", ChannelQuantity::Rate, 0.05 * PI),
-        ("gz=swing:rad/s", ChannelQuantity::Rate, 9.0),
+        ("rate=swing:rad/s", ChannelQuantity::Rate, 9.0),
     ];
     for (entry, quantity, expected) in cases {
         let imported =

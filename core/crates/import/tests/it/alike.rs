@@ -1,0 +1,78 @@
+//! A swing that hung like another has its figures as they stand there.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::fs;
+
+use gyradius_import::{Growth, Hanging, ImportRequest, import_into};
+use gyradius_recording::{Quantity, load_session};
+
+use crate::told::{phyphox, request};
+
+const KEPT: &str = r#"format = "gyradius-session/1"
+[body]
+[[instrument]]
+id = "tape-1"
+kind = "tape"
+scale_u = 5e-4
+
+[[swing]]
+id = "old"
+periods_s = { yaw = 4.4 }
+[swing.suspension]
+kind = "trifilar"
+line_length = { value = 3.0, u = 0.002, instrument = "tape-1" }
+radius = { value = 0.25, instrument = "tape-1" }
+top_radius = { value = 0.26, u = 0.001, instrument = "tape-1" }
+hull_pitch_deg = 1.0
+"#;
+
+#[test]
+fn instruments_are_copied_and_what_nobody_stated_is_not() {
+    let dir = tempfile::tempdir().unwrap();
+    let folder = dir.path().join("session");
+    fs::create_dir(&folder).unwrap();
+    fs::write(folder.join("session.toml"), KEPT).unwrap();
+    let files: Vec<_> = ["up.csv", "down.csv"]
+        .into_iter()
+        .enumerate()
+        .map(|(k, name)| {
+            let file = dir.path().join(name);
+            let rate = |i: usize| (k + 1) as f64 * i as f64;
+            fs::write(&file, phyphox(60, |i| 0.01 * i as f64, rate)).unwrap();
+            file
+        })
+        .collect();
+    let untitled = ImportRequest {
+        title: String::new(),
+        ..request(&[])
+    };
+    let anew = ("top_radius".to_owned(), Quantity::new(0.27, 0.001));
+    let growth = Growth {
+        like: Some("old".to_owned()),
+        hung: Hanging {
+            figures: [anew].into_iter().collect(),
+            ..Hanging::default()
+        },
+        ..Growth::default()
+    };
+    import_into(&files, &folder, &untitled, &growth).unwrap();
+    let text = fs::read_to_string(folder.join("session.toml")).unwrap();
+    let added = text.strip_prefix(KEPT).unwrap();
+    for line in [
+        "line_length = { value = 3.0, u = 0.002, instrument = \"tape-1\" }\n",
+        "radius = { value = 0.25, instrument = \"tape-1\" }\n",
+        "top_radius = { value = 0.27, u = 0.001 }\n",
+        "hull_pitch_deg = 1.0\n",
+    ] {
+        let lines = added.matches(&format!("\n{line}")).count();
+        assert_eq!(lines, 2, "{line}{added}");
+    }
+    let loaded = load_session(&folder).unwrap();
+    for swing in 2..4 {
+        let key = format!("swing[{swing}].suspension.radius");
+        assert_eq!(loaded.session.instrument(&key).unwrap().id, "tape-1");
+        assert!(loaded.assumed.iter().any(|one| one.path == key));
+    }
+    let [old, new] = [0, 1].map(|i| loaded.session.swings[i].suspension.clone());
+    assert_eq!(old.figure("radius"), new.figure("radius"));
+}
