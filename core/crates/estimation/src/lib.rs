@@ -57,4 +57,4 @@ pub use normal::{Normal, Own};
 pub use parameter::{Parameter, Side};
 pub use problem::{Block, ByRows, Problem, Rows, Slopes, Wanted};
 pub use shape::Shape;
-pub use solver::{Options, Progress, Stop, UNSTOPPED, minimise};
+pub use solver::{Keep, Options, Progress, Stop, UNSTOPPED, minimise};

@@ -28,7 +28,8 @@ pub trait Problem {
     fn chi2(&mut self, x: &[f64]) -> Option<f64>;
 
     /// Normal equations of the data at a point for which χ² was asked before; none where they
-    /// cannot be computed. [`Slopes::Kept`] is asked for where [`Options`](crate::Options) say so.
+    /// cannot be computed. Where [`Options`](crate::Options) do not say to keep derivatives, it is
+    /// always the point that was asked for last, and they are always new.
     fn normal(&mut self, x: &[f64], slopes: Slopes) -> Option<Normal>;
 }
 

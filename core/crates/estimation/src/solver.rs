@@ -29,9 +29,19 @@ pub struct Options {
     pub gain: f64,
     /// Or less than this share of χ².
     pub gain_share: f64,
-    /// Where steps gain this share of their promise, derivatives are kept; none: they are new at
-    /// every point. A fit never converges on kept ones.
-    pub keep: Option<f64>,
+    /// When derivatives are kept for the next step; none: they are new at every point.
+    pub keep: Option<Keep>,
+}
+
+/// When derivatives are kept.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Keep {
+    /// Where a step gains at least this share of its promise.
+    pub share: f64,
+    /// Whether a fit may end on kept ones, for a fit that others go on from: where χ² has not fallen
+    /// below the same share of what it was at theirs, for those of far away cannot tell what is left
+    /// to gain.
+    pub to_the_end: bool,
 }
 
 impl Default for Options {
@@ -118,6 +128,8 @@ struct Descent<'a> {
     scale2: DVector<f64>,
     radius: Option<f64>,
     is_new: bool,
+    /// χ² where the derivatives were new.
+    cost_of_slopes: f64,
     steps: usize,
     evaluations: (usize, usize),
 }
@@ -145,6 +157,7 @@ impl<'a> Descent<'a> {
             problem,
             parameters,
             options,
+            cost_of_slopes: at.cost(),
             at,
             normal,
             radius: None,
@@ -243,9 +256,8 @@ impl<'a> Descent<'a> {
 
     /// Normal equations where a step has led.
     fn take(&mut self, gained: f64, promised: f64) -> Outcome {
-        let keeps = |share: f64| gained >= share * promised;
         let slopes = match self.options.keep {
-            Some(share) if keeps(share) => Slopes::Kept,
+            Some(keep) if gained >= keep.share * promised => Slopes::Kept,
             _ => Slopes::New,
         };
         match self.renew(slopes) {
@@ -254,9 +266,11 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// The end, if the derivatives are those of this point; otherwise new ones.
+    /// The end, if the derivatives may be those of the end; otherwise new ones.
     fn converged(&mut self, ending: Ending) -> Outcome {
-        if self.is_new {
+        let near =
+            |keep: Keep| keep.to_the_end && self.at.cost() >= keep.share * self.cost_of_slopes;
+        if self.is_new || self.options.keep.is_some_and(near) {
             return Outcome::Ended(ending);
         }
         match self.renew(Slopes::New) {
@@ -271,7 +285,10 @@ impl<'a> Descent<'a> {
     fn renew(&mut self, slopes: Slopes) -> Option<()> {
         self.normal = normal(self.problem, self.parameters, &self.at, slopes)?;
         self.is_new = slopes == Slopes::New;
-        self.evaluations.1 += usize::from(self.is_new);
+        if self.is_new {
+            self.evaluations.1 += 1;
+            self.cost_of_slopes = self.at.cost();
+        }
         self.scale2 = self.scale2.zip_map(&self.normal.diagonal(), f64::max);
         Some(())
     }

@@ -5,7 +5,8 @@ use std::cell::Cell;
 use nalgebra::{DMatrix, DVector};
 
 use gyradius_estimation::{
-    Ending, Error, Normal, Options, Parameter, Problem, Shape, Slopes, UNSTOPPED, minimise,
+    Ending, Error, Fit, Keep, Normal, Options, Parameter, Problem, Shape, Slopes, UNSTOPPED,
+    minimise,
 };
 
 const FREE: [Parameter; 1] = [Parameter::FREE];
@@ -182,27 +183,41 @@ fn derivatives_that_end_are_told() {
     assert!(fit.ending == Ending::NoDerivatives && fit.x[0] < 1.9);
 }
 
-/// Kept derivatives save work, and a fit never ends on them.
+/// Kept derivatives save work, and a fit ends on them only where it may.
 #[test]
 fn derivatives_are_kept_while_they_hold() {
     let residual = |x: f64| Some((x + 0.05 * x * x - 3.0, 1.0 + 0.1 * x));
-    let run = |keep| {
+    let run = |parameter, keep| {
         let options = Options {
             keep,
             gain: 1e-16,
             ..Options::default()
         };
         let mut problem = Curve::new(residual);
-        let fit = minimise(&mut problem, &FREE, &[0.0], &options, UNSTOPPED).unwrap();
+        let fit = minimise(&mut problem, &[parameter], &[1.0], &options, UNSTOPPED).unwrap();
         assert_eq!(fit.evaluations.1, problem.new);
         fit
     };
-    let (kept, new) = (run(Some(0.5)), run(None));
+    let keep = |to_the_end| {
+        Some(Keep {
+            share: 0.5,
+            to_the_end,
+        })
+    };
+    let free = Parameter::FREE;
+    let (kept, new) = (run(free, keep(false)), run(free, None));
     assert!((kept.x[0] - new.x[0]).abs() < 1e-7);
     assert!(kept.evaluations.1 < new.evaluations.1 && kept.steps > new.steps);
     // The information is that of the end: the square of its own slope.
-    let slope = residual(kept.x[0]).unwrap().1;
-    assert!((kept.information()[(0, 0)] - slope * slope).abs() < 1e-12);
+    let slope = |fit: &Fit| residual(fit.x[0]).unwrap().1;
+    let information = |fit: &Fit| fit.normal.information[(0, 0)];
+    assert!((information(&kept) - slope(&kept).powi(2)).abs() < 1e-12);
+    // χ² fell to nothing: derivatives of the start cannot tell the end.
+    assert_eq!(run(free, keep(true)).evaluations, kept.evaluations);
+    // Where a prior keeps it above half they can.
+    let pulled = free.with_prior(4.0, 1.0);
+    let (kept, rough) = (run(pulled, keep(false)), run(pulled, keep(true)));
+    assert!(rough.evaluations.1 < kept.evaluations.1 && (rough.x[0] - kept.x[0]).abs() < 0.1);
 }
 
 /// Three parameters of which the data see a sum and one: the rank is two, the direction told.
