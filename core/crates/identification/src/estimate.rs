@@ -10,6 +10,9 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use gyradius_base::error::{Error, Result};
+use gyradius_estimation::{
+    Block, ByRows, Options, Parameter, Rows, Shape, UNSTOPPED, Wanted, minimise,
+};
 use gyradius_recording::{InclineAngle, ModeName, Quantity, Session, Swing};
 
 use super::correlated::Correlated;
@@ -22,7 +25,10 @@ use super::theory::{incline_angle_deg, swing_periods};
 
 /// Chance of widening the uncertainties of a consistent session by the Birge ratio.
 const BIRGE_FALSE_ALARM: f64 = 1e-3;
-const MAX_ITERATIONS: usize = 60;
+const MOST_STEPS: usize = 60;
+/// A step that promises less of χ² than this, or less than this share of it, is below a millionth
+/// of a standard uncertainty, where periods are computed to no more digits.
+const ROUNDING: f64 = 1e-12;
 /// A shift stated as exact is good to this, m: the thickness of a line.
 const LEAST_MOVED_U_M: f64 = 1e-4;
 
@@ -262,12 +268,16 @@ impl<'a> System<'a> {
         Some(jacobian)
     }
 
-    /// Solves the system (Levenberg–Marquardt from `start`).
+    /// Solves the system from `start`.
+    ///
+    /// # Errors
+    /// [`Error::NoResult`] where a motion cannot be computed at the start, or where observations
+    /// and priors do not determine every free parameter.
     pub fn solve(&self, start: &[f64]) -> Result<Solution> {
         let free: Vec<usize> = (0..self.layout.parameters.len())
             .filter(|i| self.layout.parameters[*i].prior.u > 0.0)
             .collect();
-        let x = self.minimise(start.to_vec(), &free).ok_or_else(failed)?;
+        let x = self.minimise(start, &free)?;
         let rows = self.rows(&x, &free).ok_or_else(failed)?;
         let jacobian = self.jacobian(&x, &free, rows.len()).ok_or_else(failed)?;
         let normal = jacobian.transpose() * &jacobian;
@@ -292,38 +302,64 @@ impl<'a> System<'a> {
         })
     }
 
-    fn minimise(&self, mut x: Vec<f64>, free: &[usize]) -> Option<Vec<f64>> {
-        let mut rows = self.rows(&x, free)?;
-        let mut damping = 1e-3;
-        for _ in 0..MAX_ITERATIONS {
-            let jacobian = self.jacobian(&x, free, rows.len())?;
-            let gradient = jacobian.transpose() * &rows;
-            let normal = jacobian.transpose() * &jacobian;
-            let mut improved = false;
-            while damping < 1e12 {
-                let mut damped = normal.clone();
-                (0..free.len()).for_each(|k| damped[(k, k)] *= 1.0 + damping);
-                let step = -damped.cholesky()?.solve(&gradient);
-                let mut moved = x.clone();
-                free.iter()
-                    .zip(step.iter())
-                    .for_each(|(i, s)| moved[*i] += s);
-                match self.rows(&moved, free) {
-                    Some(better) if better.norm_squared() <= rows.norm_squared() => {
-                        let gained = rows.norm_squared() - better.norm_squared();
-                        (x, rows) = (moved, better);
-                        damping = (damping * 0.1).max(1e-15);
-                        improved = gained > 1e-12 * (1.0 + rows.norm_squared());
-                        break;
-                    }
-                    _ => damping *= 10.0,
-                }
-            }
-            if !improved {
-                break;
-            }
-        }
-        Some(x)
+    fn minimise(&self, start: &[f64], free: &[usize]) -> Result<Vec<f64>> {
+        let equations = Equations {
+            system: self,
+            start,
+            free,
+        };
+        let at: Vec<f64> = free.iter().map(|i| start[*i]).collect();
+        let options = Options {
+            most_steps: MOST_STEPS,
+            gain: ROUNDING,
+            gain_share: ROUNDING,
+            keep: None,
+        };
+        let parameters = vec![Parameter::FREE; free.len()];
+        let fit = minimise(
+            &mut ByRows::new(&equations),
+            &parameters,
+            &at,
+            &options,
+            UNSTOPPED,
+        );
+        Ok(equations.whole(&fit.map_err(|_| failed())?.x))
+    }
+}
+
+/// A system's rows by its free parameters; priors are among the rows, for instruments share errors
+/// between them and the observations.
+struct Equations<'a> {
+    system: &'a System<'a>,
+    /// What the parameters that are not free are held at.
+    start: &'a [f64],
+    free: &'a [usize],
+}
+
+impl Equations<'_> {
+    fn whole(&self, free: &[f64]) -> Vec<f64> {
+        let mut x = self.start.to_vec();
+        self.free.iter().zip(free).for_each(|(i, v)| x[*i] = *v);
+        x
+    }
+}
+
+impl Rows for Equations<'_> {
+    fn shape(&self) -> Shape {
+        Shape::single(self.free.len())
+    }
+
+    fn rows(&self, _: usize, free: &[f64], _: &[f64], wanted: Wanted) -> Option<Block> {
+        let x = self.whole(free);
+        let residuals = self.system.rows(&x, self.free)?;
+        let jacobian = match wanted {
+            Wanted::Residuals => None,
+            Wanted::Jacobian => Some(self.system.jacobian(&x, self.free, residuals.len())?),
+        };
+        Some(Block {
+            residuals,
+            jacobian,
+        })
     }
 }
 

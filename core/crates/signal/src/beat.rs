@@ -9,7 +9,7 @@ use num_complex::Complex64;
 use gyradius_base::error::{Error, Result};
 
 use super::crossings::median;
-use super::marquardt::linear;
+use super::curve_fit::linear;
 
 /// A beat counted in a record.
 #[derive(Debug, Clone, PartialEq)]

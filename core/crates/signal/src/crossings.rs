@@ -1,7 +1,7 @@
 //! Zero crossings of one channel between samples, and periods from them: a check that shares
 //! nothing with the fit.
 
-use super::marquardt::linear;
+use super::curve_fit::linear;
 
 /// A passage through the channel's rest level.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,16 +10,22 @@
 //! The derivative of the projection is Kaufman's (1975): its second term is of the order of the
 //! residual times the curvature.
 
+use gyradius_estimation::{
+    Normal, Options, Parameter, Problem, Shape, Slopes, UNSTOPPED, minimise,
+};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use num_complex::Complex64;
 
 use super::basis::{Lever, Model, Products, products};
 use super::compress::Cells;
 
-/// Gain in merit that ends a trial: a tenth of a standard error in the whole parameter vector.
-const TRIAL_END: f64 = 1e-2;
-/// Gain that ends a final fit: a hundredth of a standard error.
-const FINAL_END: f64 = 1e-4;
+/// Gain in merit that is not worth a step of a trial: 0.03 of a standard error in the whole
+/// parameter vector.
+const TRIAL_END: f64 = 1e-3;
+/// That of a final fit: a thousandth of a standard error.
+const FINAL_END: f64 = 1e-6;
+/// Keeps a nearly singular curvature solvable.
+const RIDGE: f64 = 1e-9;
 /// Relative size below which a residual is rounding.
 const ROUNDING: f64 = 1e-26;
 
@@ -37,7 +43,7 @@ pub(super) struct Fit {
     pub merit: f64,
 }
 
-/// Second derivatives, gradient and their parts by channel.
+/// Second derivatives, downhill gradient and their parts by channel: halves of those of the merit.
 pub(super) struct Curvature {
     pub hessian: DMatrix<f64>,
     pub gradient: DVector<f64>,
@@ -79,22 +85,23 @@ pub(super) fn project(model: &Model, groups: &[Cells]) -> Option<Fit> {
 
 /// Like [`project`], with the curvature and all that errors need.
 pub(super) fn project_with_curvature(model: &Model, groups: &[Cells]) -> Option<(Fit, Curvature)> {
-    let (fit, curvature) = evaluate(model, groups, Wanted::Errors)?;
-    Some((fit, curvature?))
+    with_curvature(evaluate(model, groups, Wanted::Errors)?)
 }
 
-fn project_for_step(model: &Model, groups: &[Cells]) -> Option<(Fit, Curvature)> {
-    let (fit, curvature) = evaluate(model, groups, Wanted::Step)?;
+fn with_curvature((fit, curvature): (Fit, Option<Curvature>)) -> Option<(Fit, Curvature)> {
     Some((fit, curvature?))
 }
 
 /// What the linearised problem promises to gain in merit.
 pub(super) fn promise(model: &Model, groups: &[Cells]) -> Option<f64> {
-    let (_, curvature) = project_for_step(model, groups)?;
-    Some(curvature.gradient.dot(&damped_step(&curvature, 1e-9, &[])?))
+    let (_, curvature) = with_curvature(evaluate(model, groups, Wanted::Step)?)?;
+    let mut hessian = curvature.hessian;
+    (0..hessian.nrows()).for_each(|i| hessian[(i, i)] *= 1.0 + RIDGE);
+    let step = Cholesky::new(hessian)?.solve(&curvature.gradient);
+    Some(curvature.gradient.dot(&step))
 }
 
-/// Levenberg–Marquardt from a start, as far as a trial needs; none where the start itself cannot be
+/// The best poles from a start, as far as a trial needs; none where the start itself cannot be
 /// evaluated.
 pub(super) fn refine(start: &Model, groups: &[Cells], iterations: usize) -> Option<Fit> {
     descend(start, groups, iterations, TRIAL_END, &[])
@@ -117,51 +124,55 @@ fn descend(
     end: f64,
     held: &[usize],
 ) -> Option<Fit> {
-    let (mut fit, mut curvature) = project_for_step(start, groups)?;
-    let mut damping = 1e-4;
-    for _ in 0..iterations {
-        let Some(step) = damped_step(&curvature, damping, held) else {
-            break;
-        };
-        let moved: Vec<f64> = fit
-            .model
-            .parameters()
-            .iter()
-            .zip(step.iter())
-            .map(|(p, d)| p + d)
-            .collect();
-        let trial = fit.model.with_parameters(&moved);
-        let sound = trial.modes.iter().all(|mode| mode.is_sound());
-        match sound.then(|| project_for_step(&trial, groups)).flatten() {
-            Some((better, its)) if better.merit <= fit.merit => {
-                let gain = fit.merit - better.merit;
-                (fit, curvature) = (better, its);
-                damping = (damping * 0.1).max(1e-12);
-                if gain < end {
-                    break;
-                }
-            }
-            _ if curvature.gradient.dot(&step) < end => break,
-            _ => damping = (damping * 10.0).max(1e-3),
-        }
-        if damping > 1e8 {
-            break;
-        }
-    }
-    Some(fit)
+    let at = start.parameters();
+    let mut parameters = vec![Parameter::FREE; at.len()];
+    held.iter()
+        .for_each(|i| parameters[*i] = Parameter::FREE.fixed(at[*i]));
+    let options = Options {
+        most_steps: iterations,
+        gain: end,
+        gain_share: 0.0,
+        keep: None,
+    };
+    let mut poles = Poles {
+        start,
+        groups,
+        tried: None,
+        best: None,
+    };
+    minimise(&mut poles, &parameters, &at, &options, UNSTOPPED).ok()?;
+    poles.best
 }
 
-fn damped_step(curvature: &Curvature, damping: f64, held: &[usize]) -> Option<DVector<f64>> {
-    let (mut hessian, mut gradient) = (curvature.hessian.clone(), curvature.gradient.clone());
-    for i in 0..hessian.nrows() {
-        hessian[(i, i)] *= 1.0 + damping;
+/// The poles of a model as parameters, its amplitudes eliminated; the merit takes the place of χ².
+struct Poles<'a> {
+    start: &'a Model,
+    groups: &'a [Cells],
+    tried: Option<(Fit, Curvature)>,
+    /// The fit at the last point with derivatives: the best.
+    best: Option<Fit>,
+}
+
+impl Problem for Poles<'_> {
+    fn shape(&self) -> Shape {
+        Shape::single(self.start.parameter_count())
     }
-    for &i in held {
-        hessian.row_mut(i).fill(0.0);
-        hessian.column_mut(i).fill(0.0);
-        (hessian[(i, i)], gradient[i]) = (1.0, 0.0);
+
+    fn chi2(&mut self, p: &[f64]) -> Option<f64> {
+        let model = self.start.with_parameters(p);
+        let is_start = self.best.is_none();
+        let sound = is_start || model.modes.iter().all(|mode| mode.is_sound());
+        let found = sound.then(|| evaluate(&model, self.groups, Wanted::Step));
+        self.tried = with_curvature(found.flatten()?);
+        self.tried.as_ref().map(|(fit, _)| fit.merit)
     }
-    Some(Cholesky::new(hessian)?.solve(&gradient))
+
+    /// At the point that was tried last.
+    fn normal(&mut self, _: &[f64], _: Slopes) -> Option<Normal> {
+        let (fit, curvature) = self.tried.take()?;
+        self.best = Some(fit);
+        Some(Normal::single(curvature.hessian, -curvature.gradient))
+    }
 }
 
 /// How much of an evaluation is needed.

@@ -10,7 +10,7 @@ use gyradius_recording::{GateEvents, PeriodList};
 
 use super::amplitude::WindowPoint;
 use super::crossings::median;
-use super::marquardt::linear;
+use super::curve_fit::linear;
 
 /// Periods and amplitudes from light gates.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,7 +9,12 @@
 
 use std::f64::consts::TAU;
 
-use super::marquardt::{CurveFit, linear, nonlinear};
+use gyradius_estimation::{
+    Block, ByRows, Options, Parameter, Rows, Shape, UNSTOPPED, Wanted, minimise,
+};
+use nalgebra::{DMatrix, DVector};
+
+use super::curve_fit::{CurveFit, linear, nonlinear};
 
 /// Eq. (14) fitted to a list of periods; what the data do not support is absent.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,11 +99,48 @@ pub fn fit_period_trend(t_s: &[f64], period_s: &[f64]) -> Option<PeriodTrend> {
     }
 }
 
-/// The curve; parameters T0, T0·b, C cos φ (sine part), C sin φ (cosine part), 1/T_m, 1/τ_m.
-fn curve(p: &[f64], t: f64) -> f64 {
-    let (sin, cos) = (TAU * p[4] * t).sin_cos();
-    p[0] + p[1] * t + (-p[5] * t).exp() * (p[2] * sin + p[3] * cos) // eq. (14)
+/// The curve with a modulation, fitted to a list of periods. Parameters T0, T0·b, C cos φ (sine
+/// part), C sin φ (cosine part), 1/T_m, 1/τ_m.
+struct Modulated<'a> {
+    t_s: &'a [f64],
+    period_s: &'a [f64],
 }
+
+const PARAMETERS: usize = 6;
+
+/// Eq. (14) at a time, and its slopes.
+fn curve(p: &[f64], t: f64) -> (f64, [f64; PARAMETERS]) {
+    let (sin, cos) = (TAU * p[4] * t).sin_cos();
+    let decay = (-p[5] * t).exp();
+    let wave = decay * (p[2] * sin + p[3] * cos);
+    let turn = TAU * t * decay * (p[2] * cos - p[3] * sin);
+    let slopes = [1.0, t, decay * sin, decay * cos, turn, -t * wave];
+    (p[0] + p[1] * t + wave, slopes) // eq. (14)
+}
+
+impl Rows for Modulated<'_> {
+    fn shape(&self) -> Shape {
+        Shape::single(PARAMETERS)
+    }
+
+    fn rows(&self, _: usize, p: &[f64], _: &[f64], _: Wanted) -> Option<Block> {
+        let at: Vec<_> = self.t_s.iter().map(|t| curve(p, *t)).collect();
+        let residual = |i: usize, _| at[i].0 - self.period_s[i];
+        Some(Block {
+            residuals: DVector::from_fn(at.len(), residual),
+            jacobian: Some(DMatrix::from_fn(at.len(), PARAMETERS, |i, k| at[i].1[k])),
+        })
+    }
+}
+
+/// Where a fit of periods ends: their noise is not known, so that a share of their scatter counts.
+const OPTIONS: Options = Options {
+    most_steps: 100,
+    gain: 0.0,
+    // A millionth of a standard error.
+    gain_share: 1e-12,
+    keep: None,
+};
 
 fn modulated(t: &[f64], y: &[f64], plain: &CurveFit) -> Option<CurveFit> {
     if t.len() < 12 {
@@ -113,15 +155,13 @@ fn modulated(t: &[f64], y: &[f64], plain: &CurveFit) -> Option<CurveFit> {
         .filter_map(|(f, decay)| at_frequency(t, y, f, decay))
         .min_by(|a, b| a.1.total_cmp(&b.1))?
         .0;
-    let residuals = |p: &[f64]| {
-        t.iter()
-            .zip(y)
-            .map(|(t, y)| curve(p, *t) - y)
-            .collect::<Vec<f64>>()
+    let rows = Modulated {
+        t_s: t,
+        period_s: y,
     };
-    let size = start[2].hypot(start[3]).max(1e-12 * start[0].abs());
-    let scale = [size, size / span, size, size, 0.1 / span, 1.0 / span];
-    let fit = nonlinear(&residuals, &start, &scale)?;
+    let free = [Parameter::FREE; PARAMETERS];
+    let fit = minimise(&mut ByRows::new(&rows), &free, &start, &OPTIONS, UNSTOPPED).ok()?;
+    let fit = nonlinear(&fit, t.len())?;
     // Looking at many frequencies finds something in any noise: each independent one costs.
     let look_elsewhere = 2.0 * (tried as f64 / 2.0).max(1.0).ln();
     let cycles = fit.parameters[4] * span;
@@ -191,5 +231,28 @@ fn modulation(fit: &CurveFit) -> Modulation {
         t_m_s: 1.0 / p[4],
         t_m_se_s: fit.se(4) / (p[4] * p[4]),
         phase_rad: p[3].atan2(p[2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_of_the_curve_are_those_of_its_values() {
+        let p = [1.3, 1e-4, 0.02, -0.03, 0.07, 0.011];
+        for t in [0.0, 3.7, 41.0] {
+            for k in 0..PARAMETERS {
+                let at = |by: f64| {
+                    let mut q = p;
+                    q[k] += by;
+                    curve(&q, t).0
+                };
+                let step = 1e-8;
+                let difference = (at(step) - at(-step)) / (2.0 * step);
+                let slope = curve(&p, t).1[k];
+                assert!((slope - difference).abs() < 1e-6, "{k} at {t} s");
+            }
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! are weighed by their evidence, and the result carries the spread between them.
 
 use super::amplitude::WindowPoint;
-use super::marquardt::{CurveFit, linear};
+use super::curve_fit::{CurveFit, linear};
 
 /// How the period depends on the amplitude A.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

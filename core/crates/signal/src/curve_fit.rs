@@ -1,5 +1,6 @@
-//! Small least-squares problems: linear by normal equations, nonlinear by Levenberg–Marquardt.
+//! Fitted curves: linear combinations of columns by QR, and what else is fitted to unknown noise.
 
+use gyradius_estimation::Fit;
 use nalgebra::{DMatrix, DVector};
 
 /// A fitted curve. The covariance is scaled by the residual variance.
@@ -45,50 +46,12 @@ pub(super) fn linear(columns: &[Vec<f64>], y: &[f64], weight: &[f64]) -> Option<
     ))
 }
 
-/// Minimises the squares of `residuals` from `start`; `scale` is the size of a change that matters
-/// of each parameter.
-pub(super) fn nonlinear(
-    residuals: &dyn Fn(&[f64]) -> Vec<f64>,
-    start: &[f64],
-    scale: &[f64],
-) -> Option<CurveFit> {
-    let mut p = start.to_vec();
-    let mut r = DVector::from_vec(residuals(&p));
-    let mut damping = 1e-3;
-    let mut jacobian = slopes(residuals, &p, scale, r.len());
-    for _ in 0..60 {
-        let step = damped_step(&jacobian, &r, damping)?;
-        let tried: Vec<f64> = p
-            .iter()
-            .zip(scale)
-            .zip(step.iter())
-            .map(|((p, s), d)| p + s * d)
-            .collect();
-        let tried_r = DVector::from_vec(residuals(&tried));
-        if tried_r.norm_squared() < r.norm_squared() {
-            let gained = 1.0 - tried_r.norm_squared() / r.norm_squared();
-            (p, r) = (tried, tried_r);
-            damping = (damping * 0.1).max(1e-12);
-            jacobian = slopes(residuals, &p, scale, r.len());
-            if gained < 1e-12 {
-                break;
-            }
-        } else {
-            damping *= 10.0;
-            if damping > 1e10 {
-                break;
-            }
-        }
-    }
-    let dof = r.len().checked_sub(p.len()).filter(|d| *d > 0)?;
-    let mut inverse = inverse_normal(&jacobian)?;
-    for i in 0..p.len() {
-        for j in 0..p.len() {
-            inverse[(i, j)] *= scale[i] * scale[j];
-        }
-    }
-    let rss = r.norm_squared();
-    rss.is_finite().then(|| finished(p, inverse, rss, dof))
+/// A curve that the solver has found; `None` without degrees of freedom, or where the data do not
+/// determine its parameters.
+pub(super) fn nonlinear(fit: &Fit, rows: usize) -> Option<CurveFit> {
+    let dof = rows.checked_sub(fit.x.len()).filter(|d| *d > 0)?;
+    let inverse = fit.covariance().ok()?;
+    Some(finished(fit.x.clone(), inverse, fit.chi2, dof))
 }
 
 fn finished(parameters: Vec<f64>, inverse: DMatrix<f64>, rss: f64, dof: usize) -> CurveFit {
@@ -117,36 +80,6 @@ fn inverse_normal(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     }))
 }
 
-/// Central differences with respect to each parameter in units of its scale.
-fn slopes(
-    residuals: &dyn Fn(&[f64]) -> Vec<f64>,
-    p: &[f64],
-    scale: &[f64],
-    rows: usize,
-) -> DMatrix<f64> {
-    const STEP: f64 = 1e-4;
-    let mut jacobian = DMatrix::zeros(rows, p.len());
-    for k in 0..p.len() {
-        let shifted = |by: f64| {
-            let mut q = p.to_vec();
-            q[k] += by * scale[k];
-            residuals(&q)
-        };
-        let (up, down) = (shifted(STEP), shifted(-STEP));
-        (0..rows).for_each(|r| jacobian[(r, k)] = (up[r] - down[r]) / (2.0 * STEP));
-    }
-    jacobian
-}
-
-fn damped_step(jacobian: &DMatrix<f64>, r: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
-    let mut normal = jacobian.transpose() * jacobian;
-    let floor = 1e-12 * normal.trace() + f64::MIN_POSITIVE;
-    (0..normal.nrows()).for_each(|k| normal[(k, k)] += damping * normal[(k, k)] + floor);
-    normal
-        .cholesky()
-        .map(|c| -c.solve(&(jacobian.transpose() * r)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -160,18 +93,6 @@ mod tests {
         assert!((fit.parameters[0] - 1.0).abs() < 1e-12 && (fit.parameters[1] - 2.0).abs() < 1e-12);
         assert!((fit.se(1) - (2.0f64 / 5.0).sqrt()).abs() < 1e-12);
         assert_eq!(fit.dof, 2);
-    }
-
-    #[test]
-    fn an_exponential_is_found_from_afar() {
-        let t: Vec<f64> = (0..50).map(|i| i as f64 * 0.1).collect();
-        let residuals = |p: &[f64]| {
-            t.iter()
-                .map(|t| p[0] * (-p[1] * t).exp() - 3.0 * (-0.7 * t).exp())
-                .collect()
-        };
-        let fit = nonlinear(&residuals, &[1.0, 0.1], &[1.0, 0.1]).unwrap();
-        assert!((fit.parameters[0] - 3.0).abs() < 1e-6 && (fit.parameters[1] - 0.7).abs() < 1e-6);
     }
 
     #[test]
