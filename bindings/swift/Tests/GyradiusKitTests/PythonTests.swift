@@ -130,6 +130,8 @@ import Testing
         spacingM: Quantity(value: 1.8, u: 0.001),
         topSpacingM: nil,
         hullPitchDeg: nil,
+        hullRollDeg: nil,
+        pointsM: nil,
         pointsMovedM: nil,
         axisHeightM: nil
       )

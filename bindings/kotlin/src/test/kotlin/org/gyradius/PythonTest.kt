@@ -139,6 +139,8 @@ class PythonTest {
             spacingM = Quantity(1.8, 0.001),
             topSpacingM = null,
             hullPitchDeg = null,
+            hullRollDeg = null,
+            pointsM = null,
             pointsMovedM = null,
             axisHeightM = null,
         ),
