@@ -6,6 +6,7 @@
 mod alternatives;
 mod beats;
 pub mod by_samples;
+mod channels;
 mod correlated;
 mod court;
 pub mod estimate;
