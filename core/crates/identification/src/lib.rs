@@ -7,6 +7,7 @@ mod alternatives;
 mod beats;
 mod breaks;
 pub mod by_samples;
+mod channels;
 mod correlated;
 mod court;
 pub mod estimate;

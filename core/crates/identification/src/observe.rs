@@ -8,12 +8,13 @@ use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::{Argument, Message};
 use gyradius_recording::{
-    ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor, SensorChannels,
-    SuspensionKind, Swing, Track,
+    ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor, SuspensionKind,
+    Swing, Track,
 };
 use gyradius_signal::{ChannelGroup, Decomposition, FittedMode, FreeSpan, SpanNoteKind};
 
 use super::breaks::{Free, free_part};
+use super::channels::Channels;
 use super::findings::clear_of_limit;
 use super::sentences::{message, motion};
 use super::words::mode_text;
@@ -100,64 +101,6 @@ impl Evidence {
         let axis = |name: &&str| ["gx", "gy", "gz"].iter().position(|axis| axis == name);
         let seen = self.channels[self.rates()].iter().filter_map(axis);
         seen.map(|axis| up[axis].powi(2)).sum()
-    }
-}
-
-/// A phone's channels by sensor, with their names.
-#[derive(Default)]
-struct Channels {
-    groups: Vec<ChannelGroup>,
-    names: Vec<&'static str>,
-    map: ChannelMap,
-}
-
-impl Channels {
-    /// The gyroscope first, then the accelerometer with more axes, of two alike the one that sees
-    /// gravity.
-    fn of(recording: &Recording) -> Self {
-        let sensors = recording.sensors();
-        let is_force = |one: &&SensorChannels| {
-            let forces = [Sensor::Accelerometer, Sensor::LinearAccelerometer];
-            forces.contains(&one.sensor)
-        };
-        let forces = sensors.iter().rev().filter(is_force);
-        let force = forces.max_by_key(|one| one.channels.len());
-        let others = sensors.iter().filter(|one| !is_force(one));
-        let mut all = Self::default();
-        others.chain(force).for_each(|one| all.add(one));
-        all
-    }
-
-    fn add(&mut self, sensor: &SensorChannels) {
-        let whole = (sensor.channels.len() == 3).then_some(self.names.len());
-        match sensor.sensor {
-            Sensor::Gyroscope => self.map.gyroscope = whole,
-            Sensor::Accelerometer => self.map.accelerometer = whole,
-            Sensor::LinearAccelerometer => {
-                self.map.accelerometer = whole;
-                self.map.gravity_free = true;
-            }
-            Sensor::Displacement | Sensor::Timer => {}
-        }
-        let samples = sensor.channels.iter().map(|(_, samples)| samples.to_vec());
-        self.groups.push(ChannelGroup {
-            t_s: sensor.t_s.to_vec(),
-            channels: samples.collect(),
-        });
-        let names = sensor.channels.iter().map(|(name, _)| *name);
-        self.names.extend(names);
-    }
-
-    /// The only channel of a track.
-    fn of_track(track: &Track) -> Self {
-        Self {
-            groups: vec![ChannelGroup {
-                t_s: track.t_s.clone(),
-                channels: vec![track.y_m.clone()],
-            }],
-            names: vec!["y"],
-            map: ChannelMap::default(),
-        }
     }
 }
 

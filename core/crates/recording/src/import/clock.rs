@@ -68,7 +68,8 @@ fn clock(token: &str) -> Option<f64> {
         // Minutes and seconds, as a video's time; hours and minutes have no fraction.
         [m, s] if separator == ':' && s.contains(['.', ',']) => Some(60.0 * whole(m)? + second(s)?),
         [h, m] if separator == ':' => Some(3600.0 * whole(h)? + 60.0 * whole(m)?),
-        [h, m, s, fraction] if digits(fraction) && fraction.len() <= 9 => {
+        // Two digits are the frames of a time code, which need a rate.
+        [h, m, s, fraction] if digits(fraction) && (3..=9).contains(&fraction.len()) => {
             let seconds = second(&format!("{s}.{fraction}"))?;
             Some(3600.0 * whole(h)? + 60.0 * whole(m)? + seconds)
         }

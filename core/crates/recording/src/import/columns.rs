@@ -136,7 +136,10 @@ impl SensorColumns {
                 if !times.is_empty() && (0..times.len()).all(wrong) {
                     return Err(table.malformed(
                         numbers.offset.first().copied(),
-                        &format!("a time of day in column `{}`", table.name_of(column)),
+                        &format!(
+                            "a time of day in column `{}`, as 10:27:38.103 (frames are counted by their rate: t=row:25fps)",
+                            table.name_of(column)
+                        ),
                         &format!("`{}`", clipped(&texts[0], 40)),
                     ));
                 }

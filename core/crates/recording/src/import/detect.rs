@@ -101,7 +101,7 @@ pub(super) fn unknown(source: &Source) -> Result<Error> {
     }
     let way_out = match proposed {
         Some(entries) => format!(
-            "a column mapping that names its columns, for example (check columns and units): {entries}"
+            "a column mapping that names its columns, for example (check columns and units; words in capitals are yours to fill in): {entries}"
         ),
         None => {
             "a column mapping that names its columns (--map t=…:s --map gx=…:rad/s …)".to_owned()

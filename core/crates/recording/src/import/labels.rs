@@ -6,6 +6,7 @@
 use super::clock::seconds_of_text;
 use super::columns::{Clock, SensorColumns};
 use super::table::Table;
+use super::tagged::{TAG, tagged, tags_of};
 use super::units::{Dimension, Unit, unit_of_header};
 use crate::samples::Sensor;
 
@@ -26,15 +27,20 @@ const TIME: &[&str] = &[
     "ns",
     "micros",
 ];
-const GYROSCOPE: &[&str] = &["gyroscope", "gyro", "gyr", "rotation", "angular", "omega"];
-const ACCELEROMETER: &[&str] = &["acceleration", "accelerometer", "accel", "acc"];
-const FREE: &[&str] = &["linear", "user", "without"];
+pub(super) const GYROSCOPE: &[&str] = &["gyroscope", "gyro", "gyr", "rotation", "angular", "omega"];
+pub(super) const ACCELEROMETER: &[&str] = &["acceleration", "accelerometer", "accel", "acc"];
+pub(super) const FREE: &[&str] = &["linear", "user", "without"];
+const DEGREES: &[&str] = &["deg", "degree", "degrees", "dps"];
+/// What numbers the rows, and is no time without a rate.
+const COUNTS: &[&str] = &[
+    "frame", "frames", "row", "index", "sample", "samples", "counter",
+];
 const ANGLE: &[&str] = &["angle", "theta", "phi", "position"];
 
 /// A header cell taken apart: `Linear Acceleration x (m/s^2)`.
-struct Label {
+pub(super) struct Label {
     words: Vec<String>,
-    axis: Option<usize>,
+    pub axis: Option<usize>,
     unit: Option<Unit>,
 }
 
@@ -121,7 +127,7 @@ impl Label {
 }
 
 /// Lower-case words of a name: at blanks, signs, and where a capital follows a small letter.
-fn words(name: &str) -> Vec<String> {
+pub(super) fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut small = false;
     for c in name.chars() {
@@ -151,7 +157,7 @@ fn words(name: &str) -> Vec<String> {
     split.collect()
 }
 
-fn axis_of_word(word: &str) -> Option<usize> {
+pub(super) fn axis_of_word(word: &str) -> Option<usize> {
     ["x", "y", "z"].iter().position(|axis| *axis == word)
 }
 
@@ -237,7 +243,11 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
         1e-9 => Some("ns"),
         _ => None,
     });
-    let time_unit = stated.or_else(|| time_unit(&rows, time))?;
+    let is_count = stated.is_none() && labels[time].has(COUNTS);
+    let time_unit = match is_count {
+        true => "RATEfps",
+        false => stated.or_else(|| time_unit(&rows, time))?,
+    };
     let mut fields: Vec<(String, usize)> = Vec::new();
     for (column, label) in labels
         .iter()
@@ -250,11 +260,14 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
             fields.push((field, column));
         }
     }
-    if let Some(entries) = tagged(table, &rows, &labels) {
-        return Some(format!(
-            "{} {entries}",
-            entry_of("t", &table.name_of(time), time_unit)
-        ));
+    let tags = (0..labels.len()).filter(|column| *column != time);
+    for column in tags {
+        let known = tags_of(&rows, column, labels[column].has(TAG));
+        if !known.is_empty() {
+            let entries = tagged(table, &rows, (&labels, time), (column, &known))?;
+            let time = entry_of("t", &table.name_of(time), time_unit);
+            return Some(format!("{time} {entries}"));
+        }
     }
     if fields.is_empty() {
         fields = by_order(table, &rows, time);
@@ -267,7 +280,9 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
         let unit = match (labels[*column].unit, kind) {
             (Some(unit), _) if unit_name(unit).is_some() => unit_name(unit)?,
             (_, "a" | "l") if field.len() == 2 => acceleration_unit(&rows, &fields, kind),
-            _ if field == "angle" => "rad",
+            (_, "a") if labels[*column].has(DEGREES) => "deg",
+            (_, "a") => "rad",
+            _ if labels[*column].has(DEGREES) => "deg/s",
             _ => "rad/s",
         };
         entries.push(entry(field, *column, unit));
@@ -275,35 +290,8 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
     (entries.len() > 1).then(|| entries.join(" "))
 }
 
-fn entry_of(field: &str, column: &str, unit: &str) -> String {
+pub(super) fn entry_of(field: &str, column: &str, unit: &str) -> String {
     format!("--map \"{field}={column}:{unit}\"")
-}
-
-/// The entries for a table whose rows are tagged by sensor.
-fn tagged(table: &Table, rows: &[Vec<String>], labels: &[Label]) -> Option<String> {
-    let axes = (0..3).map(|axis| {
-        let is_it = |label: &Label| label.axis == Some(axis) && label.words.is_empty();
-        labels.iter().position(is_it)
-    });
-    let axes: Vec<usize> = axes.collect::<Option<_>>()?;
-    let tag = |known: &[&str]| {
-        let cells = rows.iter().flatten();
-        let is_it = |cell: &&String| {
-            words(cell)
-                .iter()
-                .any(|word| known.contains(&word.as_str()))
-        };
-        cells.into_iter().find(is_it)
-    };
-    let mut entries = Vec::new();
-    for (known, prefix, unit) in [(GYROSCOPE, "g", "rad/s"), (ACCELEROMETER, "a", "m/s2")] {
-        let Some(tag) = tag(known) else { continue };
-        for (axis, column) in ["x", "y", "z"].iter().zip(&axes) {
-            let column = format!("{}@{tag}", table.name_of(*column));
-            entries.push(entry_of(&format!("{prefix}{axis}"), &column, unit));
-        }
-    }
-    (!entries.is_empty()).then(|| entries.join(" "))
 }
 
 /// Columns of numbers that nothing names: the gyroscope first, then the accelerometer.
@@ -330,7 +318,7 @@ fn by_order(table: &Table, rows: &[Vec<String>], time: usize) -> Vec<(String, us
         .collect()
 }
 
-fn value(cell: &str) -> Option<f64> {
+pub(super) fn value(cell: &str) -> Option<f64> {
     cell.replacen(',', ".", 1).parse().ok()
 }
 

@@ -205,7 +205,17 @@ impl ColumnMapping {
             axes.push(place.0);
             directions.push(axis);
             factors.push(mapped.unit.factor);
-            tag = tag.or(place.1);
+            if axes.len() > 1 && tag != place.1 {
+                return Err(Error::argument(
+                    "mapping",
+                    format!(
+                        "rows of one tag for all axes of the {}; rows of another are another sensor's",
+                        wanted.sensor.name()
+                    ),
+                    format!("`{}`", mapped.name),
+                ));
+            }
+            tag = place.1;
         }
         let own = self.columns.contains_key(wanted.clock);
         let mapped = self.column(if own { wanted.clock } else { "t" })?;
@@ -273,10 +283,16 @@ fn find(table: &Table, mapped: &MappedColumn) -> Result<(usize, Option<Tag>)> {
         return Ok((column, None));
     }
     let rows = table.texts()?;
-    let tagged = rows
-        .iter()
-        .find_map(|row| row.iter().position(|cell| cell == of));
-    let tag = tagged.map(|column| Tag {
+    // A number may be a tag too: the column that has it most often holds the tags.
+    let having = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.filter(|cell| *cell == of).count()
+    };
+    let columns = (0..table.header().len()).map(|column| (having(column), column));
+    let tagged = columns
+        .filter(|(count, _)| *count > 0)
+        .max_by_key(|(count, _)| *count);
+    let tag = tagged.map(|(_, column)| Tag {
         column,
         text: of.to_owned(),
     });

@@ -25,6 +25,7 @@ mod sensorlog;
 mod source;
 mod sqlite;
 pub(crate) mod table;
+mod tagged;
 mod trials;
 mod units;
 mod workbook;

@@ -11,3 +11,4 @@ mod session_format;
 mod session_properties;
 mod session_store;
 mod tables;
+mod tagged;
