@@ -30,6 +30,7 @@ public final class ResultModel {
   /// Reads a session, measures it, and takes the criticism that was kept; channels have names in a language.
   public func open(_ found: Measurable, in language: Language = .english) async {
     (opened, title, limits) = (found, found.title, found.limits)
+    (session, analysis, measured, recordings) = (nil, nil, nil, [])
     self.language = language
     await work {
       let session = try await Session.load(found.session)

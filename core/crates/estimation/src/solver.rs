@@ -352,7 +352,13 @@ fn first_radius(model: &Quadratic, undamped: Option<&Least>) -> f64 {
     }
     let down = model.gradient.component_div(model.scale2);
     let bend = down.dot(&model.normal.times(&down));
-    scaled_slope(model).powi(3) / bend
+    let radius = scaled_slope(model).powi(3) / bend;
+    // Where it bends down there is no least point: any reach will do.
+    if radius.is_finite() && radius > 0.0 {
+        radius
+    } else {
+        scaled_slope(model)
+    }
 }
 
 /// Moré 1978, sec. 4: a refused region shrinks to where a parabola through both ends has its

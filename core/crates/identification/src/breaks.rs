@@ -12,11 +12,12 @@ use super::observe::clipped;
 
 /// Most gaps, the widest first, that are tried: a clock that is set by a network steps once or twice
 /// in a swing.
-const MOST_BREAKS: usize = 3;
+const MOST_GAPS: usize = 3;
 /// Residual beyond the noise that cannot be chance: its variance has a relative standard deviation
 /// of √(2/n), and this many of those come once in 10⁶.
 const SIGNIFICANT: f64 = 5.0;
-/// A gap is not bridged where the part to one side of it leaves less than this of the excess.
+/// The clock stepped where less than this share of the excess is left once the gap is closed: closing
+/// one in which time did pass makes it larger.
 const LEFT: f64 = 0.5;
 
 /// The free part of a record with what was found in it.
@@ -37,16 +38,20 @@ pub fn free_part(all: &[ChannelGroup], disturbed_s: &[f64], repairs: &[Repair]) 
     if excess(&whole) <= 0.0 {
         return Ok(whole);
     }
-    let mut known = disturbed_s.to_vec();
-    for at_s in suspects(&whole.groups, repairs) {
-        known.push(at_s);
-        known.sort_by(f64::total_cmp);
-        let Ok(side) = part(all, &known) else {
+    for gap in gaps(&whole.groups, repairs) {
+        let closed = gap.closed(&whole.groups);
+        let Ok(found) = decompose(&closed, &DecomposeOptions::default()) else {
             continue;
         };
-        if excess(&side) < LEFT * excess(&whole) {
+        if beyond_noise(&closed, &found) > LEFT * excess(&whole) {
+            continue;
+        }
+        let mut known = disturbed_s.to_vec();
+        known.push(gap.at_s);
+        known.sort_by(f64::total_cmp);
+        if let Ok(side) = part(all, &known) {
             return Ok(Free {
-                cut_at_s: Some(at_s),
+                cut_at_s: Some(gap.at_s),
                 ..side
             });
         }
@@ -68,27 +73,61 @@ fn part(all: &[ChannelGroup], disturbed_s: &[f64]) -> Result<Free> {
 
 /// Residual variance over that of the noise, less what chance explains.
 fn excess(free: &Free) -> f64 {
-    let samples = free.groups.iter().map(|g| g.t_s.len() * g.channels.len());
-    let n = samples.sum::<usize>().max(1) as f64;
-    free.found.rms_over_noise.powi(2) - 1.0 - SIGNIFICANT * (2.0 / n).sqrt()
+    beyond_noise(&free.groups, &free.found)
 }
 
-/// Where the clock may have stepped, s: the widest gaps, and where stamps ran back.
-fn suspects(groups: &[ChannelGroup], repairs: &[Repair]) -> Vec<f64> {
-    let mut gaps: Vec<(f64, f64)> = Vec::new();
-    let densest = groups.iter().max_by_key(|group| group.t_s.len());
-    if let Some((t_s, median)) =
-        densest.and_then(|group| Some((&group.t_s, median_interval_s(&group.t_s)?)))
-    {
-        let steps = t_s.windows(2).map(|pair| (pair[1] - pair[0], pair[0]));
-        gaps.extend(steps.filter(|(step, _)| *step > MISSING_INTERVALS * median));
-        let back = repairs
-            .iter()
-            .filter(|repair| repair.kind == RepairKind::BackwardStamp)
-            .map(|repair| (repair.count as f64 * median, repair.last_s));
-        gaps.extend(back);
+fn beyond_noise(groups: &[ChannelGroup], found: &Decomposition) -> f64 {
+    let samples = groups.iter().map(|g| g.t_s.len() * g.channels.len());
+    let n = samples.sum::<usize>().max(1) as f64;
+    found.rms_over_noise.powi(2) - 1.0 - SIGNIFICANT * (2.0 / n).sqrt()
+}
+
+/// Where the clock may have stepped.
+struct Gap {
+    /// The last stamp before it, s.
+    at_s: f64,
+    /// By how much it would have stepped ahead, s.
+    ahead_s: f64,
+}
+
+impl Gap {
+    /// The channels with the step taken out.
+    fn closed(&self, groups: &[ChannelGroup]) -> Vec<ChannelGroup> {
+        let closed = |t: &f64| if *t > self.at_s { t - self.ahead_s } else { *t };
+        let each = groups.iter().map(|group| ChannelGroup {
+            t_s: group.t_s.iter().map(closed).collect(),
+            channels: group.channels.clone(),
+        });
+        each.collect()
     }
-    gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
-    gaps.truncate(MOST_BREAKS);
-    gaps.into_iter().map(|(_, at_s)| at_s).collect()
+}
+
+/// The widest gaps, and where stamps ran back.
+fn gaps(groups: &[ChannelGroup], repairs: &[Repair]) -> Vec<Gap> {
+    let densest = groups.iter().max_by_key(|group| group.t_s.len());
+    let Some((t_s, median)) =
+        densest.and_then(|group| Some((&group.t_s, median_interval_s(&group.t_s)?)))
+    else {
+        return vec![];
+    };
+    let steps = t_s.windows(2).map(|pair| (pair[1] - pair[0], pair[0]));
+    let mut all: Vec<Gap> = steps
+        .filter(|(step, _)| *step > MISSING_INTERVALS * median)
+        .map(|(step, at_s)| Gap {
+            at_s,
+            ahead_s: step - median,
+        })
+        .collect();
+    for repair in repairs {
+        let is_known = |gap: &Gap| (gap.at_s - repair.last_s).abs() <= median;
+        if repair.kind == RepairKind::BackwardStamp && !all.iter().any(is_known) {
+            all.push(Gap {
+                at_s: repair.last_s,
+                ahead_s: -(repair.count as f64) * median,
+            });
+        }
+    }
+    all.sort_by(|a, b| b.ahead_s.abs().total_cmp(&a.ahead_s.abs()));
+    all.truncate(MOST_GAPS);
+    all
 }

@@ -260,8 +260,9 @@ impl<'a> Samples<'a> {
         {
             let (index, level) = (&self.layout.swings[i], &self.layout.swings[level]);
             let mut deeper = x.to_vec();
-            deeper[index.log_depth] =
-                x[level.log_depth] - x[index.pitch_deg].to_radians().cos().ln();
+            let heel_deg = index.roll_deg.map_or(0.0, |k| x[k]);
+            let upright = x[index.pitch_deg].to_radians().cos() * heel_deg.to_radians().cos();
+            deeper[index.log_depth] = x[level.log_depth] - upright.ln();
             starts.insert(0, deeper);
         }
         starts.extend(system.by_one_swing(i));

@@ -70,9 +70,21 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
 
 /// Each stated dimension freed, and the session solved without it.
 fn stated_against_the_rest(system: &System, solution: &Solution) -> Vec<Claim> {
-    (0..system.layout.parameters.len())
-        .filter_map(|i| one_stated(system, solution, i))
-        .collect()
+    let each = (0..system.layout.parameters.len()).filter_map(|i| one_stated(system, solution, i));
+    // Of figures that were stated alike for several swings the worst is told.
+    let mut worst: Vec<Claim> = Vec::new();
+    for claim in each {
+        let is_alike = |known: &&mut Claim| {
+            (known.claim == claim.claim)
+                && (known.stated, known.stated_u) == (claim.stated, claim.stated_u)
+        };
+        match worst.iter_mut().find(is_alike) {
+            Some(known) if known.sigma >= claim.sigma => {}
+            Some(known) => *known = claim,
+            None => worst.push(claim),
+        }
+    }
+    worst
 }
 
 fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {

@@ -316,14 +316,16 @@ impl<'a> System<'a> {
             keep: None,
         };
         let parameters = vec![Parameter::FREE; free.len()];
-        let fit = minimise(
-            &mut ByRows::new(&equations),
-            &parameters,
-            &at,
-            &options,
-            UNSTOPPED,
-        );
-        Ok(equations.whole(&fit.map_err(|_| failed())?.x))
+        let solved = |from: &[f64]| {
+            let rows = &mut ByRows::new(&equations);
+            minimise(rows, &parameters, from, &options, UNSTOPPED).map_err(|_| failed())
+        };
+        let mut fit = solved(&at)?;
+        // A start far off may take more steps than that: it goes on from there.
+        if !fit.ending.is_converged() {
+            fit = solved(&fit.x)?;
+        }
+        Ok(equations.whole(&fit.x))
     }
 }
 

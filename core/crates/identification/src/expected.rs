@@ -175,7 +175,8 @@ fn phone_pitches(session: &Session) -> Vec<Option<Quantity>> {
             .filter(|_| hung(i).hull_roll_deg.is_none())
     };
     let size = |i: &usize| stated(*i).map_or(0.0, |q| q.value.abs());
-    let reference = (0..session.swings.len()).min_by(|a, b| size(a).total_cmp(&size(b)));
+    let upright = (0..session.swings.len()).filter(|i| hung(*i).hull_roll_deg.is_none());
+    let reference = upright.min_by(|a, b| size(a).total_cmp(&size(b)));
     let base = reference.and_then(stated).unwrap_or_default();
     let tilted = |i: usize| {
         let pitch = stated(i).filter(|q| (q.value - base.value).abs() > 0.5)?;

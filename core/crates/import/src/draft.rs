@@ -34,7 +34,7 @@ impl Draft {
         let mut hung = self.session.swings.get(swing)?.suspension.clone();
         let mut read_with = BTreeMap::new();
         for key in hung.kind.figures() {
-            let full = figure_key(swing, key);
+            let full = figure_key(self.session.measured_at(swing), key);
             if let Some(instrument) = self.session.read_with.get(&full) {
                 read_with.insert((*key).to_owned(), instrument.clone());
             }
@@ -108,6 +108,8 @@ fn fill_gaps(suspension: &mut dyn TableLike) -> Vec<&'static str> {
         .iter()
         .copied()
         .filter(|key| !suspension.contains_key(key))
+        // The points say how far apart they are.
+        .filter(|key| *key != "spacing" || !suspension.contains_key("points_m"))
         .collect();
     for key in &gaps {
         // Nothing but a figure that fits whatever stands beside it: it is taken out again.

@@ -216,7 +216,8 @@ fn check_clock(series: &[RawSeries], table: &Table) -> Result<()> {
             continue;
         };
         // Packets share a stamp: on average they come as fast as they were taken.
-        let (first, last) = (raw.t_s.first(), raw.t_s.last());
+        let stamps = || raw.t_s.iter().copied().filter(|t| t.is_finite());
+        let (first, last) = (stamps().reduce(f64::min), stamps().reduce(f64::max));
         let span_s = first.zip(last).map_or(0.0, |(first, last)| last - first);
         let interval = median.min(span_s / (raw.t_s.len().max(2) - 1) as f64);
         if raw.t_s.len() <= SLOW_ROWS || interval <= 1.0 {

@@ -59,6 +59,16 @@ impl Session {
         self.swings[..swing].iter().position(|one| one.id == *id)
     }
 
+    /// The swing whose suspension's figures a swing has: its own place, or that of the first of the
+    /// swings that hang alike.
+    pub fn measured_at(&self, swing: usize) -> usize {
+        let mut home = swing;
+        while let Some(first) = self.same_hanging(home) {
+            home = first;
+        }
+        home
+    }
+
     /// Notes that swings of equal suspensions hang as the first of them does: for sessions that a
     /// program makes, which hangs the hull once for each suspension and copies its figures.
     pub fn with_same_hangings(mut self) -> Self {

@@ -27,8 +27,9 @@ const ABOVE_BAND: f64 = 2.0;
 /// oscillation.
 ///
 /// # Conventions
-/// See [`Decomposition`]. For a mode with an amplitude law, `omega_rad_s` and `alpha_per_s` are the
-/// what a constant frequency and decay read over the span, and the law holds the small-amplitude limits.
+/// See [`Decomposition`]. For a mode with an amplitude law, `omega_rad_s` and `alpha_per_s` are
+/// what a constant frequency and decay read over the span, and the law holds the small-amplitude
+/// limits.
 pub fn decompose(groups: &[ChannelGroup], options: &DecomposeOptions) -> Result<Decomposition> {
     let record = Record::new(groups, options)?;
     let search = searched(&record, options)?;

@@ -160,7 +160,9 @@ fn modulated(t: &[f64], y: &[f64], plain: &CurveFit) -> Option<CurveFit> {
         period_s: y,
     };
     let free = [Parameter::FREE; PARAMETERS];
-    let fit = minimise(&mut ByRows::new(&rows), &free, &start, &OPTIONS, UNSTOPPED).ok()?;
+    let fit = minimise(&mut ByRows::new(&rows), &free, &start, &OPTIONS, UNSTOPPED)
+        .ok()
+        .filter(|fit| fit.ending.is_converged())?;
     let fit = nonlinear(&fit, t.len())?;
     // Looking at many frequencies finds something in any noise: each independent one costs.
     let look_elsewhere = 2.0 * (tried as f64 / 2.0).max(1.0).ln();

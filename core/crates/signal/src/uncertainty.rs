@@ -181,6 +181,8 @@ fn slope_weights(envelopes: &[f64]) -> Vec<f64> {
 /// The mean square of the amplitude, over that at the start, which the frequency of a record answers
 /// to whose amplitude falls by e^(−`decays`): a quarter where it decays to nothing.
 pub fn mean_square_amplitude(decays: f64) -> f64 {
+    // Over one of 50 decays the rest is 10⁻²².
+    let decays = decays.min(50.0);
     let envelopes: Vec<f64> = middles().map(|t| (-decays * t).exp()).collect();
     let weights = slope_weights(&envelopes);
     let each = envelopes.iter().zip(&weights);

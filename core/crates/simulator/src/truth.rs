@@ -62,6 +62,10 @@ const OWN: &[Key] = &[
         domain: Domain::PITCH,
     },
     Key {
+        name: "hull_roll_deg",
+        domain: Domain::PITCH,
+    },
+    Key {
         name: "yaw_deg",
         domain: START_ANGLE,
     },
@@ -191,7 +195,9 @@ pub fn experiment(
     let pitch_deg = truth
         .or_stated("hull_pitch_deg", swing.suspension.hull_pitch_deg)
         .unwrap_or(0.0);
-    let heel_deg = swing.suspension.hull_roll_deg.map_or(0.0, |q| q.value);
+    let heel_deg = truth
+        .or_stated("hull_roll_deg", swing.suspension.hull_roll_deg)
+        .unwrap_or(0.0);
     let turned = [pitch_deg, heel_deg].map(f64::to_radians);
     let hung = hung(&level, turned, &swing.added_masses);
     let axis = match swing.suspension.orientation {

@@ -357,7 +357,7 @@ fn described(evidence: &Evidence, channel: usize, group: &ChannelGroup) -> f64 {
 }
 
 /// The oscillations that were found, in a channel at a time.
-pub(super) fn oscillation(evidence: &Evidence, channel: usize, t_s: f64) -> f64 {
+fn oscillation(evidence: &Evidence, channel: usize, t_s: f64) -> f64 {
     let of = |mode: &FittedMode| {
         let pole = Complex64::new(-mode.alpha_per_s, mode.omega_rad_s);
         let size = mode.shape.get(channel).copied().unwrap_or_default();

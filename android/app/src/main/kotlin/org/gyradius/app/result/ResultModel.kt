@@ -64,6 +64,7 @@ class ResultModel(private val store: SessionStore) : ViewModel() {
         this.language = language
         flow.value = ResultShown(found.title, limits = found.limits, share = 0.0)
         opened = found
+        session = null
         analysis = null
         criticism = null
         work {
