@@ -157,6 +157,23 @@ fn a_rate_in_degrees_is_seen_in_the_motion_itself() {
     }
 }
 
+/// Samples that are lost in a large swing, of which damped oscillations leave something, are no step of
+/// the clock.
+#[test]
+fn samples_lost_in_a_large_swing_are_bridged() {
+    let all = pendulum(1.0, 1.0);
+    let is_kept = |line: &&str| {
+        let stamp = line.split(',').next().and_then(|t| t.parse::<f64>().ok());
+        !stamp.is_some_and(|t| (30.0..30.3).contains(&t))
+    };
+    let kept: Vec<&str> = all.lines().filter(is_kept).collect();
+    assert!(kept.len() < all.lines().count());
+    let result = measured(&format!("{HEAD}{AXIS}"), &kept.join("\n"));
+    assert_eq!(severities(&result, FindingKind::StampStep), []);
+    let [_, end_s] = result.swings[0].span_s.unwrap();
+    assert!(end_s > 59.0, "to {end_s} s");
+}
+
 /// A period that was typed without its amplitude is told; with it, the pendulum's 2K(sin A/2)/π =
 /// 1.073182 at 60° (mpmath) is taken off.
 #[test]
