@@ -279,6 +279,11 @@ RustBuffer uniffi_gyradius_ffi_fn_method_analysis_figures(uint64_t ptr, RustBuff
 RustBuffer uniffi_gyradius_ffi_fn_method_analysis_json(uint64_t ptr, RustCallStatus *_Nonnull out_status
 );
 #endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_JUDGED
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_JUDGED
+RustBuffer uniffi_gyradius_ffi_fn_method_analysis_judged(uint64_t ptr, uint64_t criticism, RustCallStatus *_Nonnull out_status
+);
+#endif
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_RECORDINGS
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_FN_METHOD_ANALYSIS_RECORDINGS
 RustBuffer uniffi_gyradius_ffi_fn_method_analysis_recordings(uint64_t ptr, RustBuffer language, RustCallStatus *_Nonnull out_status
@@ -1321,6 +1326,12 @@ uint16_t uniffi_gyradius_ffi_checksum_method_analysis_figures(void
 #ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_ANALYSIS_JSON
 #define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_ANALYSIS_JSON
 uint16_t uniffi_gyradius_ffi_checksum_method_analysis_json(void
+    
+);
+#endif
+#ifndef UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_ANALYSIS_JUDGED
+#define UNIFFI_FFIDEF_UNIFFI_GYRADIUS_FFI_CHECKSUM_METHOD_ANALYSIS_JUDGED
+uint16_t uniffi_gyradius_ffi_checksum_method_analysis_judged(void
     
 );
 #endif

@@ -655,6 +655,12 @@ public protocol AnalysisProtocol: AnyObject, Sendable {
     func json() throws  -> String
     
     /**
+     * The result with its verdicts on limits as they are after the criticism of the same session, as
+     * the report has them.
+     */
+    func judged(criticism: Criticism)  -> InertiaResult
+    
+    /**
      * What was recorded, with fit, residual and spectrum, thinned for plots; channels and modes by
      * their names in a language.
      */
@@ -752,6 +758,20 @@ open func json()throws  -> String  {
         uniffiCallStatus in
     uniffi_gyradius_ffi_fn_method_analysis_json(
             self.uniffiCloneHandle(),uniffiCallStatus
+    )
+})
+}
+    
+    /**
+     * The result with its verdicts on limits as they are after the criticism of the same session, as
+     * the report has them.
+     */
+open func judged(criticism: Criticism) -> InertiaResult  {
+    return try!  FfiConverterTypeInertiaResult_lift(try! rustCall() {
+        uniffiCallStatus in
+    uniffi_gyradius_ffi_fn_method_analysis_judged(
+            self.uniffiCloneHandle(),
+        FfiConverterTypeCriticism_lower(criticism),uniffiCallStatus
     )
 })
 }
@@ -12232,6 +12252,14 @@ public struct Suspension: Equatable, Hashable {
      */
     public let hullPitchDeg: Quantity?
     /**
+     * Heel, starboard down, degrees.
+     */
+    public let hullRollDeg: Quantity?
+    /**
+     * The two points of suspension in hull axes, m, where these are stated in place of a spacing.
+     */
+    public let pointsM: [Vector3]?
+    /**
      * How far forward along the deck the suspension points are of those of a level hanging, m.
      */
     public let pointsMovedM: Quantity?
@@ -12262,6 +12290,12 @@ public struct Suspension: Equatable, Hashable {
          * Bow-up angle, degrees.
          */hullPitchDeg: Quantity?, 
         /**
+         * Heel, starboard down, degrees.
+         */hullRollDeg: Quantity?, 
+        /**
+         * The two points of suspension in hull axes, m, where these are stated in place of a spacing.
+         */pointsM: [Vector3]?, 
+        /**
          * How far forward along the deck the suspension points are of those of a level hanging, m.
          */pointsMovedM: Quantity?, 
         /**
@@ -12273,6 +12307,8 @@ public struct Suspension: Equatable, Hashable {
         self.spacingM = spacingM
         self.topSpacingM = topSpacingM
         self.hullPitchDeg = hullPitchDeg
+        self.hullRollDeg = hullRollDeg
+        self.pointsM = pointsM
         self.pointsMovedM = pointsMovedM
         self.axisHeightM = axisHeightM
     }
@@ -12299,6 +12335,8 @@ public struct FfiConverterTypeSuspension: FfiConverterRustBuffer {
                 spacingM: FfiConverterOptionTypeQuantity.read(from: &buf), 
                 topSpacingM: FfiConverterOptionTypeQuantity.read(from: &buf), 
                 hullPitchDeg: FfiConverterOptionTypeQuantity.read(from: &buf), 
+                hullRollDeg: FfiConverterOptionTypeQuantity.read(from: &buf), 
+                pointsM: FfiConverterOptionSequenceTypeVector3.read(from: &buf), 
                 pointsMovedM: FfiConverterOptionTypeQuantity.read(from: &buf), 
                 axisHeightM: FfiConverterOptionTypeQuantity.read(from: &buf)
         )
@@ -12311,6 +12349,8 @@ public struct FfiConverterTypeSuspension: FfiConverterRustBuffer {
         FfiConverterOptionTypeQuantity.write(value.spacingM, into: &buf)
         FfiConverterOptionTypeQuantity.write(value.topSpacingM, into: &buf)
         FfiConverterOptionTypeQuantity.write(value.hullPitchDeg, into: &buf)
+        FfiConverterOptionTypeQuantity.write(value.hullRollDeg, into: &buf)
+        FfiConverterOptionSequenceTypeVector3.write(value.pointsM, into: &buf)
         FfiConverterOptionTypeQuantity.write(value.pointsMovedM, into: &buf)
         FfiConverterOptionTypeQuantity.write(value.axisHeightM, into: &buf)
     }
@@ -17215,6 +17255,30 @@ fileprivate struct FfiConverterOptionTypeProcedureWork: FfiConverterRustBuffer {
 #if swift(>=5.8)
 @_documentation(visibility: private)
 #endif
+fileprivate struct FfiConverterOptionSequenceTypeVector3: FfiConverterRustBuffer {
+    typealias SwiftType = [Vector3]?
+
+    public static func write(_ value: SwiftType, into buf: inout [UInt8]) {
+        guard let value = value else {
+            writeInt(&buf, Int8(0))
+            return
+        }
+        writeInt(&buf, Int8(1))
+        FfiConverterSequenceTypeVector3.write(value, into: &buf)
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SwiftType {
+        switch try readInt(&buf) as Int8 {
+        case 0: return nil
+        case 1: return try FfiConverterSequenceTypeVector3.read(from: &buf)
+        default: throw UniffiInternalError.unexpectedOptionalTag
+        }
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
 fileprivate struct FfiConverterOptionTypeCurvePair: FfiConverterRustBuffer {
     typealias SwiftType = CurvePair?
 
@@ -20384,6 +20448,9 @@ private let initializationResult: InitializationResult = {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_json() != 57079) {
+        return InitializationResult.apiChecksumMismatch
+    }
+    if (uniffi_gyradius_ffi_checksum_method_analysis_judged() != 24133) {
         return InitializationResult.apiChecksumMismatch
     }
     if (uniffi_gyradius_ffi_checksum_method_analysis_recordings() != 3321) {
