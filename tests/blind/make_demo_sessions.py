@@ -137,7 +137,7 @@ def model_hull() -> None:
     write("model-hull", parts, MODEL_HULL)
 
 
-MARKS = "points-on-the-hull"
+MARKS = "marks"
 
 
 MODEL_HULL = """# Model hull
