@@ -90,7 +90,7 @@ fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
     if evidence.single == Some(ChannelQuantity::Angle) {
         return None;
     }
-    let (mode, growth) = growth(evidence)?;
+    let (_, growth) = growth(evidence)?;
     let angle = growth.angle;
     let is_swing = (LEAST_SWING_DEG..=PI).contains(&angle);
     (is_swing && growth.most() < LEAST_SHARE * growth.law()).then(|| {
@@ -98,7 +98,6 @@ fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
         let arguments = [
             ("angle_deg", number(angle.to_degrees(), 0)),
             ("in_deg", number(angle, 1)),
-            ("period_s", number(mode.period_s(), 3)),
         ];
         let found = Finding::new(refused, "too_harmonic", arguments).of_channel("gyroscope");
         let found = found.with("angle_rad", angle).with("factor", PI / 180.0);
