@@ -854,9 +854,12 @@ fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
+/// Through fewer windows a law of two parameters goes whatever they are.
+const FEWEST_WINDOWS: usize = 3;
+
 /// The modes of a swing of which nobody says how it hangs. Where its record shows no dependence on the
-/// amplitude, its period at small amplitude may be that of a spring or as much shorter as yaw's, A²/8:
-/// a pendulum's A²/16 is the middle, and the standard uncertainty is that over √3.
+/// amplitude, its period at small amplitude may be the same (a spring), shorter by A²/16 (a pendulum)
+/// or by twice that (yaw on lines): of 0 to 2 A²/16 the root mean square is 2/√3 of A²/16.
 fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
     let duration_s = work.result.span_s.map_or(0.0, |[start, end]| end - start);
     let shows_law = |i: usize| {
@@ -866,15 +869,15 @@ fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
     let modes = work.result.modes.iter().enumerate();
     let corrected = modes.map(|(i, mode)| {
         let in_rad = mode.amplitude_unit == AmplitudeUnit::Radian;
-        let Some(amplitude) = mode.amplitude.filter(|_| in_rad && !shows_law(i)) else {
+        let is_known = shows_law(i) && mode.against_amplitude.len() >= FEWEST_WINDOWS;
+        let Some(amplitude) = mode.amplitude.filter(|_| in_rad && !is_known) else {
             return mode.clone();
         };
         let decays = mode.decay_time_s.map_or(0.0, |tau| duration_s / tau);
         let growth = amplitude * amplitude * mean_square_amplitude(decays) / 16.0;
-        let period_s = mode.period_s / (1.0 + growth);
+        let unknown_s = 2.0 * growth * mode.period_s / 3.0_f64.sqrt();
         ModeResult {
-            period_s,
-            period_se_s: mode.period_se_s.hypot(growth * period_s / 3.0_f64.sqrt()),
+            period_se_s: mode.period_se_s.hypot(unknown_s),
             ..mode.clone()
         }
     });
