@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use gyradius_core::import::{self, Growth, Hanging, ImportRequest, import_session};
 use gyradius_core::recording::import::Platform;
-use gyradius_core::recording::{Orientation, Overwrite, Quantity, SuspensionKind};
+use gyradius_core::recording::{Orientation, Overwrite, Quantity, Suspension, SuspensionKind};
 use gyradius_core::{Error, Result};
 use pyo3::prelude::*;
 
@@ -52,7 +52,8 @@ pub fn import_files(
         Overwrite::Refuse
     };
     detached(py, || {
-        import_session(&files, &folder, &plan.request()?, overwrite)
+        let hung = plan.hung()?.alone()?;
+        import_session(&files, &folder, &plan.request(hung)?, overwrite)
     })
 }
 
@@ -66,20 +67,25 @@ pub fn import_into(
 ) -> PyResult<Vec<String>> {
     detached(py, || {
         let growth = plan.growth()?;
-        import::import_into(&files, &folder, &plan.request()?, &growth)
+        // How new swings hung is in the growth: a kind that is not stated is that of `like`.
+        let unused = Hanging::default().alone()?;
+        import::import_into(&files, &folder, &plan.request(unused)?, &growth)
     })
 }
 
 /// What phone exports hold, line by line; nothing is written.
 #[pyfunction]
 pub fn describe_exports(py: Python<'_>, files: Vec<PathBuf>, plan: Plan) -> PyResult<Vec<String>> {
-    detached(py, || import::describe_exports(&files, &plan.request()?))
+    detached(py, || {
+        let hung = plan.hung()?.alone()?;
+        import::describe_exports(&files, &plan.request(hung)?)
+    })
 }
 
 impl Plan {
-    fn request(self) -> Result<ImportRequest> {
+    fn request(self, suspension: Suspension) -> Result<ImportRequest> {
         Ok(ImportRequest {
-            suspension: self.hung()?.alone()?,
+            suspension,
             platform: self.platform.as_deref().map(platform).transpose()?,
             mapping: self.mapping,
             trial: self.trial,
