@@ -35,7 +35,8 @@ pub struct Free {
 /// What swings freely in a record that is known to have been disturbed at these times, s.
 pub fn free_part(all: &[ChannelGroup], disturbed_s: &[f64], repairs: &[Repair]) -> Result<Free> {
     let whole = part(all, disturbed_s)?;
-    if excess(&whole) <= 0.0 {
+    let excess = beyond_noise(&whole.groups, &whole.found);
+    if excess <= 0.0 {
         return Ok(whole);
     }
     for gap in gaps(&whole.groups, repairs) {
@@ -43,7 +44,7 @@ pub fn free_part(all: &[ChannelGroup], disturbed_s: &[f64], repairs: &[Repair]) 
         let Ok(found) = decompose(&closed, &DecomposeOptions::default()) else {
             continue;
         };
-        if beyond_noise(&closed, &found) > LEFT * excess(&whole) {
+        if beyond_noise(&closed, &found) > LEFT * excess {
             continue;
         }
         let mut known = disturbed_s.to_vec();
@@ -72,10 +73,6 @@ fn part(all: &[ChannelGroup], disturbed_s: &[f64]) -> Result<Free> {
 }
 
 /// Residual variance over that of the noise, less what chance explains.
-fn excess(free: &Free) -> f64 {
-    beyond_noise(&free.groups, &free.found)
-}
-
 fn beyond_noise(groups: &[ChannelGroup], found: &Decomposition) -> f64 {
     let samples = groups.iter().map(|g| g.t_s.len() * g.channels.len());
     let n = samples.sum::<usize>().max(1) as f64;

@@ -17,6 +17,7 @@ use super::observe::{Evidence, hints_contradicted, parasites};
 use super::parameters::Layout;
 use super::samples::{FittedSwing, Statement};
 use super::swing_work::{SwingWork, WEAKEST_DB};
+use super::theory::upright;
 
 /// A swing contradicts the others where leaving it out takes more off χ²: chance takes 30 of some
 /// ten figures once in a thousand times (χ² of 10 degrees of freedom).
@@ -260,9 +261,7 @@ impl<'a> Samples<'a> {
         {
             let (index, level) = (&self.layout.swings[i], &self.layout.swings[level]);
             let mut deeper = x.to_vec();
-            let heel_deg = index.roll_deg.map_or(0.0, |k| x[k]);
-            let upright = x[index.pitch_deg].to_radians().cos() * heel_deg.to_radians().cos();
-            deeper[index.log_depth] = x[level.log_depth] - upright.ln();
+            deeper[index.log_depth] = x[level.log_depth] - upright(x, index).ln();
             starts.insert(0, deeper);
         }
         starts.extend(system.by_one_swing(i));

@@ -20,7 +20,7 @@ use super::names::{Input, QuantityName};
 use super::outputs::write_quantities;
 use super::parameters::{Layout, effective_gravity};
 use super::samples::{Own, Recorded, Statement, SwingSetup, expected_statements, place};
-use super::theory::swing_periods;
+use super::theory::{swing_periods, upright};
 
 /// Numbers of a start: along the suspension, across it, turn about it, yaw.
 const START: usize = place::YAW + 1;
@@ -206,9 +206,7 @@ fn placed(layout: &Layout, body: &RigidBody) -> Result<Vec<f64>> {
     for swing in &layout.swings {
         // Moved along the deck until the centre hangs below them, the points lie 1/cos of the tilt
         // higher above it.
-        let heel_deg = swing.roll_deg.map_or(0.0, |i| x[i]);
-        let upright = x[swing.pitch_deg].to_radians().cos() * heel_deg.to_radians().cos();
-        x[swing.log_depth] = (depth / upright).ln();
+        x[swing.log_depth] = (depth / upright(&x, swing)).ln();
     }
     Ok(x)
 }

@@ -15,7 +15,7 @@ use gyradius_recording::{
 };
 use gyradius_signal::{
     FittedMode, FlaggedPeriod, PeriodTrend, Pole, SmallAmplitude, WindowPoint, WindowedMode,
-    against_amplitude, mean_square_amplitude, period_from_list, small_amplitude_limit,
+    against_amplitude, period_from_list, small_amplitude_limit,
 };
 
 use super::alternatives::{RouteCalculation, routes};
@@ -161,7 +161,7 @@ fn plausibility(
             let evidence = work.evidence.as_ref();
             let mut found = of_recording(&swing.id, recording, evidence, gravity_m_s2);
             if stated.suspension.kind != SuspensionKind::Free {
-                found.extend(evidence.and_then(|evidence| of_amplitude(&swing.id, evidence)));
+                found.extend(evidence.and_then(|evidence| of_amplitude(&work.result, evidence)));
             }
             found
         }
@@ -537,7 +537,7 @@ fn mode_result(
 }
 
 /// Follows one mode through the record, its channels combined as its shape says.
-pub fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
+fn windows(evidence: &Evidence, i: usize) -> Vec<WindowPoint> {
     let found = &evidence.found;
     let pole = |m: &FittedMode| Pole {
         omega_rad_s: m.omega_rad_s,
@@ -861,7 +861,7 @@ const FEWEST_WINDOWS: usize = 3;
 /// amplitude, its period at small amplitude may be the same (a spring), shorter by A²/16 (a pendulum)
 /// or by twice that (yaw on lines): of 0 to 2 A²/16 the root mean square is 2/√3 of A²/16.
 fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
-    let duration_s = work.result.span_s.map_or(0.0, |[start, end]| end - start);
+    let duration_s = work.result.duration_s();
     let shows_law = |i: usize| {
         let found = work.evidence.as_ref().and_then(|e| e.found.modes.get(i));
         found.is_none_or(|mode| mode.law.shift_rad_s != 0.0)
@@ -873,8 +873,7 @@ fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
         let Some(amplitude) = mode.amplitude.filter(|_| in_rad && !is_known) else {
             return mode.clone();
         };
-        let decays = mode.decay_time_s.map_or(0.0, |tau| duration_s / tau);
-        let growth = amplitude * amplitude * mean_square_amplitude(decays) / 16.0;
+        let growth = amplitude * amplitude * mode.mean_square(duration_s) / 16.0;
         let unknown_s = 2.0 * growth * mode.period_s / 3.0_f64.sqrt();
         ModeResult {
             period_se_s: mode.period_se_s.hypot(unknown_s),

@@ -16,7 +16,7 @@ use super::names::{
     AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
 };
 use super::value::Value;
-use gyradius_signal::PeriodTrend;
+use gyradius_signal::{PeriodTrend, mean_square_amplitude};
 
 /// A session's or a bare recording's result.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -102,9 +102,23 @@ pub struct SwingResult {
 }
 
 impl SwingResult {
+    /// How long the part was that was analysed, s; 0 of a swing that was not recorded.
+    pub(super) fn duration_s(&self) -> f64 {
+        self.span_s.map_or(0.0, |[start, end]| end - start)
+    }
+
     /// With what a reader must know of it.
     pub(super) fn warned(self, warnings: Vec<Message>) -> Self {
         Self { warnings, ..self }
+    }
+}
+
+impl ModeResult {
+    /// The mean square of its amplitude that its period answers to, over that at the start, where so
+    /// much was recorded, s.
+    pub(super) fn mean_square(&self, duration_s: f64) -> f64 {
+        let decays = self.decay_time_s.map_or(0.0, |tau| duration_s / tau);
+        mean_square_amplitude(decays)
     }
 }
 

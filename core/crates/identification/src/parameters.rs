@@ -248,12 +248,8 @@ impl<'a> Builder<'a> {
 
     /// A diameter of which the radius was read.
     fn read_radius(&mut self, key: &str, kind: InputKind, diameter: Quantity) -> usize {
-        let half = Quantity::new(0.5 * diameter.value, 0.5 * diameter.u);
-        let whole = self.session.reading(key, half);
-        let whole = Quantity::new(2.0 * whole.value, 2.0 * whole.u);
-        let place = self.push(kind.into(), Role::Stated, whole, usual_step(whole));
-        self.share(key, Reading::Parameter(place), half.value, 2.0);
-        place
+        let radius = Quantity::new(0.5 * diameter.value, 0.5 * diameter.u);
+        self.read_times(2.0, key, kind.into(), radius, usual_step(diameter))
     }
 
     fn read_with_step(
@@ -263,9 +259,22 @@ impl<'a> Builder<'a> {
         figure: Quantity,
         step: f64,
     ) -> usize {
-        let whole = self.session.reading(key, figure);
-        let place = self.push(name.into(), Role::Stated, whole, step);
-        self.share(key, Reading::Parameter(place), figure.value, 1.0);
+        self.read_times(1.0, key, name.into(), figure, step)
+    }
+
+    /// A parameter that is a multiple of what was read.
+    fn read_times(
+        &mut self,
+        factor: f64,
+        key: &str,
+        name: Input,
+        figure: Quantity,
+        step: f64,
+    ) -> usize {
+        let read = self.session.reading(key, figure);
+        let prior = Quantity::new(factor * read.value, factor * read.u);
+        let place = self.push(name, Role::Stated, prior, step);
+        self.share(key, Reading::Parameter(place), figure.value, factor);
         place
     }
 

@@ -55,8 +55,14 @@ pub fn world_from_hull(x: &[f64], index: &SwingIndex) -> Rotation {
     world_from_hull_heeled(x[index.pitch_deg].to_radians(), heel_deg.to_radians())
 }
 
-/// The body of one swing as it hangs: added masses on, pitched and heeled as stated, centre of mass below the
-/// suspension.
+/// How much of a length along the hull's z axis is vertical as it hangs.
+pub fn upright(x: &[f64], index: &SwingIndex) -> f64 {
+    let heel_deg = index.roll_deg.map_or(0.0, |i| x[i]);
+    x[index.pitch_deg].to_radians().cos() * heel_deg.to_radians().cos()
+}
+
+/// The body of one swing as it hangs: added masses on, pitched and heeled as stated, centre of mass
+/// below the suspension.
 ///
 /// Added masses that shift the centre of mass fore and aft tilt a hull that is free to pitch until
 /// the centre hangs below the suspension again.

@@ -14,7 +14,6 @@ use gyradius_mechanics::{
     compound_pendulum_period_s, initial_state, simulate, small_modes,
 };
 use gyradius_recording::{ModeName, SuspensionKind, Swing};
-use gyradius_signal::mean_square_amplitude;
 
 use super::measurement::{ModeResult, SwingResult};
 use super::names::AmplitudeUnit;
@@ -121,7 +120,7 @@ fn corrections_of(
     result: &SwingResult,
 ) -> Vec<Correction> {
     let none = vec![Correction::default(); result.modes.len()];
-    let duration_s = result.span_s.map_or(0.0, |[start, end]| end - start);
+    let duration_s = result.duration_s();
     let Ok(body) = swing_body(layout, x, swing, index) else {
         return none;
     };
@@ -470,8 +469,7 @@ fn by_law(
     let in_rad = mode.amplitude_unit == AmplitudeUnit::Radian;
     match mode.amplitude.filter(|_| in_rad && period_s.is_finite()) {
         Some(start) => {
-            let decays = mode.decay_time_s.map_or(0.0, |tau| duration_s / tau);
-            let mean_square = mean_square_amplitude(decays);
+            let mean_square = mode.mean_square(duration_s);
             // Errata, damping row: T0 = T / sqrt(1 + (T / 2πτ)²).
             let damped = mode.decay_time_s.map_or(1.0, |tau| {
                 (period_s / (std::f64::consts::TAU * tau)).hypot(1.0)

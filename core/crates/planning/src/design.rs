@@ -136,16 +136,10 @@ impl Design {
 
     fn hung(&self, means: &Means, orientation: Orientation, length_m: f64) -> Suspension {
         Suspension {
-            kind: SuspensionKind::Bifilar,
-            orientation,
             line_length_m: Some(Quantity::new(length_m, means.u_line_length_m)),
             spacing_m: Some(Quantity::new(self.spacing_m, means.u_spacing_m)),
-            top_spacing_m: None,
             hull_pitch_deg: Some(Quantity::new(0.0, means.u_hull_pitch_deg)),
-            hull_roll_deg: None,
-            points_m: None,
-            points_moved_m: None,
-            axis_height_m: None,
+            ..Suspension::unmeasured(SuspensionKind::Bifilar, orientation)
         }
     }
 

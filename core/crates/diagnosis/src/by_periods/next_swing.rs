@@ -246,16 +246,9 @@ impl Plan {
             added_masses: vec![],
             amplitude_deg: Default::default(),
             suspension: Suspension {
-                kind: SuspensionKind::Bifilar,
-                orientation,
                 line_length_m: Some(self.line_length_m),
                 spacing_m: Some(self.spacing_m),
-                top_spacing_m: None,
-                hull_pitch_deg: None,
-                hull_roll_deg: None,
-                points_m: None,
-                points_moved_m: None,
-                axis_height_m: None,
+                ..Suspension::unmeasured(SuspensionKind::Bifilar, orientation)
             },
         }
     }

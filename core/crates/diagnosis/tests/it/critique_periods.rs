@@ -224,16 +224,10 @@ fn swing(id: &str, data: SwingData, length: Quantity, spacing: Quantity) -> Swin
         added_masses: vec![],
         amplitude_deg: BTreeMap::new(),
         suspension: Suspension {
-            kind: SuspensionKind::Bifilar,
-            orientation: Orientation::Athwartships,
             line_length_m: Some(length),
             spacing_m: Some(spacing),
-            top_spacing_m: None,
             hull_pitch_deg: Some(Quantity::new(0.0, 0.1)),
-            hull_roll_deg: None,
-            points_m: None,
-            points_moved_m: None,
-            axis_height_m: None,
+            ..Suspension::unmeasured(SuspensionKind::Bifilar, Orientation::Athwartships)
         },
     }
 }

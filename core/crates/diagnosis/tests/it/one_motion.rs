@@ -95,16 +95,8 @@ fn drawn(rng: &mut ChaCha8Rng, quadratic: f64, dry: f64) -> LoadedSession {
 
 fn compound() -> Suspension {
     Suspension {
-        kind: SuspensionKind::Compound,
-        orientation: Orientation::Athwartships,
-        line_length_m: None,
-        spacing_m: None,
-        top_spacing_m: None,
-        hull_pitch_deg: None,
-        hull_roll_deg: None,
-        points_m: None,
-        points_moved_m: None,
         axis_height_m: Some(Quantity::new(0.4, 0.01)),
+        ..Suspension::unmeasured(SuspensionKind::Compound, Orientation::Athwartships)
     }
 }
 

@@ -45,10 +45,10 @@ impl Rows for Linear {
     }
 }
 
-/// H. H. Rosenbrock's valley.
-struct Valley;
+/// H. H. Rosenbrock's function: its least values lie along a parabola.
+struct Rosenbrock;
 
-impl Rows for Valley {
+impl Rows for Rosenbrock {
     fn shape(&self) -> Shape {
         Shape::single(2)
     }
@@ -126,11 +126,11 @@ fn random_boxes_end_where_every_slope_points_out() {
     assert!((200..1000).contains(&at_bounds), "{at_bounds}");
 }
 
-/// Within `x ≤ 1/2` the valley is lowest at (1/2, 1/4): 1/4.
+/// Within `x ≤ 1/2` it is least at (1/2, 1/4): 1/4.
 #[test]
-fn a_bound_across_a_valley_is_told() {
+fn a_bound_across_the_way_down_is_told() {
     let parameters = [Parameter::FREE.within(-2.0, 0.5), Parameter::FREE];
-    let fit = solve(&Valley, &parameters, &[-1.2, 1.0]);
+    let fit = solve(&Rosenbrock, &parameters, &[-1.2, 1.0]);
     assert!(fit.x[0] == 0.5 && (fit.x[1] - 0.25).abs() < 1e-9);
     assert!((fit.chi2 - 0.25).abs() < 1e-12);
     let edge = Edge {
@@ -143,7 +143,7 @@ fn a_bound_across_a_valley_is_told() {
     let u = fit.standard_deviations().unwrap();
     assert!(u[0] == 0.0 && (u[1] - 0.1).abs() < 1e-12);
     // Without the bound nothing is told.
-    let free = solve(&Valley, &[Parameter::FREE; 2], &[-1.2, 1.0]);
+    let free = solve(&Rosenbrock, &[Parameter::FREE; 2], &[-1.2, 1.0]);
     assert!((free.x[0] - 1.0).abs() < 1e-9 && free.edges.is_empty());
 }
 
@@ -152,7 +152,7 @@ fn a_bound_across_a_valley_is_told() {
 fn a_start_at_the_wrong_bound_leaves_it() {
     let parameters = [Parameter::FREE.within(-1.5, 3.0), Parameter::FREE];
     for start in [[-9.0, 1.0], [-1.5, 2.25], [9.0, 1.0]] {
-        let fit = solve(&Valley, &parameters, &start);
+        let fit = solve(&Rosenbrock, &parameters, &start);
         assert!(
             (fit.x[0] - 1.0).abs() < 1e-9 && fit.edges.is_empty(),
             "{fit:?}"
@@ -199,7 +199,7 @@ fn what_is_held_neither_gains_nor_costs_evidence() {
 #[test]
 fn a_fixed_parameter_stays_and_is_no_edge() {
     let parameters = [Parameter::FREE.fixed(0.3), Parameter::FREE];
-    let fit = solve(&Valley, &parameters, &[-1.2, 1.0]);
+    let fit = solve(&Rosenbrock, &parameters, &[-1.2, 1.0]);
     assert!(fit.x[0] == 0.3 && (fit.x[1] - 0.09).abs() < 1e-9);
     assert!(fit.edges.is_empty() && fit.held() == [true, false]);
 }

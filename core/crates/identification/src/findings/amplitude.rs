@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 
 use gyradius_recording::{ChannelQuantity, ModeName};
-use gyradius_signal::{FittedMode, growth_with_square};
+use gyradius_signal::{FittedMode, WindowPoint, growth_with_square};
 
 use super::recording::number;
 use super::{Finding, FindingKind as Kind, Severity};
-use crate::measure::windows;
+use crate::measurement::{AmplitudePoint, SwingResult};
 use crate::modes::NamedMode;
 use crate::observe::Evidence;
 
@@ -23,14 +23,19 @@ const SURE: f64 = 5.0;
 
 /// What a period does with the amplitude: on a fixed axis, where gravity alone brings it back, the
 /// period grows by A²/16 of itself.
-pub fn of_amplitude(id: &str, evidence: &Evidence) -> Option<Finding> {
-    too_harmonic(id, evidence).or_else(|| against_law(id, evidence))
+pub fn of_amplitude(swing: &SwingResult, evidence: &Evidence) -> Option<Finding> {
+    let (mode, growth) = growth(swing, evidence)?;
+    let found = match evidence.single {
+        Some(ChannelQuantity::Angle) => None,
+        _ => too_harmonic(&growth),
+    };
+    let found = found.or_else(|| against_law(mode, &growth))?;
+    Some(found.of_swing(&swing.id))
 }
 
 /// Where the period surely does otherwise than the law, and by more than it is uncertain, the figures
 /// are not those of small swings.
-fn against_law(id: &str, evidence: &Evidence) -> Option<Finding> {
-    let (mode, growth) = growth(evidence)?;
+fn against_law(mode: &FittedMode, growth: &Growth) -> Option<Finding> {
     let law = growth.law();
     let is_law = growth.most() > LEAST_SHARE * law && growth.least() < MOST_SHARE * law;
     let matters = (growth.value - law).abs() * mode.period_s() > SURE * mode.period_se_s();
@@ -41,7 +46,7 @@ fn against_law(id: &str, evidence: &Evidence) -> Option<Finding> {
             ("angle_deg", number(growth.angle.to_degrees(), 0)),
         ];
         let warned = (Kind::NoiseMismatch, Severity::Warned);
-        let found = Finding::new(warned, "against_law", arguments).of_swing(id);
+        let found = Finding::new(warned, "against_law", arguments);
         found.with("growth", growth.value).with("expected", law)
     })
 }
@@ -70,27 +75,36 @@ impl Growth {
 }
 
 /// The growth of a compound pendulum's period, where the whole turn is seen.
-fn growth(evidence: &Evidence) -> Option<(&FittedMode, Growth)> {
+fn growth<'a>(swing: &SwingResult, evidence: &'a Evidence) -> Option<(&'a FittedMode, Growth)> {
     let is_whole = evidence.map.gyroscope.is_some() || evidence.single.is_some();
     let compound = |named: &NamedMode| named.name == ModeName::Compound;
-    let place = evidence
-        .named
-        .iter()
-        .position(compound)
-        .filter(|_| is_whole)?;
-    let angle = evidence.named[place].angle_rad?;
-    let (value, u) = growth_with_square(&windows(evidence, place))?;
+    let modes = &evidence.named;
+    let place = modes.iter().position(compound).filter(|_| is_whole)?;
+    let angle = modes[place].angle_rad?;
+    let windows = &swing.modes.get(place)?.against_amplitude;
+    let windows: Vec<WindowPoint> = windows.iter().map(WindowPoint::from).collect();
+    let (value, u) = growth_with_square(&windows)?;
+    let [value, u] = [value, u].map(|by_square| by_square * angle * angle);
     let mode = evidence.found.modes.get(place)?;
     Some((mode, Growth { value, u, angle }))
 }
 
+impl From<&AmplitudePoint> for WindowPoint {
+    fn from(point: &AmplitudePoint) -> Self {
+        Self {
+            t_s: point.t_s,
+            amplitude: point.amplitude,
+            period_s: point.period_s,
+            period_se_s: point.period_se_s,
+            decrement: point.decrement,
+            decrement_se: point.decrement_se,
+        }
+    }
+}
+
 /// Where the period surely grows by less than half of that, the amplitude is not what the gyroscope
 /// says.
-fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
-    if evidence.single == Some(ChannelQuantity::Angle) {
-        return None;
-    }
-    let (_, growth) = growth(evidence)?;
+fn too_harmonic(growth: &Growth) -> Option<Finding> {
     let angle = growth.angle;
     let is_swing = (LEAST_SWING_DEG..=PI).contains(&angle);
     (is_swing && growth.most() < LEAST_SHARE * growth.law()).then(|| {
@@ -100,7 +114,6 @@ fn too_harmonic(id: &str, evidence: &Evidence) -> Option<Finding> {
             ("in_deg", number(angle, 1)),
         ];
         let found = Finding::new(refused, "too_harmonic", arguments).of_channel("gyroscope");
-        let found = found.with("angle_rad", angle).with("factor", PI / 180.0);
-        found.of_swing(id)
+        found.with("angle_rad", angle).with("factor", PI / 180.0)
     })
 }

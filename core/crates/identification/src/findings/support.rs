@@ -63,14 +63,9 @@ pub fn is_supported(system: &System, name: &QuantityName) -> bool {
     let about = |i: usize, way: Orientation| {
         swing(i).kind == SuspensionKind::Compound && swing(i).orientation == way
     };
-    let tilted = |i: usize| {
-        let pitch = system.layout.swings[i].pitch_deg;
-        system.layout.parameters[pitch].prior.value.abs() > LEAST_TILT_DEG
-    };
-    let heeled = |i: usize| {
-        let heel = system.layout.swings[i].roll_deg;
-        heel.is_some_and(|k| system.layout.parameters[k].prior.value.abs() > LEAST_TILT_DEG)
-    };
+    let is_large = |k: usize| system.layout.parameters[k].prior.value.abs() > LEAST_TILT_DEG;
+    let tilted = |i: usize| is_large(system.layout.swings[i].pitch_deg);
+    let heeled = |i: usize| system.layout.swings[i].roll_deg.is_some_and(is_large);
     let beside = system
         .observations
         .iter()

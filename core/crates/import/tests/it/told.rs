@@ -19,16 +19,9 @@ pub fn request(mapping: &[&str]) -> ImportRequest {
         mass_kg: None,
         gravity_m_s2: None,
         suspension: Suspension {
-            kind: SuspensionKind::Bifilar,
-            orientation: Orientation::Athwartships,
             line_length_m: Some(Quantity::exact(2.0)),
             spacing_m: Some(Quantity::exact(1.0)),
-            top_spacing_m: None,
-            hull_pitch_deg: None,
-            hull_roll_deg: None,
-            points_m: None,
-            points_moved_m: None,
-            axis_height_m: None,
+            ..Suspension::unmeasured(SuspensionKind::Bifilar, Orientation::Athwartships)
         },
     }
 }

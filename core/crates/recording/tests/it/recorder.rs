@@ -430,16 +430,9 @@ fn triad_bits(triad: &Triad, origin_ns: i64) -> Bits {
 
 fn swing_session(file: &str) -> Session {
     let suspension = Suspension {
-        kind: SuspensionKind::Bifilar,
-        orientation: Orientation::Athwartships,
         line_length_m: Some(Quantity::exact(3.0)),
         spacing_m: Some(Quantity::exact(1.5)),
-        top_spacing_m: None,
-        hull_pitch_deg: None,
-        hull_roll_deg: None,
-        points_m: None,
-        points_moved_m: None,
-        axis_height_m: None,
+        ..Suspension::unmeasured(SuspensionKind::Bifilar, Orientation::Athwartships)
     };
     let swing = Swing {
         id: "yaw-1".into(),

@@ -117,16 +117,12 @@ fn bifilar() -> impl Strategy<Value = Suspension> {
     )
         .prop_map(
             |(orientation, (line, spacing, top), pitch, moved)| Suspension {
-                kind: SuspensionKind::Bifilar,
-                orientation,
                 line_length_m: Some(line),
                 spacing_m: Some(spacing),
                 top_spacing_m: top,
                 hull_pitch_deg: pitch,
-                hull_roll_deg: None,
-                points_m: None,
                 points_moved_m: moved,
-                axis_height_m: None,
+                ..Suspension::unmeasured(SuspensionKind::Bifilar, orientation)
             },
         )
 }
@@ -138,16 +134,9 @@ fn compound() -> impl Strategy<Value = Suspension> {
         of(quantity(-90.0..90.0)),
     )
         .prop_map(|(orientation, height, pitch)| Suspension {
-            kind: SuspensionKind::Compound,
-            orientation,
-            line_length_m: None,
-            spacing_m: None,
-            top_spacing_m: None,
             hull_pitch_deg: pitch,
-            hull_roll_deg: None,
-            points_m: None,
-            points_moved_m: None,
             axis_height_m: Some(height),
+            ..Suspension::unmeasured(SuspensionKind::Compound, orientation)
         })
 }
 

@@ -18,6 +18,11 @@ fn imported(text: &str, entries: &[&str]) -> gyradius_base::Result<Imported> {
     )
 }
 
+/// What the first recording of a file holds.
+fn first(text: &str, entries: &[&str]) -> ImportedData {
+    imported(text, entries).unwrap().recordings.remove(0).data
+}
+
 fn refusal(text: &str, entries: &[&str]) -> String {
     imported(text, entries).unwrap_err().to_string()
 }
@@ -50,9 +55,7 @@ fn a_proposal_takes_the_rows_of_one_sensor_whatever_the_columns_are_called() {
     assert_eq!(entries[4], "ax=v1@ACC:m/s2");
     let text = table("ms,kind,v1,v2,v3", both);
     let entries: Vec<&str> = entries.iter().map(String::as_str).collect();
-    let ImportedData::Recording(recording) =
-        imported(&text, &entries).unwrap().recordings.remove(0).data
-    else {
+    let ImportedData::Recording(recording) = first(&text, &entries) else {
         panic!()
     };
     assert_eq!(recording.gyroscope.unwrap().axes[2][7], 7.0);
@@ -85,12 +88,7 @@ fn a_number_that_is_a_tag_is_not_looked_for_among_the_samples() {
         let z = if i == 0 { 4 } else { 100 + i };
         format!("{0},{z},1\n{0},7,4", 0.01 * i as f64)
     });
-    let ImportedData::Recording(recording) = imported(&text, &["t=s:s", "gz=z@4:rad/s"])
-        .unwrap()
-        .recordings
-        .remove(0)
-        .data
-    else {
+    let ImportedData::Recording(recording) = first(&text, &["t=s:s", "gz=z@4:rad/s"]) else {
         panic!()
     };
     let sensors = recording.sensors();
@@ -101,12 +99,7 @@ fn a_number_that_is_a_tag_is_not_looked_for_among_the_samples() {
 fn frames_are_no_time_without_their_rate() {
     let video = table("frame,theta_deg", |i| format!("{i},{}", 5 + i));
     assert_eq!(proposed(&video), ["t=frame:RATEfps", "angle=theta_deg:deg"]);
-    let ImportedData::Channel(channel) =
-        imported(&video, &["t=frame:25fps", "angle=theta_deg:deg"])
-            .unwrap()
-            .recordings
-            .remove(0)
-            .data
+    let ImportedData::Channel(channel) = first(&video, &["t=frame:25fps", "angle=theta_deg:deg"])
     else {
         panic!()
     };
