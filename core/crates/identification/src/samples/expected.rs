@@ -3,9 +3,9 @@
 
 use nalgebra::DVector;
 
+use super::equations::free;
 use super::fit::Fit;
 use super::linearise::Linearised;
-use super::marquardt::free;
 use super::model::{Statement, SwingModel};
 use super::record::{Recorded, Samples};
 use super::scene::{OWN, Own, SwingSetup};

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_4;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::equations::{Enough, Fitting, Moves, Point, free};
 use super::linearise::{Linearised, Simulated};
-use super::marquardt::{Enough, Fitting, Moves, Point, free};
 use super::model::{Statement, SwingModel};
 use super::record::{Samples, Stream};
 use super::scene::{OWN, Own, SwingSetup, TURN};

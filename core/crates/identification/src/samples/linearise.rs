@@ -26,8 +26,6 @@ pub struct Linearised {
     combine: DMatrix<f64>,
     /// Of the normal equations: a step δ changes χ² by −2 gᵀδ + δᵀNδ.
     pub matrix: DMatrix<f64>,
-    /// How far it looks, s.
-    pub horizon_s: f64,
 }
 
 /// One block's derivatives by axis.
@@ -182,7 +180,6 @@ impl Linearised {
             rows: all,
             combine,
             matrix,
-            horizon_s,
         })
     }
 

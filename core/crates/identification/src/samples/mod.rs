@@ -11,15 +11,16 @@
 //! Times count from the start of the free span, by the phone's clock. The body hangs in hanging
 //! axes (level at rest).
 
+mod equations;
 mod expected;
 mod fit;
 mod linearise;
-mod marquardt;
 mod model;
 mod modes;
 mod record;
 mod scene;
 mod session;
+mod turn;
 
 pub use expected::expected_statements;
 pub use model::Statement;

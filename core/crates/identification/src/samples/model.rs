@@ -3,6 +3,7 @@
 use super::linearise::Simulated;
 use super::record::Samples;
 use super::scene::{Own, SwingSetup};
+use gyradius_base::error::Result;
 
 /// One swing and its samples.
 #[derive(Clone)]
@@ -12,22 +13,10 @@ pub struct SwingModel<'a> {
 }
 
 impl SwingModel<'_> {
-    /// χ² of the swing's samples up to a horizon, with the priors of its own numbers.
-    pub fn own_cost(&self, x: &[f64], own: &Own, horizon_s: f64) -> f64 {
-        let (horizon_s, whole_s) = (
-            horizon_s.min(self.samples.duration_s),
-            self.samples.duration_s,
-        );
-        let priors: f64 = own
-            .values
-            .iter()
-            .zip(Own::prior_u())
-            .map(|(v, u)| (v / u).powi(2))
-            .sum();
-        match Simulated::new(&self.setup, x, own, horizon_s, whole_s) {
-            Ok(simulated) => simulated.chi2(&self.samples, horizon_s) + priors,
-            Err(_) => f64::INFINITY,
-        }
+    /// The swing up to a horizon.
+    pub fn simulated(&self, x: &[f64], own: &Own, horizon_s: f64) -> Result<Simulated> {
+        let whole_s = self.samples.duration_s;
+        Simulated::new(&self.setup, x, own, horizon_s.min(whole_s), whole_s)
     }
 }
 

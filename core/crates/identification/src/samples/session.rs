@@ -1,7 +1,7 @@
 //! The fits of a session's swings.
 
+use super::equations::Moves;
 use super::fit::{Begun, Fit, begun, fit, fit_together};
-use super::marquardt::Moves;
 use super::model::{Statement, SwingModel};
 use super::modes::fitted_modes;
 use super::record::Samples;
