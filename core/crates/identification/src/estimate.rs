@@ -493,7 +493,7 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
 }
 
 fn moved_points(session: &Session, i: usize) -> Option<Observation> {
-    if session.same_hanging(i).is_some() {
+    if session.measured_at(i, "points_moved") != i {
         return None;
     }
     let swing = &session.swings[i];

@@ -223,6 +223,16 @@ impl Layout {
     }
 }
 
+/// What turns a hull on its lines.
+const TURNING: [&str; 3] = ["hull_pitch_deg", "hull_roll_deg", "points_moved"];
+
+/// Indices of how a hull was turned.
+struct Turned {
+    pitch_deg: usize,
+    roll_deg: Option<usize>,
+    log_depth: usize,
+}
+
 struct Builder<'a> {
     session: &'a Session,
     parameters: Vec<Parameter>,
@@ -338,7 +348,8 @@ impl<'a> Builder<'a> {
                     self.share(&period_key(i, *mode), reading, period.value, 1.0);
                 }
             }
-            if let Some(moved) = swing.suspension.points_moved_m {
+            let is_own = session.measured_at(i, "points_moved") == i;
+            if let Some(moved) = swing.suspension.points_moved_m.filter(|_| is_own) {
                 let reading = Reading::Observed(Observed::Moved(i));
                 self.share(&moved_key(i), reading, moved.value, 1.0);
             }
@@ -393,61 +404,111 @@ impl<'a> Builder<'a> {
     ) -> SwingIndex {
         let swing = &session.swings[i];
         let is_recorded = matches!(swing.data, SwingData::Recording(_));
-        if let Some(first) = session.same_hanging(i) {
-            return SwingIndex {
-                added_masses: i,
-                clock: is_recorded.then(|| self.clock_of_swing()),
-                ..before[first]
-            };
-        }
         let hung = &swing.suspension;
         let key = |name: &str| format!("swing[{}].suspension.{name}", i + 1);
+        // A figure of the swing that this one hangs as is that one's reading.
+        let earlier = |name: &str| before.get(session.measured_at(i, name));
         let mut read = |name: &str, kind: InputKind, figure: Option<Quantity>| {
             figure.map(|figure| self.read(&key(name), kind, figure))
         };
-        let line_length = read("line_length", InputKind::LineLength, hung.line_length_m);
-        let axis_height = read("axis_height", InputKind::AxisHeight, hung.axis_height_m);
-        let mut across =
-            |spacing: &str, radius: &str, kind: InputKind, figure: Option<Quantity>| {
-                figure.map(|figure| match hung.kind {
-                    SuspensionKind::Trifilar => self.read_radius(&key(radius), kind, figure),
-                    _ => self.read(&key(spacing), kind, figure),
-                })
-            };
-        let spacing = across("spacing", "radius", InputKind::Spacing, hung.spacing_m);
-        let top_spacing = across(
-            "top_spacing",
-            "top_radius",
-            InputKind::TopSpacing,
-            hung.top_spacing_m,
-        );
-        let pitch = phone_pitch
-            .or(hung.hull_pitch_deg)
-            .unwrap_or(Quantity::new(0.0, UNSTATED_PITCH_U_DEG));
+        let line_length = match earlier("line_length") {
+            Some(first) => first.line_length,
+            None => read("line_length", InputKind::LineLength, hung.line_length_m),
+        };
+        let axis_height = match earlier("axis_height") {
+            Some(first) => first.axis_height,
+            None => read("axis_height", InputKind::AxisHeight, hung.axis_height_m),
+        };
+        let mut across = |name: &str, kind: InputKind, figure: Option<Quantity>| {
+            figure.map(|figure| match hung.kind {
+                SuspensionKind::Trifilar => self.read_radius(&key(name), kind, figure),
+                _ => self.read(&key(name), kind, figure),
+            })
+        };
+        let (below, above) = match hung.kind {
+            SuspensionKind::Trifilar => ("radius", "top_radius"),
+            _ => ("spacing", "top_spacing"),
+        };
+        let spacing = match earlier(below) {
+            Some(first) => first.spacing,
+            None => across(below, InputKind::Spacing, hung.spacing_m),
+        };
+        // Where it is not stated it is the spacing below.
+        let top_spacing = match (hung.top_spacing_m, earlier(above)) {
+            (None, _) => spacing,
+            (Some(_), Some(first)) => first.top_spacing,
+            (stated, None) => across(above, InputKind::TopSpacing, stated),
+        };
+        let turned = self.turned(session, i, phone_pitch, scale_m, before);
         SwingIndex {
             line_length,
             spacing,
-            top_spacing: top_spacing.or(spacing),
-            pitch_deg: match hung.hull_pitch_deg.filter(|_| phone_pitch.is_none()) {
-                Some(_) => {
-                    self.read_with_step(&key("hull_pitch_deg"), InputKind::HullPitch, pitch, 1e-3)
-                }
-                None => self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
-            },
-            log_depth: self.depth(
-                [
-                    hung.hull_pitch_deg.map_or(pitch.value, |q| q.value),
-                    hung.hull_roll_deg.map_or(0.0, |q| q.value),
-                ],
-                scale_m,
-            ),
-            roll_deg: hung.hull_roll_deg.map(|roll| {
-                let key = key("hull_roll_deg");
-                self.read_with_step(&key, InputKind::HullRoll, roll, 1e-3)
-            }),
+            top_spacing,
+            pitch_deg: turned.pitch_deg,
+            roll_deg: turned.roll_deg,
+            log_depth: turned.log_depth,
             axis_height,
             added_masses: i,
             clock: is_recorded.then(|| self.clock_of_swing()),
+        }
+    }
+
+    /// How a swing's hull was turned, and the depth that goes with it: those of the swing that it
+    /// hangs as, unless something that turns it is stated anew.
+    fn turned(
+        &mut self,
+        session: &Session,
+        i: usize,
+        phone_pitch: Option<Quantity>,
+        scale_m: f64,
+        before: &[SwingIndex],
+    ) -> Turned {
+        let hung = &session.swings[i].suspension;
+        let key = |name: &str| format!("swing[{}].suspension.{name}", i + 1);
+        let first = session.same_hanging(i);
+        let is_same_way = first.is_some_and(|first| {
+            session.swings[first].suspension.orientation == hung.orientation
+                && TURNING.iter().all(|key| !session.states(i, key))
+        });
+        if let Some(first) = first.filter(|_| is_same_way).and_then(|at| before.get(at)) {
+            return Turned {
+                pitch_deg: first.pitch_deg,
+                roll_deg: first.roll_deg,
+                log_depth: first.log_depth,
+            };
+        }
+        let earlier = |name: &str| before.get(session.measured_at(i, name));
+        let pitch = phone_pitch
+            .or(hung.hull_pitch_deg)
+            .unwrap_or(Quantity::new(0.0, UNSTATED_PITCH_U_DEG));
+        let stated = hung.hull_pitch_deg.filter(|_| phone_pitch.is_none());
+        let pitch_deg = match (stated, earlier("hull_pitch_deg")) {
+            (Some(_), Some(first)) => first.pitch_deg,
+            (Some(_), None) => {
+                self.read_with_step(&key("hull_pitch_deg"), InputKind::HullPitch, pitch, 1e-3)
+            }
+            (None, _) => self.stated_with_step(InputKind::HullPitch, pitch, 1e-3),
+        };
+        let log_depth = self.depth(
+            [
+                hung.hull_pitch_deg.map_or(pitch.value, |q| q.value),
+                hung.hull_roll_deg.map_or(0.0, |q| q.value),
+            ],
+            scale_m,
+        );
+        let roll_deg = hung
+            .hull_roll_deg
+            .and_then(|roll| match earlier("hull_roll_deg") {
+                Some(first) => first.roll_deg,
+                None => {
+                    let key = key("hull_roll_deg");
+                    Some(self.read_with_step(&key, InputKind::HullRoll, roll, 1e-3))
+                }
+            });
+        Turned {
+            pitch_deg,
+            roll_deg,
+            log_depth,
         }
     }
 

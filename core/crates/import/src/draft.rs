@@ -34,7 +34,7 @@ impl Draft {
         let mut hung = self.session.swings.get(swing)?.suspension.clone();
         let mut read_with = BTreeMap::new();
         for key in hung.kind.figures() {
-            let full = figure_key(self.session.measured_at(swing), key);
+            let full = figure_key(self.session.measured_at(swing, key), key);
             if let Some(instrument) = self.session.read_with.get(&full) {
                 read_with.insert((*key).to_owned(), instrument.clone());
             }
@@ -89,7 +89,10 @@ pub(crate) fn read_draft(text: &str, file: &str) -> Result<Draft> {
     let session = &mut parsed.session;
     for i in 0..session.swings.len() {
         if let Some(first) = session.same_hanging(i) {
-            session.swings[i].suspension = session.swings[first].suspension.clone();
+            let stated = session.hung_as.get(&session.swings[i].id);
+            let stated = stated.map(|hung| hung.but_for.clone()).unwrap_or_default();
+            let kept = &session.swings[first].suspension;
+            session.swings[i].suspension = kept.but_for(&stated, &session.swings[i].suspension);
         }
     }
     Ok(draft(parsed, true))
@@ -138,23 +141,26 @@ fn suspensions(document: &mut DocumentMut) -> Vec<&mut dyn TableLike> {
 }
 
 /// The text with the dimensions of one swing that are stated; all else stands as it was. Of
-/// another kind, it loses the figures that this one does not have.
+/// another kind, it loses the figures that this one does not have. What hangs as an earlier swing
+/// does keeps saying so unless its kind or direction is another: then its figures are written out.
 pub(crate) fn set_stated(
     text: &str,
     swing: usize,
     old: &Suspension,
     stated: &Hanging,
 ) -> Result<String> {
-    let kind = stated.over(old)?.kind;
+    let hung = stated.over(old)?;
+    let kind = hung.kind;
+    let is_other = kind != old.kind || hung.orientation != old.orientation;
     let choices = [
         ("kind", stated.kind.map(SuspensionKind::name)),
         ("orientation", stated.orientation.map(Orientation::name)),
     ];
     let choices = choices.map(|(key, name)| (key, name.map(Value::from)));
-    let figures = kind.figures().iter().map(|key| {
-        let figure = stated.figures.get(*key).copied();
-        (*key, figure.map(of_quantity))
-    });
+    let figures = kind
+        .figures()
+        .iter()
+        .map(|key| (*key, stated.figures.get(*key).copied().map(of_quantity)));
     let keys: Vec<(&str, Option<Value>)> = choices.into_iter().chain(figures).collect();
     if keys.iter().all(|(_, stated)| stated.is_none()) {
         return Ok(text.to_owned());
@@ -169,6 +175,18 @@ pub(crate) fn set_stated(
         for key in old.kind.figures().iter().filter(foreign) {
             suspension.remove(key);
         }
+        if hung.points_m.is_none() {
+            suspension.remove("points_m");
+        }
+        let mut keys = keys;
+        if suspension.contains_key("same_as") {
+            if is_other {
+                suspension.remove("same_as");
+                keys = whole(&hung);
+            } else {
+                keys.retain(|(key, _)| !["kind", "orientation"].contains(key));
+            }
+        }
         for (key, stated) in keys {
             if let Some(stated) = stated {
                 set(suspension, key, stated);
@@ -176,6 +194,24 @@ pub(crate) fn set_stated(
         }
     }
     Ok(format!("{mark}{document}"))
+}
+
+/// All that is stated of a suspension, by key.
+fn whole(hung: &Suspension) -> Vec<(&'static str, Option<Value>)> {
+    let mut all = vec![
+        ("kind", Some(hung.kind.name().into())),
+        ("orientation", Some(hung.orientation.name().into())),
+    ];
+    if let Some(points) = &hung.points_m {
+        let each = points
+            .iter()
+            .map(|point| Value::Array(point.iter().copied().collect()));
+        all.push(("points_m", Some(Value::Array(each.collect()))));
+    }
+    let is_told = |key: &str| key == "spacing" && hung.points_m.is_some();
+    let figures = hung.kind.figures().iter().filter(|key| !is_told(key));
+    all.extend(figures.map(|key| (*key, hung.figure(key).map(of_quantity))));
+    all
 }
 
 const BYTE_ORDER_MARK: &str = "\u{feff}";

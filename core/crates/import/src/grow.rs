@@ -3,7 +3,7 @@
 //! The session's text is kept as it stands: new swings are put at its end, and of a planned swing
 //! only the figures that the caller states anew are changed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -14,7 +14,7 @@ use super::import::{ImportRequest, draft_note, missing};
 use super::places::Places;
 use gyradius_base::error::{Error, Result};
 use gyradius_recording::{
-    Overwrite, Recorded, SESSION_FILE, Session, Store, Suspension, Swing, SwingData, utf8,
+    HungAs, Overwrite, Recorded, SESSION_FILE, Session, Store, Suspension, Swing, SwingData, utf8,
     write_files, write_swings_to_fill_in,
 };
 
@@ -50,7 +50,7 @@ pub fn import_into(
     let text = utf8(&bytes, &file)?;
     let before = read_draft(text, &file)?;
     before.refuse_lists_in_line(&file)?;
-    let (hung, read_with) = growth.new_ones(&before)?;
+    let (hung, copied) = growth.new_ones(&before)?;
     let mut places = places(&before.session, &store)?;
     if let Some(swing) = &growth.swing {
         places.mean(swing)?;
@@ -82,7 +82,7 @@ pub fn import_into(
         }
         notes.push(draft_note(&lacks));
     }
-    let added = added(new, gathered.recorded, &read_with);
+    let added = added(new, gathered.recorded, &copied);
     after = with_tables(after, &write_swings_to_fill_in(&added));
     // What cannot be read back is not written.
     read_draft(&after, &file)?;
@@ -258,11 +258,10 @@ fn with_tables(mut text: String, tables: &str) -> String {
 }
 
 impl Growth {
-    /// How new swings hung, and the instruments that figures taken from another swing were read
-    /// with, by the key of the figure.
-    fn new_ones(&self, draft: &Draft) -> Result<(Suspension, BTreeMap<String, String>)> {
+    /// How new swings hung, and what they have of another swing.
+    fn new_ones(&self, draft: &Draft) -> Result<(Suspension, Copied)> {
         let Some(like) = &self.like else {
-            return Ok((self.hung.alone()?, BTreeMap::new()));
+            return Ok((self.hung.alone()?, Copied::Nothing));
         };
         let swings = &draft.session.swings;
         let found = swings.iter().position(|swing| swing.id == *like);
@@ -275,7 +274,14 @@ impl Growth {
             )
         })?;
         read_with.retain(|key, _| !self.hung.figures.contains_key(key));
-        Ok((self.hung.over(&base)?, read_with))
+        let hung = self.hung.over(&base)?;
+        if hung.kind != base.kind || hung.orientation != base.orientation {
+            return Ok((hung, Copied::Figures(read_with)));
+        }
+        let but_for: BTreeSet<String> = self.hung.figures.keys().cloned().collect();
+        let hung = base.but_for(&but_for, &hung);
+        let swing = like.clone();
+        Ok((hung, Copied::Hanging(HungAs { swing, but_for })))
     }
 
     /// The text with what is stated of a planned swing, whose recording is of the kind that it
@@ -300,23 +306,45 @@ impl Growth {
     }
 }
 
-/// What is put at the end of a session: swings that hung alike, read with the same instruments.
-fn added(
-    swings: Vec<&Swing>,
-    recorded: Vec<Recorded>,
-    read_with: &BTreeMap<String, String>,
-) -> Session {
-    let each = 0..swings.len();
-    let keys = each.flat_map(|i| {
-        let of_swing = read_with.iter();
-        of_swing.map(move |(key, instrument)| (figure_key(i, key), instrument.clone()))
-    });
-    Session {
-        read_with: keys.collect(),
+/// What new swings have of the swing that they hung like.
+enum Copied {
+    /// There is none.
+    Nothing,
+    /// Its figures as readings of their own, as it hung another way: the instruments that they were
+    /// read with, by the key of the figure.
+    Figures(BTreeMap<String, String>),
+    /// Its readings, but for what is stated.
+    Hanging(HungAs),
+}
+
+/// What is put at the end of a session. What was stated of them all is one reading: the first has
+/// it, and the others hang as the first.
+fn added(swings: Vec<&Swing>, recorded: Vec<Recorded>, copied: &Copied) -> Session {
+    let mut added = Session {
         swings: swings.into_iter().cloned().collect(),
         recorded,
         ..Session::default()
+    };
+    let Some(first) = added.swings.first().map(|swing| swing.id.clone()) else {
+        return added;
+    };
+    for swing in &added.swings[1..] {
+        added
+            .hung_as
+            .insert(swing.id.clone(), HungAs::swing(&first));
     }
+    match copied {
+        Copied::Nothing => {}
+        Copied::Figures(read_with) => {
+            let of_first = read_with.iter();
+            let keys = of_first.map(|(key, instrument)| (figure_key(0, key), instrument.clone()));
+            added.read_with = keys.collect();
+        }
+        Copied::Hanging(hung) => {
+            added.hung_as.insert(first, hung.clone());
+        }
+    }
+    added
 }
 
 fn kind_of(data: &SwingData) -> &'static str {

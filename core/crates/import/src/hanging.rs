@@ -43,6 +43,11 @@ impl Hanging {
             let stated = self.figures.get(*key).copied();
             hung.set_figure(key, stated.or_else(|| base.figure(key)));
         }
+        // Points lie along the suspension, and say how far apart they are.
+        let is_along = kind == base.kind && orientation == base.orientation;
+        if is_along && !self.figures.contains_key("spacing") {
+            hung.points_m = base.points_m.clone();
+        }
         Ok(hung)
     }
 }

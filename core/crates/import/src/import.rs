@@ -59,6 +59,8 @@ pub fn import_session(
         ..request.session()
     };
     state_what_all_say(&mut session);
+    // What is stated once of all of them is one reading.
+    let session = session.with_same_hangings();
     let mut text = write_session_to_fill_in(&session);
     let missing = missing(&request.suspension);
     if missing.is_empty() {

@@ -10,18 +10,16 @@ use gyradius_recording::write_session;
 use gyradius_simulator::RIG_FORMAT;
 
 const TO_FILL_IN: &str = "# Planned, not measured: replace every length and angle by what you read, with your own\n\
-                          # uncertainty, and put the recordings beside this file.\n";
+                          # uncertainty, and put the recordings beside this file. A swing with `same_as` hangs as that\n\
+                          # swing does, but for what stands beside it: what you read anew there, put beside it.\n";
 const TO_REHEARSE: &str = "# A rehearsal of the plan: `gyradius simulate` makes the session that the assumed hull would give.\n";
 
 /// The `session.toml` that the plan's swings will fill.
 pub fn session_toml(plan: &Plan) -> String {
     TO_FILL_IN.to_owned()
-        + &write_session(&session_of(
-            &plan.title,
-            &plan.hull,
-            &plan.means,
-            &plan.steps,
-        ))
+        + &write_session(
+            &session_of(&plan.title, &plan.hull, &plan.means, &plan.steps).with_same_hangings(),
+        )
 }
 
 /// A rig file (`gyradius-rig/1`): the planned session, with the hull as it is assumed for the
@@ -30,12 +28,9 @@ pub fn session_toml(plan: &Plan) -> String {
 /// # Errors
 /// None that a plan made by [`super::plan`] can cause.
 pub fn rig_toml(plan: &Plan) -> Result<String> {
-    let text = write_session(&session_of(
-        &plan.title,
-        &plan.hull,
-        &plan.means,
-        &plan.steps,
-    ));
+    let text = write_session(
+        &session_of(&plan.title, &plan.hull, &plan.means, &plan.steps).with_same_hangings(),
+    );
     let mut rig: DocumentMut = text
         .parse()
         .map_err(|e: toml_edit::TomlError| Error::no_result("rig", e.to_string()))?;

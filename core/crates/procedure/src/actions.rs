@@ -1,7 +1,10 @@
 //! Which event is which action.
 
+use std::collections::BTreeSet;
+
 use super::event::{Event, Measured};
 use super::state::Action;
+use gyradius_recording::Quantity;
 
 /// The action that an event is; none for what happens without the operator.
 pub(super) fn action_of(event: &Event) -> Option<Action> {
@@ -35,6 +38,25 @@ pub(super) fn name_of(action: Action) -> String {
 }
 
 impl Measured {
+    /// What of it holds of a hanging that differs in these figures.
+    pub(super) fn but_for(self, differences: &BTreeSet<String>) -> Self {
+        let same =
+            |key: &str, measured: Option<Quantity>| measured.filter(|_| !differences.contains(key));
+        let is_same_way = ["hull_pitch_deg", "hull_roll_deg", "points_moved"]
+            .iter()
+            .all(|key| !differences.contains(*key));
+        let turned = |measured: Option<Quantity>| measured.filter(|_| is_same_way);
+        Self {
+            line_length_m: same("line_length", self.line_length_m),
+            spacing_m: same("spacing", self.spacing_m),
+            top_spacing_m: same("top_spacing", self.top_spacing_m),
+            hull_pitch_deg: turned(self.hull_pitch_deg),
+            points_moved_m: turned(self.points_moved_m),
+            axis_height_m: same("axis_height", self.axis_height_m),
+            ..Self::default()
+        }
+    }
+
     /// What is absent here is taken from an earlier measurement of the same.
     pub(super) fn over(self, earlier: Option<Self>) -> Self {
         let earlier = earlier.unwrap_or_default();

@@ -164,7 +164,7 @@ pub enum Placement {
 }
 
 /// What the operator measured; what is absent stays as planned, or as measured for an earlier step
-/// that hung alike.
+/// that hung alike, of the lines also for one on the same lines at another tilt.
 ///
 /// An incline must be given its `mass_kg`, `arm_m` and `depth_m`: nothing else says how well they
 /// are known.

@@ -252,3 +252,80 @@ fn incline(step: &StepMemory, planned: &PlannedIncline, angle_deg: Quantity) -> 
         angle,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::memory::Take;
+    use gyradius_recording::{Orientation, Suspension, SuspensionKind};
+
+    /// The tape is read at the level hanging; tilted, the hull hangs on the same lines.
+    #[test]
+    fn lines_that_were_measured_once_are_one_reading() {
+        let level = Suspension {
+            line_length_m: Some(Quantity::new(2.0, 0.01)),
+            spacing_m: Some(Quantity::new(1.0, 0.01)),
+            hull_pitch_deg: Some(Quantity::new(0.0, 0.2)),
+            ..Suspension::unmeasured(SuspensionKind::Bifilar, Orientation::Athwartships)
+        };
+        let tilted = Suspension {
+            hull_pitch_deg: Some(Quantity::new(20.0, 0.2)),
+            points_moved_m: Some(Quantity::new(0.1, 0.01)),
+            ..level.clone()
+        };
+        let step = |id: &str, suspension: &Suspension| {
+            let mut step = StepMemory::new(Step::Swing(PlannedSwing {
+                id: id.into(),
+                suspension: suspension.clone(),
+                added_masses: Vec::new(),
+                excited: Vec::new(),
+                amplitude_deg: 5.0,
+                duration_s: 60.0,
+                periods_s: Default::default(),
+                period_u_wanted: 0.0,
+            }));
+            step.takes.push(Take {
+                number: 1,
+                accepted: Some(true),
+                ..Take::default()
+            });
+            step
+        };
+        let mut memory = Memory {
+            steps: vec![step("level", &level), step("tilted", &tilted)],
+            ..Memory::default()
+        };
+        let read = |value: f64| Some(Quantity::new(value, 0.002));
+        memory.steps[0].measured = Some(Measured {
+            line_length_m: read(2.003),
+            spacing_m: read(1.001),
+            hull_pitch_deg: read(0.1),
+            ..Measured::default()
+        });
+        let anew = Measured {
+            points_moved_m: read(0.12),
+            ..Measured::default()
+        };
+        let measured = anew.over(memory.measured_alike(1));
+        assert_eq!(measured.line_length_m, read(2.003));
+        assert_eq!(measured.hull_pitch_deg, None);
+        memory.steps[1].measured = Some(measured);
+        let session = Job::of(Work::Measure, Path::new("."), &memory).session;
+        assert_eq!(
+            session.swings[1].suspension.hull_pitch_deg,
+            Some(Quantity::new(20.0, 0.2))
+        );
+        for (key, home) in [("line_length", 0), ("spacing", 0), ("hull_pitch_deg", 1)] {
+            assert_eq!(session.measured_at(1, key), home, "{key}");
+        }
+        // Read anew there, it is another reading.
+        let (longer, same) = (read(2.1), memory.steps[1].measured.unwrap_or_default());
+        memory.steps[1].measured = Some(Measured {
+            line_length_m: longer,
+            ..same
+        });
+        let session = Job::of(Work::Measure, Path::new("."), &memory).session;
+        assert_eq!(session.measured_at(1, "line_length"), 1);
+        assert_eq!(session.measured_at(1, "spacing"), 0);
+    }
+}

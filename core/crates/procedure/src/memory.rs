@@ -136,20 +136,35 @@ impl Memory {
         self.steps.get(index)
     }
 
-    /// What was measured of an earlier step that is planned to hang as this one.
+    /// What was measured of earlier steps that are planned to hang as this one, or on the same lines
+    /// in another way: then of the lines alone.
     pub fn measured_alike(&self, index: usize) -> Option<Measured> {
         let Some(Step::Swing(mine)) = self.steps.get(index).map(|step| &step.planned) else {
             return None;
         };
-        let alike = |step: &&StepMemory| match &step.planned {
-            Step::Swing(other) => other.suspension == mine.suspension,
-            Step::Incline(_) => false,
-        };
-        self.steps
-            .iter()
-            .filter(alike)
-            .rev()
-            .find_map(|step| step.measured)
+        let mut alike: Vec<(usize, Measured)> = Vec::new();
+        for step in self.steps.iter().rev() {
+            let (Step::Swing(other), Some(measured)) = (&step.planned, step.measured) else {
+                continue;
+            };
+            let (other, mine) = (&other.suspension, &mine.suspension);
+            if let Some(mut but_for) = other.differences(mine) {
+                if other.orientation != mine.orientation {
+                    // Other points: of the same are the lines alone.
+                    let others = mine
+                        .kind
+                        .figures()
+                        .iter()
+                        .filter(|key| **key != "line_length");
+                    but_for.extend(others.map(|key| (*key).to_owned()));
+                }
+                alike.push((but_for.len(), measured.but_for(&but_for)));
+            }
+        }
+        // The last of those that differ least comes first.
+        alike.sort_by_key(|(differences, _)| *differences);
+        let alike = alike.into_iter().map(|(_, measured)| measured);
+        alike.reduce(|nearest, other| nearest.over(Some(other)))
     }
 
     pub fn take(&mut self, entry: Entry) {

@@ -18,8 +18,8 @@ impl Session {
         }
         for (i, one) in alone.swings.iter_mut().enumerate() {
             let of = |key: &str| format!("swing[{}].{key}", i + 1);
-            let home = self.measured_at(i) + 1;
             for key in one.suspension.kind.figures() {
+                let home = self.measured_at(i, key) + 1;
                 if let Some(mut figure) = one.suspension.figure(key) {
                     whole(format!("swing[{home}].suspension.{key}"), &mut figure);
                     one.suspension.set_figure(key, Some(figure));

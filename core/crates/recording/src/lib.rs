@@ -18,6 +18,7 @@ mod recorded;
 pub mod recorder;
 mod repair;
 mod replace;
+mod same_hanging;
 mod samples;
 mod save;
 mod session;
@@ -37,6 +38,7 @@ pub use recorded::{DISTURBED, Recorded, RecordedEvent, RecordedRepair, RecordedS
 pub use repair::{
     CUT_STEPS, MISSING_INTERVALS, RUN_SAMPLES, RUNS, STATED_RANGE, median_interval_s,
 };
+pub use same_hanging::HungAs;
 pub use samples::{
     Channel, ChannelQuantity, GateEvents, PartialTriad, PeriodList, Recording, Repair, RepairKind,
     Sensor, SensorChannels, SingleChannel, Track, Triad,

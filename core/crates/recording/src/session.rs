@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::Quantity;
 use super::recorded::Recorded;
+use super::same_hanging::HungAs;
 
 /// One hull, measured in one sitting (`gyradius-session/1`).
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -40,10 +41,10 @@ pub struct Session {
     /// `swing[1].suspension.spacing`.
     #[serde(default)]
     pub read_with: BTreeMap<String, String>,
-    /// Swings that hang as an earlier one did, untouched since: the earlier one's id by that of the
-    /// later. The figures of both suspensions are the same readings.
+    /// Swings that hang as an earlier one did, by the id of the later: figures that are not stated of
+    /// it anew are the same readings.
     #[serde(default)]
-    pub hung_as: BTreeMap<String, String>,
+    pub hung_as: BTreeMap<String, HungAs>,
 }
 
 impl Session {
@@ -51,34 +52,6 @@ impl Session {
     pub fn instrument(&self, key: &str) -> Option<&Instrument> {
         let id = self.read_with.get(key)?;
         self.instruments.iter().find(|one| one.id == *id)
-    }
-
-    /// The earlier swing that a swing hangs as, by their places.
-    pub fn same_hanging(&self, swing: usize) -> Option<usize> {
-        let id = self.hung_as.get(&self.swings.get(swing)?.id)?;
-        self.swings[..swing].iter().position(|one| one.id == *id)
-    }
-
-    /// The swing whose suspension's figures a swing has: its own place, or that of the first of the
-    /// swings that hang alike.
-    pub fn measured_at(&self, swing: usize) -> usize {
-        let mut home = swing;
-        while let Some(first) = self.same_hanging(home) {
-            home = first;
-        }
-        home
-    }
-
-    /// Notes that swings of equal suspensions hang as the first of them does: for sessions that a
-    /// program makes, which hangs the hull once for each suspension and copies its figures.
-    pub fn with_same_hangings(mut self) -> Self {
-        for (i, swing) in self.swings.iter().enumerate() {
-            let before = &self.swings[..i];
-            if let Some(first) = before.iter().find(|one| one.suspension == swing.suspension) {
-                self.hung_as.insert(swing.id.clone(), first.id.clone());
-            }
-        }
-        self
     }
 
     /// A figure with all of its uncertainty: its own, and what its instrument shares among all of

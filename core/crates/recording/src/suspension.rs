@@ -4,13 +4,13 @@ use super::names::KINDS;
 use super::quantity::Quantity;
 use super::session::{Orientation, Suspension, SuspensionKind};
 
-const LINE_LENGTH: &str = "line_length";
-const SPACING: &str = "spacing";
+pub(crate) const LINE_LENGTH: &str = "line_length";
+pub(crate) const SPACING: &str = "spacing";
 const TOP_SPACING: &str = "top_spacing";
 const RADIUS: &str = "radius";
 const TOP_RADIUS: &str = "top_radius";
-const HULL_PITCH: &str = "hull_pitch_deg";
-const HULL_ROLL: &str = "hull_roll_deg";
+pub(crate) const HULL_PITCH: &str = "hull_pitch_deg";
+pub(crate) const HULL_ROLL: &str = "hull_roll_deg";
 const POINTS_MOVED: &str = "points_moved";
 const AXIS_HEIGHT: &str = "axis_height";
 

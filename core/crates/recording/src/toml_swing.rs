@@ -1,12 +1,13 @@
 //! The `[[swing]]` tables of `session.toml`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::domain::Domain;
 use super::keys::{Field, Table};
 use super::named_file::NamedFile;
 use super::names::{EXCITATIONS, KINDS, MODES, ORIENTATIONS};
 use super::quantity::Quantity;
+use super::same_hanging::HungAs;
 use super::session::{
     AddedMass, ModeName, Orientation, Suspension, SuspensionKind, Swing, SwingData,
 };
@@ -86,7 +87,7 @@ pub(crate) fn swing(
     table: &Table<'_>,
     before: &[Swing],
     files: &mut Vec<NamedFile>,
-    hung_as: &mut BTreeMap<String, String>,
+    hung_as: &mut BTreeMap<String, HungAs>,
 ) -> Result<Swing> {
     let id = id(table, before)?;
     let data = data(table, files)?;
@@ -98,13 +99,13 @@ pub(crate) fn swing(
     let added = table.tables("added_mass", ADDED_MASS)?;
     let suspension = table.require("suspension", "how it hung, as [swing.suspension]")?;
     let hung = suspension.table(SUSPENSION)?;
-    let suspension = match same_as(&hung, before)? {
-        None => self::suspension(&hung)?,
-        Some(first) => {
-            hung_as.insert(id.clone(), first.id.clone());
-            first.suspension.clone()
-        }
-    };
+    let first = same_as(&hung, before)?;
+    let suspension = self::suspension(&hung, first.map(|swing| &swing.suspension))?;
+    if let Some(first) = first {
+        let but_for = stated(&hung);
+        let swing = first.id.clone();
+        hung_as.insert(id.clone(), HungAs { swing, but_for });
+    }
     Ok(Swing {
         id,
         data,
@@ -115,17 +116,12 @@ pub(crate) fn swing(
     })
 }
 
-/// The swing before that this one hangs as, untouched since: then nothing else is stated.
+/// The swing before that this one hangs as, but for what is stated beside.
 fn same_as<'a>(table: &Table<'_>, before: &'a [Swing]) -> Result<Option<&'a Swing>> {
     let Some(field) = table.get("same_as") else {
         return Ok(None);
     };
-    let others: Vec<&str> = SUSPENSION
-        .iter()
-        .copied()
-        .filter(|key| *key != "same_as")
-        .collect();
-    table.refuse(&others, "it hangs as the swing that `same_as` names")?;
+    table.refuse(&["kind"], "it is that of the swing that `same_as` names")?;
     let id = field.text()?;
     let first = before.iter().find(|swing| swing.id == id);
     let error = || {
@@ -234,28 +230,45 @@ fn added_mass(table: &Table<'_>) -> Result<AddedMass> {
     })
 }
 
-fn suspension(table: &Table<'_>) -> Result<Suspension> {
-    let kind = table
-        .require("kind", "bifilar, compound, trifilar or free")?
-        .choice(KINDS)?;
+/// Keys of the figures that a table states; points are a spacing.
+fn stated(table: &Table<'_>) -> BTreeSet<String> {
+    let figures = FIGURES.map(|(key, ..)| (key, key));
+    let each = figures.into_iter().chain([("points_m", "spacing")]);
+    each.filter(|(key, _)| table.get(key).is_some())
+        .map(|(_, figure)| figure.to_owned())
+        .collect()
+}
+
+/// How a swing hung; `first` is how the swing did that it hangs as.
+fn suspension(table: &Table<'_>, first: Option<&Suspension>) -> Result<Suspension> {
+    let kind = match first {
+        Some(first) => first.kind,
+        None => table
+            .require("kind", "bifilar, compound, trifilar or free")?
+            .choice(KINDS)?,
+    };
     for key in FIGURES.map(|(key, ..)| key) {
         let why_not = kind.why_not(key);
         if !why_not.is_empty() {
             table.refuse(&[key], &why_not)?;
         }
     }
-    let orientation = match table.get("orientation") {
-        None if !kind.has_direction() => Orientation::Athwartships,
-        None => table
+    let orientation = match (table.get("orientation"), first) {
+        (None, Some(first)) => first.orientation,
+        (None, None) if !kind.has_direction() => Orientation::Athwartships,
+        (None, None) => table
             .require("orientation", "athwartships or fore_and_aft")?
             .choice(ORIENTATIONS)?,
-        Some(field) => field.choice(ORIENTATIONS)?,
+        (Some(field), _) => field.choice(ORIENTATIONS)?,
     };
     let points = points(table, kind, orientation)?;
     let mut suspension = Suspension::unmeasured(kind, orientation);
+    let unstated = Suspension::unmeasured(kind, orientation);
+    let kept = first.map(|first| first.but_for(&BTreeSet::new(), &unstated));
     for (key, what, domain) in FIGURES {
         // The points say how far apart they are.
-        let is_told = key == "spacing" && points.is_some();
+        let is_told = key == "spacing" && points.is_some()
+            || kept.as_ref().is_some_and(|kept| kept.figure(key).is_some());
         if kind.needs().contains(&key) && !is_told {
             table.require(key, what)?;
         }
@@ -263,6 +276,9 @@ fn suspension(table: &Table<'_>) -> Result<Suspension> {
     }
     if let Some((points, apart)) = points {
         (suspension.points_m, suspension.spacing_m) = (Some(points), Some(apart));
+    }
+    if let Some(first) = first {
+        suspension = first.but_for(&stated(table), &suspension);
     }
     refuse_lines_too_short(table, &suspension)?;
     Ok(suspension)
@@ -321,12 +337,16 @@ fn refuse_lines_too_short(table: &Table<'_>, suspension: &Suspension) -> Result<
         _ => ["top_spacing", "spacing"],
     };
     let [above, below] = keys.map(|key| suspension.figure(key).map_or(0.0, |one| one.value));
-    let place = table.require(keys[0], "between the points above, m")?;
-    Err(place.error(
-        format!(
-            "`{}` that lines of {} m can reach from `{}` {below} m",
-            place.path, length.value, keys[1]
-        ),
-        format!("{above} m"),
-    ))
+    let expected = format!(
+        "`{}` that lines of {} m can reach from `{}` {below} m",
+        table.path_of(keys[0]),
+        length.value,
+        keys[1]
+    );
+    let found = format!("{above} m");
+    // It may be that of the swing that this one hangs as.
+    Err(match table.get(keys[0]) {
+        Some(place) => place.error(expected, found),
+        None => table.error(expected, found),
+    })
 }

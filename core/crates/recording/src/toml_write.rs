@@ -296,24 +296,41 @@ fn added_masses(text: &mut Lines, masses: &[AddedMass], figures: &Figures, key: 
 
 fn suspension(text: &mut Lines, swing: &Swing, figures: &Figures, key: &str) {
     text.subheader("[swing.suspension]");
-    if let Some(first) = figures.0.hung_as.get(&swing.id) {
-        text.key("same_as", quoted(first));
-        return;
-    }
     let suspension = &swing.suspension;
-    text.key("kind", quoted(name_of(suspension.kind, KINDS)));
+    let hung_as = figures.0.hung_as.get(&swing.id);
+    let is_turned = |id: &str| {
+        let first = figures.0.swings.iter().find(|one| one.id == id);
+        first.is_some_and(|one| one.suspension.orientation != suspension.orientation)
+    };
+    match hung_as {
+        Some(first) => text.key("same_as", quoted(&first.swing)),
+        None => text.key("kind", quoted(name_of(suspension.kind, KINDS))),
+    }
     // What is round has no direction but the one that somebody stated.
-    if suspension.kind.has_direction() || suspension.orientation != Orientation::Athwartships {
+    if match hung_as {
+        Some(first) => suspension.kind.has_direction() && is_turned(&first.swing),
+        None => {
+            suspension.kind.has_direction() || suspension.orientation != Orientation::Athwartships
+        }
+    } {
         text.key(
             "orientation",
             quoted(name_of(suspension.orientation, ORIENTATIONS)),
         );
     }
-    if let Some(points) = &suspension.points_m {
+    let is_stated = |name: &str| hung_as.is_none_or(|first| first.but_for.contains(name));
+    let points = suspension
+        .points_m
+        .as_ref()
+        .filter(|_| is_stated("spacing"));
+    if let Some(points) = points {
         let each: Vec<String> = points.iter().map(|point| vector(*point)).collect();
         text.key("points_m", format!("[{}]", each.join(", ")));
     }
     for name in suspension.kind.figures() {
+        if !is_stated(name) {
+            continue;
+        }
         // The points say how far apart they are.
         if *name == "spacing" && suspension.points_m.is_some() {
             continue;

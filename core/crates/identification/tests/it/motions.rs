@@ -259,6 +259,9 @@ fn one_hanging_is_one_reading() {
         scalar(&measured(&text, ""), "k_yaw_m").1
     };
     let once = u("same_as = \"a\"\n");
+    // Hung again at another tilt on the same lines, the tape was read once.
+    let tilted = u("same_as = \"a\"\nhull_pitch_deg = { value = 0.0, u = 0.1 }\n");
+    assert!((tilted / once - 1.0).abs() < 0.01, "{once} {tilted}");
     let twice = u(&stated(1.2));
     let other = u(&stated(1.200_002));
     assert!((once / (1.1 * 0.003 / 1.2) - 1.0).abs() < 0.01, "{once}");

@@ -27,7 +27,7 @@ hull_pitch_deg = 1.0
 "#;
 
 #[test]
-fn instruments_are_copied_and_what_nobody_stated_is_not() {
+fn a_swing_hung_like_another_has_its_readings_but_for_what_is_stated() {
     let dir = tempfile::tempdir().unwrap();
     let folder = dir.path().join("session");
     fs::create_dir(&folder).unwrap();
@@ -58,21 +58,20 @@ fn instruments_are_copied_and_what_nobody_stated_is_not() {
     import_into(&files, &folder, &untitled, &growth).unwrap();
     let text = fs::read_to_string(folder.join("session.toml")).unwrap();
     let added = text.strip_prefix(KEPT).unwrap();
+    // What one command states of both swings is one reading.
     for line in [
-        "line_length = { value = 3.0, u = 0.002, instrument = \"tape-1\" }\n",
-        "radius = { value = 0.25, instrument = \"tape-1\" }\n",
+        "same_as = \"old\"\n",
         "top_radius = { value = 0.27, u = 0.001 }\n",
-        "hull_pitch_deg = 1.0\n",
+        "same_as = \"up\"\n",
     ] {
         let lines = added.matches(&format!("\n{line}")).count();
-        assert_eq!(lines, 2, "{line}{added}");
+        assert_eq!(lines, 1, "{line}{added}");
     }
-    let loaded = load_session(&folder).unwrap();
-    for swing in 2..4 {
-        let key = format!("swing[{swing}].suspension.radius");
-        assert_eq!(loaded.session.instrument(&key).unwrap().id, "tape-1");
-        assert!(loaded.assumed.iter().any(|one| one.path == key));
+    let session = load_session(&folder).unwrap().session;
+    for (key, home) in [("line_length", 0), ("radius", 0), ("top_radius", 1)] {
+        assert_eq!(session.measured_at(2, key), home, "{key}");
     }
-    let [old, new] = [0, 1].map(|i| loaded.session.swings[i].suspension.clone());
+    let [old, new] = [0, 2].map(|i| session.swings[i].suspension.clone());
     assert_eq!(old.figure("radius"), new.figure("radius"));
+    assert_eq!(new.figure("top_radius"), Some(Quantity::new(0.27, 0.001)));
 }

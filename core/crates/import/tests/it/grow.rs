@@ -401,3 +401,54 @@ fn a_written_session_has_lines_to_fill_in_that_are_right() {
     );
     assert_eq!(filled.site.gravity_m_s2, Some(Quantity::new(9.81, 0.005)));
 }
+
+/// A planned swing that hangs as another one, or whose points are stated, keeps what nobody states
+/// anew.
+#[test]
+fn a_planned_swing_keeps_how_it_is_described() {
+    let points = "points_m = [[0.0, -0.5, 0.1], [0.0, 0.5, 0.1]]";
+    let described = PLANNED.replace("spacing = { value = 1.0, u = 0.001 }", points);
+    let again = "\n[[swing]]\nid = \"again\"\nrecording = \"again.csv\"\n[swing.suspension]\nsame_as = \"yaw\"\n";
+    let filled = |name: &str, growth: &Growth| {
+        let dir = tempfile::tempdir().unwrap();
+        let text = format!("{KEPT}\n{described}{again}");
+        let folder = session(dir.path(), &text);
+        let file = [export(dir.path(), &format!("{name}.csv"), 1.0)];
+        import_into(&file, &folder, &untitled(), growth).unwrap();
+        let grown = text_of(&folder);
+        (
+            text,
+            grown.clone(),
+            read_session(&grown, "session.toml").unwrap(),
+        )
+    };
+    let longer = stated(&[("line_length", Quantity::new(1.987, 0.002))]);
+    let (text, grown, _) = filled("yaw", &longer);
+    let expected = text.replace("{ value = 2.0, u = 0.003 }", "{ value = 1.987, u = 0.002 }");
+    assert_eq!(grown, expected);
+    // A spacing says otherwise how far apart the points are.
+    let (text, grown, _) = filled("yaw", &stated(&[("spacing", Quantity::new(1.1, 0.002))]));
+    let expected = text.replace(points, "spacing = { value = 1.1, u = 0.002 }");
+    assert_eq!(grown, expected);
+    let (text, grown, session) = filled("again", &longer);
+    assert_eq!(
+        grown,
+        format!("{text}line_length = {{ value = 1.987, u = 0.002 }}\n")
+    );
+    assert_eq!(
+        session.swings[2].suspension.points_m,
+        session.swings[1].suspension.points_m
+    );
+    assert_eq!(session.measured_at(2, "spacing"), 1);
+    // Hung the other way, it hangs no more as that one did.
+    let mut turned = stated(&[("spacing", Quantity::new(2.2, 0.002))]);
+    turned.hung.orientation = Some(Orientation::ForeAndAft);
+    let (_, grown, session) = filled("again", &turned);
+    assert!(!grown.contains("same_as"), "{grown}");
+    let expected = Suspension {
+        line_length_m: Some(Quantity::new(2.0, 0.003)),
+        spacing_m: Some(Quantity::new(2.2, 0.002)),
+        ..Suspension::unmeasured(session.swings[1].suspension.kind, Orientation::ForeAndAft)
+    };
+    assert_eq!(session.swings[2].suspension, expected);
+}

@@ -557,7 +557,7 @@ fn figures_name_the_instrument_that_they_were_read_with() {
     );
 }
 
-/// What hangs as an earlier swing did states nothing else; an id that is not there is refused.
+/// What hangs as an earlier swing did has its figures; an id that is not there is refused.
 #[test]
 fn a_swing_hangs_as_an_earlier_one() {
     let again = "[[swing]]\nid = \"again\"\nperiods_s = { yaw = 5.0 }\n[swing.suspension]\n";
@@ -573,8 +573,75 @@ fn a_swing_hangs_as_an_earlier_one() {
         message.contains("same_as") && message.contains("(a)"),
         "{message}"
     );
-    let both = refused(&format!("{SMALL}{again}same_as = \"a\"\nspacing = 1.5\n"));
-    assert!(both.contains("spacing"), "{both}");
+    let both = refused(&format!("{SMALL}{again}same_as = \"a\"\nkind = \"free\"\n"));
+    assert!(both.contains("kind"), "{both}");
+}
+
+/// Beside `same_as` stands what differs: those are readings of their own, the others the same ones.
+#[test]
+fn a_swing_hangs_as_an_earlier_one_but_for_what_is_stated() {
+    let again = "[[swing]]\nid = \"again\"\nperiods_s = { yaw = 5.0 }\n[swing.suspension]\n";
+    let tilted = "hull_pitch_deg = { value = 20.0, u = 0.2 }\npoints_moved = 0.1\n";
+    let text = format!("{SMALL}{again}same_as = \"a\"\n{tilted}");
+    let session = read(&text).unwrap();
+    let [level, hung] = [0, 1].map(|i| session.swings[i].suspension.clone());
+    assert_eq!(hung.line_length_m, level.line_length_m);
+    assert_eq!(hung.spacing_m, level.spacing_m);
+    assert_eq!(hung.hull_pitch_deg, Some(Quantity::new(20.0, 0.2)));
+    for (key, home) in [("line_length", 0), ("spacing", 0), ("hull_pitch_deg", 1)] {
+        assert_eq!(session.measured_at(1, key), home, "{key}");
+    }
+    // A third as the second: its lines are those of the first, its tilt that of the second; at
+    // another tilt the points are elsewhere.
+    let third = again.replace("again", "third") + "same_as = \"again\"\n";
+    let three = read(&format!("{text}{third}")).unwrap();
+    assert_eq!(three.swings[2].suspension, hung);
+    assert_eq!(
+        [0, 1].map(|k| three.measured_at(2, ["spacing", "points_moved"][k])),
+        [0, 1]
+    );
+    let flat = read(&format!("{text}{third}hull_pitch_deg = 0.5\n")).unwrap();
+    assert_eq!(flat.swings[2].suspension.points_moved_m, None);
+    // Another direction has other points.
+    let turned = format!("{SMALL}{again}same_as = \"a\"\norientation = \"fore_and_aft\"\n");
+    assert!(refused(&turned).contains("spacing"));
+    let turned = read(&format!("{turned}spacing = 2.5\n")).unwrap();
+    assert_eq!(turned.swings[1].suspension.spacing_m.unwrap().value, 2.5);
+    assert_eq!(
+        turned.swings[1].suspension.line_length_m,
+        level.line_length_m
+    );
+    for session in [session, three, flat, turned] {
+        let written = gyradius_recording::write_session(&session);
+        assert_eq!(read(&written).unwrap(), session, "{written}");
+    }
+}
+
+/// A program that hangs a hull on the same lines in several ways read them once.
+#[test]
+fn a_program_tells_which_readings_it_copied() {
+    let again = "[[swing]]\nid = \"again\"\nperiods_s = { yaw = 5.0 }\n[swing.suspension]\n";
+    let first = read(&format!("{SMALL}{again}same_as = \"a\"\n")).unwrap();
+    let copies = |change: &dyn Fn(&mut gyradius_recording::Suspension)| {
+        let mut session = first.clone();
+        session.hung_as.clear();
+        change(&mut session.swings[1].suspension);
+        let told = session.with_same_hangings();
+        let written = gyradius_recording::write_session(&told);
+        assert_eq!(read(&written).unwrap(), told, "{written}");
+        let hung = told.hung_as.get("again")?;
+        Some(hung.but_for.iter().cloned().collect::<Vec<_>>().join(" "))
+    };
+    let read = |value: f64| Some(Quantity::new(value, 0.002));
+    assert_eq!(copies(&|_| ()).as_deref(), Some(""));
+    let tilted = copies(&|hung| hung.hull_pitch_deg = read(20.0));
+    assert_eq!(tilted.as_deref(), Some("hull_pitch_deg"));
+    let longer = copies(&|hung| hung.line_length_m = read(9.0));
+    assert_eq!(longer.as_deref(), Some("line_length"));
+    let other = copies(&|hung| {
+        (hung.line_length_m, hung.spacing_m) = (read(9.0), read(0.7));
+    });
+    assert_eq!(other, None);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use gyradius_base::message::Message;
 use gyradius_planning::{
     BOAT_TYPES, BoatType, Plan, Request, Wanted, WarningKind, plan, rig_toml, session_toml,
 };
-use gyradius_recording::read_session;
+use gyradius_recording::{Orientation, read_session};
 use gyradius_simulator::read_rig;
 
 fn keelboat(wanted: &str) -> String {
@@ -111,6 +111,21 @@ fn a_plan_survives_being_written() {
     let session = read_session(&session_toml(&plan), "session.toml").unwrap();
     let rig = read_rig(&rig_toml(&plan).unwrap(), "rig.toml").unwrap();
     assert_eq!(session.swings, rig.session.swings);
+    // The lines side by side are measured once, whatever the tilt.
+    let side_by_side = |i: &usize| {
+        let hung = &session.swings[*i].suspension;
+        hung.orientation == Orientation::Athwartships
+            && hung.line_length_m == session.swings[0].suspension.line_length_m
+    };
+    let lines: Vec<usize> = (0..session.swings.len()).filter(side_by_side).collect();
+    let tilted = |i: &&usize| session.swings[**i].suspension.points_moved_m.is_some();
+    assert!(lines.iter().any(|i| tilted(&i)));
+    for key in ["line_length", "spacing"] {
+        assert!(
+            lines.iter().all(|i| session.measured_at(*i, key) == 0),
+            "{key}"
+        );
+    }
     assert_eq!(session.swings.len(), plan.predicted.len());
     // ψ asks for a tilt, which is told before the first swing with what the frame's corners would
     // give: tan φ = d / l2.
