@@ -24,6 +24,7 @@ pub mod routes;
 pub mod samples;
 mod sentences;
 mod spread;
+mod suspects;
 mod swing_work;
 pub mod theory;
 mod traced;

@@ -5,50 +5,16 @@
 //! Both are averages over solutions with weights by their likelihood (law of total variance): a
 //! quantity's variance is the mean of its variances plus the variance of its values.
 
-use gyradius_recording::{Quantity, SwingData};
+use gyradius_recording::Quantity;
 
-use super::estimate::{Derived, Observed, Solution, System};
-use super::names::{Input, InputKind};
-use super::parameters::Role;
+use super::estimate::{Derived, Solution, System};
+use super::names::Input;
+use super::suspects::{Freed, explanations};
 
 /// The product of inertia is stepped so many standard uncertainties either way, in steps of
 /// [`STEP_U`]: a normal distribution has 0.3 % of its variance beyond.
 const STEPS: i32 = 5;
 const STEP_U: f64 = 0.75;
-/// Stated figures that may be wrong, with the width to which they are opened: a length that was
-/// misread, gravity by a wrong altitude or sensor, a clock of a cheap logger, a protractor.
-const SUSPECTS: [(InputKind, Opened); 8] = [
-    (InputKind::LineLength, Opened::Relative(0.3)),
-    (InputKind::Spacing, Opened::Relative(0.3)),
-    (InputKind::TopSpacing, Opened::Relative(0.3)),
-    (InputKind::AxisHeight, Opened::Relative(0.3)),
-    (InputKind::Gravity, Opened::Relative(0.3)),
-    (InputKind::PhoneClock, Opened::Absolute(0.1)),
-    (InputKind::HullPitch, Opened::Absolute(10.0)),
-    (InputKind::HullRoll, Opened::Absolute(10.0)),
-];
-
-/// A period that was typed in or listed.
-const TYPED: Opened = Opened::Relative(0.3);
-
-/// How far a suspect is opened.
-#[derive(Debug, Clone, Copy)]
-enum Opened {
-    /// By this part of its value.
-    Relative(f64),
-    /// By so much, its own unit.
-    Absolute(f64),
-}
-
-impl Opened {
-    fn width(self, value: f64) -> f64 {
-        match self {
-            Self::Relative(part) => part * value.abs(),
-            Self::Absolute(width) => width,
-        }
-    }
-}
-
 /// A session solved in every way that its data allow.
 pub struct Spread<'a> {
     /// The likeliest.
@@ -243,70 +209,6 @@ impl Product {
             by_value,
             of_prior: (variance / prior.u.powi(2)).min(1.0),
         })
-    }
-}
-
-/// A session with one stated figure set free.
-struct Freed<'a> {
-    suspect: Input,
-    system: System<'a>,
-    solution: Solution,
-}
-
-/// The stated figures each of which, set free within what a slip may be, resolves the
-/// contradiction. One that would have to be wrong by more explains nothing.
-fn explanations<'a>(system: &System<'a>, solution: &Solution) -> Vec<Freed<'a>> {
-    let parameters = &system.layout.parameters;
-    let freed = |suspect: &Input, system: System<'a>, off: &dyn Fn(&Solution) -> f64| {
-        let solution = system.solve(&solution.x).ok()?;
-        (solution.birge == 1.0 && off(&solution) <= 1.0).then(|| Freed {
-            suspect: suspect.clone(),
-            system,
-            solution,
-        })
-    };
-    let figure = |i: usize| {
-        let parameter = &parameters[i];
-        let (_, opened) = SUSPECTS.iter().find(|(k, _)| *k == parameter.name.kind)?;
-        if parameter.role != Role::Stated {
-            return None;
-        }
-        let (stated, width) = (parameter.prior.value, opened.width(parameter.prior.value));
-        let mut layout = system.layout.clone();
-        layout.parameters[i].role = Role::Unknown;
-        layout.parameters[i].prior.u = width;
-        freed(&parameter.name, system.with(layout), &|solution| {
-            (solution.x[i] - stated).abs() / width
-        })
-    };
-    // A period that somebody wrote down may be misread, or another motion's.
-    let period = |k: usize| {
-        let observation = &system.observations[k];
-        let Observed::Period(swing, _) = observation.what else {
-            return None;
-        };
-        let data = &system.session.swings[swing].data;
-        if !matches!(data, SwingData::PeriodsS(_) | SwingData::Periods(_)) {
-            return None;
-        }
-        let mut opened = system.with(system.layout.clone());
-        opened.observations[k].value.u = TYPED.width(observation.value.value);
-        freed(&observation.label, opened, &|solution| {
-            let rows = system.with_opened(k, solution);
-            rows.unwrap_or(f64::INFINITY)
-        })
-    };
-    let figures = (0..parameters.len()).filter_map(figure);
-    let periods = (0..system.observations.len()).filter_map(period);
-    figures.chain(periods).collect()
-}
-
-impl System<'_> {
-    /// How far an observation is from what a solution has for it, in the width that it is opened to.
-    fn with_opened(&self, k: usize, solution: &Solution) -> Option<f64> {
-        let rows = self.plain_rows(&solution.x, &solution.free)?;
-        let stated = self.observations[k].value;
-        Some(rows[k].abs() * stated.u / TYPED.width(stated.value))
     }
 }
 

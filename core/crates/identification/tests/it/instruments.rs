@@ -15,7 +15,7 @@ const GRAVITY: f64 = 9.80665;
 const GYRADIUS_M: f64 = 1.05;
 
 /// A session of typed periods.
-fn typed(text: &str) -> Measurement {
+pub fn typed(text: &str) -> Measurement {
     let session = read_session(text, "session.toml").unwrap();
     let swing = |id: &str| LoadedSwing {
         id: id.into(),
@@ -31,7 +31,7 @@ fn typed(text: &str) -> Measurement {
     measure(&loaded, &MeasureOptions::default()).unwrap()
 }
 
-fn k_yaw(result: &Measurement) -> (f64, f64) {
+pub fn k_yaw(result: &Measurement) -> (f64, f64) {
     scalar(result, "k_yaw_m")
 }
 

@@ -3,6 +3,7 @@
 #![allow(missing_docs)]
 
 mod axes;
+mod contradictions;
 mod crossings;
 mod findings;
 mod instruments;
