@@ -3,7 +3,7 @@
 use super::labels;
 use super::source::Source;
 use super::table::Table;
-use super::{gcsv, phyphox, sensor_logger};
+use super::{gcsv, labelled, phyphox, sensor_logger};
 use gyradius_base::{Error, Result};
 
 /// What one file holds.
@@ -21,6 +21,8 @@ pub(super) enum Content {
     Gcsv,
     Track,
     Channel,
+    /// One channel that the words and the units of its header tell.
+    Labelled,
     Unknown,
 }
 
@@ -77,6 +79,8 @@ fn content(table: &Table, name: &str) -> Content {
         Content::PhysicsToolbox
     } else if phyphox::recognises(table, name) {
         Content::Phyphox
+    } else if labelled::recognises(table) {
+        Content::Labelled
     } else {
         Content::Unknown
     }

@@ -5,6 +5,7 @@
 
 use super::clock::seconds_of_text;
 use super::columns::{Clock, SensorColumns};
+use super::run_label::without_run;
 use super::table::Table;
 use super::tagged::{TAG, tagged, tags_of};
 use super::units::{Dimension, Unit, unit_of_header};
@@ -35,6 +36,8 @@ const DEGREES: &[&str] = &["deg", "degree", "degrees", "dps"];
 const COUNTS: &[&str] = &[
     "frame", "frames", "row", "index", "sample", "samples", "counter",
 ];
+const RATE: &[&str] = &["rate", "velocity", "speed", "omega"];
+const DISPLACEMENT: &[&str] = &["displacement", "position", "distance", "deflection"];
 const ANGLE: &[&str] = &["angle", "theta", "phi", "position"];
 
 /// A header cell taken apart: `Linear Acceleration x (m/s^2)`.
@@ -45,8 +48,8 @@ pub(super) struct Label {
 }
 
 impl Label {
-    fn of(table: &Table, column: usize) -> Self {
-        let cell = table.name_of(column);
+    pub(super) fn of(table: &Table, column: usize) -> Self {
+        let cell = without_run(&table.name_of(column));
         let (name, bracket) = match cell.rsplit_once(['(', '[']) {
             Some((name, rest)) => (name, rest.trim().trim_end_matches([')', ']'])),
             None => (cell.as_str(), ""),
@@ -71,7 +74,20 @@ impl Label {
         self.words.iter().any(|word| any.contains(&word.as_str()))
     }
 
-    fn time_factor(&self) -> Option<f64> {
+    /// The field of a mapping that one channel is, by a word and a unit that fit each other.
+    pub(super) fn channel(&self) -> Option<(&'static str, Unit)> {
+        let unit = self.unit?;
+        let is_bare = self.words.is_empty() && self.axis.is_some();
+        let field = match unit.quantity {
+            Dimension::Angle if self.has(ANGLE) => "angle",
+            Dimension::Length if is_bare || self.has(DISPLACEMENT) => "y",
+            Dimension::AngularRate if self.axis.is_none() && self.has(RATE) => "rate",
+            _ => return None,
+        };
+        Some((field, unit))
+    }
+
+    pub(super) fn time_factor(&self) -> Option<f64> {
         let unit = self.unit.filter(|unit| unit.quantity == Dimension::Time)?;
         self.has(TIME).then_some(unit.factor)
     }
@@ -110,7 +126,7 @@ impl Label {
             || self.words.iter().any(|word| word.starts_with("acc"))
             || joined == "gf";
         let gyroscope = gyroscope || self.words.iter().any(|word| word.starts_with("gyr"));
-        match axis {
+        let by_words = match axis {
             Some(axis) if accelerometer && self.has(FREE) => Some(format!("l{axis}")),
             Some(axis) if accelerometer => Some(format!("a{axis}")),
             Some(axis) if gyroscope => Some(format!("g{axis}")),
@@ -122,8 +138,25 @@ impl Label {
             None if self.has(&["angular", "rate"]) && !self.has(ANGLE) => Some("rate".to_owned()),
             None if self.has(ANGLE) => Some("angle".to_owned()),
             _ => None,
-        }
+        };
+        let of_unit = || self.channel().map(|(field, _)| field.to_owned());
+        by_words.or_else(of_unit)
     }
+}
+
+/// What a field of one channel is, in words.
+pub(super) fn quantity_name(field: &str) -> &'static str {
+    match field {
+        "angle" => "the angle",
+        "y" => "the displacement of one point",
+        _ => "the rate of turn",
+    }
+}
+
+/// Whether a name is that of a column of time.
+pub(super) fn is_time(name: &str) -> bool {
+    let bare = name.split(['(', '[']).next().unwrap_or_default();
+    words(bare).iter().any(|word| TIME.contains(&word.as_str()))
 }
 
 /// Lower-case words of a name: at blanks, signs, and where a capital follows a small letter.

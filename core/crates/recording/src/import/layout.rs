@@ -181,7 +181,7 @@ fn split_comment(line: &Line, separator: u8) -> Vec<String> {
     trimmed(cells(bare.trim(), separator))
 }
 
-fn are_units(cells: &[String]) -> bool {
+pub(super) fn are_units(cells: &[String]) -> bool {
     let filled: Vec<&str> = cells
         .iter()
         .map(|cell| cell.trim_matches(['(', ')', '[', ']']))
@@ -249,7 +249,7 @@ fn separator_of_header(line: &str) -> u8 {
         .unwrap_or(b',')
 }
 
-fn is_row(cells: &[String]) -> bool {
+pub(super) fn is_row(cells: &[String]) -> bool {
     let filled = cells.iter().filter(|cell| !cell.is_empty());
     let values = filled.clone().filter(|cell| is_value(cell)).count();
     values > 0 && 2 * values > filled.count()
@@ -269,7 +269,7 @@ fn is_number(cell: &str) -> bool {
 }
 
 /// The cells of one line, trimmed, quotes taken off; runs of blanks count once.
-fn cells(line: &str, separator: u8) -> Vec<String> {
+pub(super) fn cells(line: &str, separator: u8) -> Vec<String> {
     let separator = char::from(separator);
     let mut quoted = false;
     let pieces = line.split(|c: char| {

@@ -412,6 +412,18 @@ pub(super) fn import(source: &Source, mapping: &ColumnMapping) -> Result<Vec<Imp
     Ok(recordings)
 }
 
+/// Reads one table by a mapping that it has all columns of.
+pub(super) fn import_table(table: Table, mapping: &ColumnMapping) -> Result<ImportedRecording> {
+    let wanted = mapping.wanted()?;
+    let columns = wanted
+        .iter()
+        .map(|one| mapping.place(&table, *one).map(Some));
+    let columns = columns.collect::<Result<Vec<_>>>()?;
+    let file = table.file();
+    let holding = Holding { table, columns };
+    read(file, &wanted, &[&holding], &Pauses::default())
+}
+
 fn read(
     name: &str,
     wanted: &[Wanted],

@@ -13,6 +13,7 @@ mod facts;
 mod gcsv;
 mod imported;
 mod json;
+mod labelled;
 mod labels;
 mod layout;
 mod light_gate;
@@ -20,10 +21,12 @@ mod mapping;
 mod options;
 mod phyphox;
 mod physics_toolbox;
+mod run_label;
 mod sensor_logger;
 mod sensorlog;
 mod source;
 mod sqlite;
+mod stacked;
 pub(crate) mod table;
 mod tagged;
 mod trials;
@@ -74,6 +77,9 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
         ));
     }
     for source in sources {
+        if options.trial.is_none() {
+            trials::refuse_several(&source, options.mapping.is_some())?;
+        }
         let found = match &options.mapping {
             Some(mapping) => mapping::import(&source, mapping),
             None => recognised(&source, options, &mut device),
@@ -163,6 +169,9 @@ fn recognised(
             data,
             Vec::new(),
         ));
+    }
+    for (name, bytes) in of(Content::Labelled) {
+        out.push(labelled::import(bytes, name)?);
     }
     for (name, bytes) in of(Content::Gcsv) {
         out.push(gcsv::import(bytes, name)?);

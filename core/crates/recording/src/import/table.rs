@@ -214,6 +214,48 @@ impl<'a> Table<'a> {
         Ok(cells)
     }
 
+    /// What separates the cells.
+    pub(super) fn separator(&self) -> u8 {
+        self.separator
+    }
+
+    /// The text, and where its header starts.
+    pub(super) fn text(&self) -> (&[u8], usize) {
+        (&self.bytes, self.header_at)
+    }
+
+    /// The file with some columns alone, by these names; lines keep their numbers.
+    pub(super) fn with_columns(&self, columns: &[usize], names: &[String]) -> Result<Vec<u8>> {
+        let written = |cell: &[u8]| {
+            let has_separator = cell.contains(&self.separator);
+            let quote: &[u8] = if has_separator { b"\"" } else { b"" };
+            [quote, cell, quote].concat()
+        };
+        let line = |cells: &mut dyn Iterator<Item = &[u8]>| {
+            cells.map(written).collect::<Vec<_>>().join(&self.separator)
+        };
+        let ends = |from: usize, to: usize| {
+            let between = self.bytes.get(from..to).unwrap_or_default();
+            between.iter().filter(|b| **b == b'\n').count()
+        };
+        let mut out = self.bytes[..self.header_at].to_vec();
+        out.extend(line(&mut names.iter().map(|name| name.as_bytes())));
+        let mut at = self.header_at;
+        self.each_row(None, |_, offset, record| {
+            // The reader may meet blank lines before the row.
+            out.extend(std::iter::repeat_n(b'\n', ends(at, offset).max(1)));
+            at = offset;
+            let cell = |column: &usize| record.get(*column).unwrap_or_default().trim_ascii();
+            let mut cells = columns.iter().map(cell);
+            if cells.clone().any(|cell| !cell.is_empty()) {
+                out.extend(line(&mut cells));
+            }
+            Ok(())
+        })?;
+        out.push(b'\n');
+        Ok(out)
+    }
+
     /// The file with the rows that are not wanted left blank, so that lines keep their numbers.
     pub(super) fn with_rows(&self, wanted: impl Fn(usize) -> bool) -> Result<Vec<u8>> {
         let mut starts = Vec::new();

@@ -12,3 +12,4 @@ mod session_properties;
 mod session_store;
 mod tables;
 mod tagged;
+mod trials;

@@ -23,7 +23,7 @@ fn mapping(entries: &[&str]) -> ImportOptions {
     }
 }
 
-fn files(files: &[(&str, &str)], options: &ImportOptions) -> gyradius_base::Result<Imported> {
+pub fn files(files: &[(&str, &str)], options: &ImportOptions) -> gyradius_base::Result<Imported> {
     let inputs: Vec<_> = files
         .iter()
         .map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec()))
@@ -31,7 +31,7 @@ fn files(files: &[(&str, &str)], options: &ImportOptions) -> gyradius_base::Resu
     import_files(&inputs, options)
 }
 
-fn only(imported: Imported) -> ImportedRecording {
+pub fn only(imported: Imported) -> ImportedRecording {
     assert_eq!(imported.recordings.len(), 1, "{imported:?}");
     imported.recordings.into_iter().next().unwrap()
 }
