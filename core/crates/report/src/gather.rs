@@ -3,16 +3,18 @@
 use std::f64::consts::TAU;
 
 use super::source::{
-    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure,
-    Trace,
+    BodyFacts, Curve, Peak, PeriodsFigureData, RecordingFigureData, ReportSource,
+    SpectrumFigureData, StatedFigure, Trace,
 };
-use super::thin::thinned;
+use super::thin::{MOST_POINTS, thinned};
 use super::words::{self, plain, say};
 use gyradius_base::language::Language;
 use gyradius_base::message::{Argument, Message};
 use gyradius_identification::{Analysis, Evidence};
-use gyradius_recording::{ChannelQuantity, InclineAngle, LoadedSession, Quantity, Session};
-use gyradius_signal::{ChannelGroup, residuals, spectrum};
+use gyradius_recording::{
+    ChannelQuantity, InclineAngle, LoadedData, LoadedSession, PeriodList, Quantity, Session,
+};
+use gyradius_signal::{ChannelGroup, period_from_list, residuals, spectrum};
 
 /// Cycles of the strongest mode in a close-up.
 const CLOSE_UP_CYCLES: f64 = 6.0;
@@ -41,12 +43,57 @@ impl ReportSource {
             recordings: evidence
                 .map(|evidence| recording(evidence, language))
                 .collect(),
+            periods: loaded.map(lists).unwrap_or_default(),
             measured_on: session
                 .map(|session| session.measured_on.clone())
                 .filter(|date| !date.is_empty()),
             generated_by: concat!("gyradius ", env!("CARGO_PKG_VERSION")).into(),
         }
     }
+}
+
+/// Points of the curve of eq. (14) in each of its beats.
+const POINTS_PER_BEAT: f64 = 24.0;
+
+/// Every list of periods with the curve that it follows.
+fn lists(loaded: &LoadedSession) -> Vec<PeriodsFigureData> {
+    let each = loaded.data.iter().filter_map(|swing| match &swing.data {
+        LoadedData::Periods(list) => periods(&swing.id, list),
+        _ => None,
+    });
+    each.collect()
+}
+
+fn periods(id: &str, list: &PeriodList) -> Option<PeriodsFigureData> {
+    let found = period_from_list(list).ok()?;
+    let is_left_out = |i: usize| found.flagged.iter().any(|one| one.index == i);
+    let entries = list.t_s.iter().copied().zip(list.period_s.iter().copied());
+    let kept: Vec<(f64, f64)> = entries
+        .enumerate()
+        .filter(|(i, _)| !is_left_out(*i))
+        .map(|(_, entry)| entry)
+        .collect();
+    let (first, last) = (kept.first()?.0, kept.last()?.0);
+    let trend = &found.trend;
+    let plain = |t_s: f64| trend.t0_s * (1.0 + trend.b_per_s * (t_s - first));
+    let whole = |t_s: f64| trend.at(t_s - first); // (14)
+    let beats = trend
+        .modulation
+        .map_or(1.0, |one| (last - first) / one.t_m_s);
+    let points = (POINTS_PER_BEAT * beats)
+        .ceil()
+        .clamp(2.0, MOST_POINTS as f64) as usize;
+    let at = |k: usize| first + (last - first) * k as f64 / (points - 1).max(1) as f64;
+    Some(PeriodsFigureData {
+        id: id.to_owned(),
+        curve: Curve::of((0..points).map(|k| (at(k), whole(at(k))))),
+        unmodulated: Curve::of([first, last].map(|t_s| (t_s, plain(t_s)))),
+        residual: Curve::of(
+            kept.iter()
+                .map(|(t_s, period_s)| (*t_s, period_s - whole(*t_s))),
+        ),
+        listed: Curve::of(kept),
+    })
 }
 
 fn body(session: &Session) -> BodyFacts {

@@ -23,7 +23,7 @@ mod words;
 pub use page::{figures, html};
 pub use pictures::Figure;
 pub use source::{
-    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure,
-    Trace,
+    BodyFacts, Curve, Peak, PeriodsFigureData, RecordingFigureData, ReportSource,
+    SpectrumFigureData, StatedFigure, Trace,
 };
 pub use thin::{MOST_POINTS, thinned};

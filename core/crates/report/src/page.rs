@@ -83,15 +83,7 @@ pub fn figures(source: &ReportSource) -> Vec<Figure> {
     }
     all.extend(pictures::budgets(measurement, language));
     for swing in &measurement.swings {
-        if let Some(recording) = source
-            .recordings
-            .iter()
-            .find(|recording| recording.id == swing.id)
-        {
-            all.extend(pictures::fits(recording, language));
-            all.extend(pictures::spectrum(recording, language));
-        }
-        all.extend(pictures::against_amplitude(swing, language));
+        all.extend(pictures::of_swing(source, swing));
     }
     all.extend(pictures::ellipsoids(
         &Headline::of(source).quantities,

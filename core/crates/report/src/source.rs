@@ -20,6 +20,8 @@ pub struct ReportSource {
     pub stated: Vec<StatedFigure>,
     /// What was recorded, thinned for pictures; found by the swing's id.
     pub recordings: Vec<RecordingFigureData>,
+    /// Lists of periods with what they follow; found by the swing's id.
+    pub periods: Vec<PeriodsFigureData>,
     /// When it was measured, as the operator writes it; the report leaves a blank where it is not
     /// given.
     pub measured_on: Option<String>,
@@ -67,6 +69,21 @@ pub struct RecordingFigureData {
     pub traces: Vec<Trace>,
     /// Amplitude spectrum of the strongest channel.
     pub spectrum: Option<SpectrumFigureData>,
+}
+
+/// A list of periods against time, s, with eq. (14).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PeriodsFigureData {
+    /// The swing's id.
+    pub id: String,
+    /// The periods, entries that are no single period left out.
+    pub listed: Curve,
+    /// Eq. (14).
+    pub curve: Curve,
+    /// The same without its modulation: T_0 (1 + b t).
+    pub unmodulated: Curve,
+    /// What the curve leaves of the periods.
+    pub residual: Curve,
 }
 
 /// One channel with its fit.

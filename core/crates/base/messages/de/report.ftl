@@ -232,6 +232,16 @@ report-spectrum_is = Amplitude einer Sinusschwingung bei jeder Frequenz, in loga
 report-residual = Rest
 report-amplitude_in = Amplitude, { $unit }
 report-frequency_hz = Frequenz, Hz
+report-periods_of = { $swing }: die gelisteten Perioden
+report-period_s = Periode, s
+report-listed = gelistet
+report-equation_14 = Gleichung (14)
+report-unmodulated = ohne die Schwebung
+report-trend_steady = T₀ = { $t0 } s, durchweg gleich.
+report-trend_drifts = T₀ = { $t0 } s beim ersten Eintrag; die Periode ändert sich um b = { $drift } Millionstel je Sekunde.
+report-trend_beats = Eine zweite Bewegung schwebt damit bei Tₘ = { $beat } s: C = { $size } ms beim ersten Eintrag, abklingend mit τₘ = { $decay } s.
+report-trend_beats_on = Eine zweite Bewegung schwebt damit bei Tₘ = { $beat } s: C = { $size } ms, ohne abzuklingen.
+report-trend_scatter = Die Perioden streuen um die Kurve mit { $scatter } ms.
 report-against_amplitude = { $swing }: { $mode } gegen Amplitude
 report-each_window = T₀ = { $limit } s. Jeder Punkt ist ein Fenster der Aufnahme, mit einer Standardunsicherheit.
 report-amplitude_degrees = Amplitude, Grad

@@ -232,6 +232,16 @@ report-spectrum_is = Amplitude of a sinusoid at each frequency, on a logarithmic
 report-residual = residual
 report-amplitude_in = amplitude, { $unit }
 report-frequency_hz = frequency, Hz
+report-periods_of = { $swing }: the listed periods
+report-period_s = Period, s
+report-listed = listed
+report-equation_14 = equation (14)
+report-unmodulated = without the beat
+report-trend_steady = T₀ = { $t0 } s, the same throughout.
+report-trend_drifts = T₀ = { $t0 } s at the first entry; it changes by b = { $drift } millionths a second.
+report-trend_beats = A second motion beats with it at Tₘ = { $beat } s: C = { $size } ms at the first entry, dying away with τₘ = { $decay } s.
+report-trend_beats_on = A second motion beats with it at Tₘ = { $beat } s: C = { $size } ms, without dying away.
+report-trend_scatter = The periods scatter about the curve by { $scatter } ms.
 report-against_amplitude = { $swing }: { $mode } against amplitude
 report-each_window = T₀ = { $limit } s. Each dot is one window of the record, with one standard error.
 report-amplitude_degrees = amplitude, degrees

@@ -6,17 +6,40 @@ mod causes;
 mod court;
 mod ellipsoid;
 mod force;
+mod periods;
 mod recording;
 mod simulations;
 
-pub(super) use amplitude::against_amplitude;
+use amplitude::against_amplitude;
+use periods::periods;
+use recording::{fits, spectrum};
+
+use crate::source::ReportSource;
+use gyradius_identification::SwingResult;
+
 pub(super) use budget::budgets;
 pub(super) use causes::causes;
 pub(super) use court::{MOST_ROWS, court};
 pub(super) use ellipsoid::{ellipsoids, no_ellipsoid_reason};
 pub(super) use force::learned_force;
-pub(super) use recording::{fits, spectrum};
 pub(super) use simulations::against_simulations;
+
+/// The pictures of one swing: its recording, its listed periods, its modes against amplitude.
+pub(super) fn of_swing(source: &ReportSource, swing: &SwingResult) -> Vec<Figure> {
+    let language = source.language;
+    let mut all = Vec::new();
+    let recording = source.recordings.iter().find(|one| one.id == swing.id);
+    if let Some(recording) = recording {
+        all.extend(fits(recording, language));
+        all.extend(spectrum(recording, language));
+    }
+    let list = source.periods.iter().find(|one| one.id == swing.id);
+    if let (Some(list), Some(trend)) = (list, &swing.trend) {
+        all.extend(periods(list, trend, language));
+    }
+    all.extend(against_amplitude(swing, language));
+    all
+}
 
 /// A picture with what is said below it.
 #[derive(Debug, Clone, PartialEq)]

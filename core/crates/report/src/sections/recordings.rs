@@ -49,17 +49,7 @@ fn one(source: &ReportSource, swing: &SwingResult, out: &mut Markup) {
                 .collect::<Vec<_>>(),
         );
         repairs(swing, out);
-        let mut shown = Vec::new();
-        if let Some(recording) = source
-            .recordings
-            .iter()
-            .find(|recording| recording.id == swing.id)
-        {
-            shown.extend(pictures::fits(recording, language));
-            shown.extend(pictures::spectrum(recording, language));
-        }
-        shown.extend(pictures::against_amplitude(swing, language));
-        figures(out, &shown);
+        figures(out, &pictures::of_swing(source, swing));
     });
 }
 

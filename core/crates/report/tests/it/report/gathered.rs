@@ -3,8 +3,10 @@
 use std::f64::consts::TAU;
 
 use gyradius_base::language::Language;
-use gyradius_identification::{MeasureOptions, measure_recording};
-use gyradius_recording::{Recording, Triad};
+use gyradius_identification::{MeasureOptions, analyse, measure_recording};
+use gyradius_recording::{
+    LoadedData, LoadedSession, LoadedSwing, Recording, Triad, read_period_list, read_session,
+};
 use gyradius_report::{MOST_POINTS, ReportSource, html};
 
 use crate::report::well_formed::assert_well_formed;
@@ -82,4 +84,76 @@ fn a_bare_recording_becomes_a_page() {
         page,
     )
     .expect("written");
+}
+
+/// Fig. 6 of the paper: periods of a yaw that sway modulates, by eq. (14) with T_0 = 4.39 s, b =
+/// −4e-6 1/s, C = 60 ms, T_m = 30 s and τ_m = 400 s.
+#[test]
+fn a_list_of_periods_is_drawn_with_its_beat() {
+    let [t0, b, c, t_m, tau] = [4.39, -4e-6, 0.06, 30.0, 400.0];
+    let law = |t: f64| t0 * (1.0 + b * t) + c * (-t / tau).exp() * (TAU * t / t_m + 0.4).sin();
+    // Rounded to a millisecond, as a gate's clock is.
+    let rows = (0..160).map(|i| {
+        let t = t0 * f64::from(i);
+        format!("{t:.3},{:.3}\n", law(t))
+    });
+    let csv = format!("t,period\n{}", rows.collect::<String>());
+    let text = "format = \"gyradius-session/1\"\n[body]\nname = \"hull\"\n[site]\ngravity = 9.81\n\
+        [[swing]]\nid = \"gate\"\nperiods = \"gate.csv\"\nexcited = [\"yaw\"]\n[swing.suspension]\n\
+        kind = \"bifilar\"\norientation = \"athwartships\"\nline_length = 3.477\nspacing = 1.8\n";
+    let session = read_session(text, "session.toml").expect("a session");
+    let list = read_period_list(csv.as_bytes(), "gate.csv").expect("a list");
+    let loaded = LoadedSession {
+        data: vec![LoadedSwing {
+            id: "gate".into(),
+            data: LoadedData::Periods(list),
+        }],
+        session,
+        source: "gate".into(),
+        inclines: vec![],
+        assumed: vec![],
+    };
+    let analysis = analyse(&loaded, &MeasureOptions::default()).expect("an analysis");
+    for language in [Language::English, Language::German] {
+        let source = ReportSource::from_analysis(&analysis, Some(&loaded), language);
+        let [list] = source.periods.as_slice() else {
+            panic!("one list")
+        };
+        assert_eq!(list.listed.x.len(), 160);
+        for (t, period) in list.curve.points() {
+            assert!((period - law(t)).abs() < 1e-3, "{period} at {t} s");
+        }
+        assert!(list.residual.y.iter().all(|left| left.abs() < 2e-3));
+        let page = html(&source);
+        assert_well_formed(&page);
+        let picture = gyradius_report::figures(&source)
+            .into_iter()
+            .find(|figure| figure.id == "gate-periods")
+            .expect("the picture");
+        let caption = picture.caption.replace(',', ".").replace('\u{2212}', "-");
+        let told = |name: &str| -> f64 {
+            let figure = caption.split(&format!("{name} = ")).nth(1).expect(name);
+            let digits = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+            let end = figure.find(|c| !digits(c)).expect(name);
+            figure[..end].parse().expect(name)
+        };
+        let expected = [
+            ("T₀", t0, 2e-4),
+            ("b", 1e6 * b, 0.1),
+            ("Tₘ", t_m, 5e-3),
+            ("C", 1e3 * c, 0.5),
+            ("τₘ", tau, 10.0),
+        ];
+        for (name, value, within) in expected {
+            assert!((told(name) - value).abs() < within, "{name}: {caption}");
+        }
+        assert!(!picture.caption.contains('_'), "{}", picture.caption);
+    }
+    let page = html(&ReportSource::from_analysis(
+        &analysis,
+        Some(&loaded),
+        Language::English,
+    ));
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    std::fs::write(folder.join("gate.html"), page).expect("the page is written");
 }

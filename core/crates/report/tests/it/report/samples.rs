@@ -349,6 +349,7 @@ pub fn keelboat() -> ReportSource {
             stated("spacing of the lines", Quantity::new(1.8, 0.001), "m", &[]),
             stated("gravity", Quantity::exact(9.80665), "m/s²", &[]),
         ],
+        periods: vec![],
         recordings: vec![yaw_recording("yaw-1")],
         measured_on: None,
         generated_by: "gyradius 0.1.0".into(),
