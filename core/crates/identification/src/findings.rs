@@ -9,6 +9,7 @@ mod dimensions;
 mod rate;
 mod recording;
 mod support;
+mod unused;
 
 use std::collections::BTreeMap;
 
@@ -26,6 +27,8 @@ pub(super) use support::{
     duplicates, is_supported, near_resonance, not_one_motion, phone_mass, phone_moved,
     undetermined, unsupported,
 };
+
+pub(super) use unused::not_used;
 
 use super::sentences::message;
 

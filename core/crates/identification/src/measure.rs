@@ -24,8 +24,8 @@ use super::by_samples::by_samples;
 use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
-    Finding, duplicates, near_resonance, not_one_motion, of_amplitude, of_dimensions, of_list,
-    of_recording, of_residual, of_size, phone_mass, phone_moved, unchecked,
+    Finding, duplicates, near_resonance, not_one_motion, not_used, of_amplitude, of_dimensions,
+    of_list, of_recording, of_residual, of_size, phone_mass, phone_moved, unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
@@ -42,7 +42,7 @@ use super::sentences::{inputs, message, name, plain};
 use super::spread::Spread;
 pub use super::swing_work::SwingWork;
 use super::swing_work::WEAKEST_DB;
-use super::theory::sways_as_pendulum;
+use super::theory::has_motion;
 use super::twin::{Correction, corrections};
 
 /// Name and version of the result's format.
@@ -234,6 +234,8 @@ pub fn analyse_watched(
         }
         Err(error) => result.warn(message("no_joint_estimate", [("reason", plain(error))])),
     }
+    let unused = not_used(&system, &works, &result);
+    unused.into_iter().for_each(|one| result.find(one));
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
     Ok(Analysis {
@@ -282,7 +284,10 @@ fn no_modes_reason(works: &[SwingWork]) -> String {
         .iter()
         .map(|w| format!("{}: {}", w.result.id, in_english(&w.result.warnings)))
         .collect();
-    format!("no swing gives a period ({})", reasons.join(" | "))
+    format!(
+        "no swing gives a period ({}); let go of the hull, and record ten periods or more",
+        reasons.join(" | ")
+    )
 }
 
 /// First without, then with the correction for finite amplitude, which needs a body to simulate.
@@ -749,18 +754,10 @@ fn observations(
     let mut all = Vec::new();
     for (i, work) in works.iter().enumerate() {
         let hung = &session.swings[i].suspension;
-        let shows = |mode: ModeName| match hung.kind {
-            SuspensionKind::Bifilar => mode != ModeName::Compound,
-            SuspensionKind::Compound => mode == ModeName::Compound,
-            SuspensionKind::Trifilar => {
-                mode == ModeName::Yaw || (mode == ModeName::Sway && sways_as_pendulum(hung))
-            }
-            SuspensionKind::Free => false,
-        };
         for (m, observed) in work
             .periods
             .iter()
-            .filter(|(m, _)| shows(work.result.modes[*m].mode))
+            .filter(|(m, _)| has_motion(hung, work.result.modes[*m].mode))
         {
             let mode = &work.result.modes[*m];
             let observed = session.reading(&period_key(i, mode.mode), *observed);

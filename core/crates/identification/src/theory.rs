@@ -190,6 +190,26 @@ pub fn swing_lines(x: &[f64], swing: &Swing, index: &SwingIndex) -> Result<Lines
     })
 }
 
+/// Whether a suspension has a motion of that name: one that [`swing_periods`] knows the period of.
+pub fn has_motion(hung: &Suspension, mode: ModeName) -> bool {
+    use ModeName::{
+        Compound, PitchInPhase, PitchOutOfPhase, RollInPhase, RollOutOfPhase, Sway, Yaw,
+    };
+    match (hung.kind, mode) {
+        (SuspensionKind::Bifilar, Yaw | Sway) => true,
+        (SuspensionKind::Bifilar, PitchInPhase | PitchOutOfPhase) => {
+            hung.orientation == Orientation::Athwartships
+        }
+        (SuspensionKind::Bifilar, RollInPhase | RollOutOfPhase) => {
+            hung.orientation == Orientation::ForeAndAft
+        }
+        (SuspensionKind::Compound, mode) => mode == Compound,
+        (SuspensionKind::Trifilar, Yaw) => true,
+        (SuspensionKind::Trifilar, Sway) => sways_as_pendulum(hung),
+        _ => false,
+    }
+}
+
 /// Whether the lines are stated as parallel.
 pub fn sways_as_pendulum(suspension: &Suspension) -> bool {
     let value = |figure: Option<Quantity>| figure.map(|figure| figure.value);

@@ -11,3 +11,4 @@ mod motions;
 mod single_routes;
 mod uncertainty;
 mod vectors;
+mod without_result;
