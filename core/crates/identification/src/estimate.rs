@@ -476,7 +476,8 @@ fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) ->
             let read = angle(i)?;
             // The weight's own figures widen the angle by (20).
             let slopes = incline_slopes_deg(incline, read.value);
-            let weights = incline_parts(incline, i).into_iter().skip(1).zip(slopes);
+            let parts = incline_parts(incline, i, Some(read));
+            let weights = parts.into_iter().skip(1).zip(slopes);
             let whole = session.reading(&format!("incline[{}].angle_deg", i + 1), read);
             let u = weights.fold(whole.u, |u, (part, slope)| {
                 u.hypot(slope * session.reading(&part.key, part.figure).u)

@@ -76,7 +76,7 @@ impl<'a> Prospect<'a> {
     pub fn new(session: &'a Session, body: &RigidBody) -> Result<Self> {
         let (gravity, _) = effective_gravity(session)?;
         let yaws = vec![None; session.swings.len()];
-        let layout = Layout::of(session, gravity, &phone_pitches(session), &yaws);
+        let layout = Layout::of(session, gravity, &phone_pitches(session), &yaws, &[]);
         let x = placed(&layout, body)?;
         let each = session.swings.iter().zip(&layout.swings);
         let periods_s = each

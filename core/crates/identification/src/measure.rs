@@ -135,7 +135,7 @@ fn prepare_watched<'a>(loaded: &'a LoadedSession, progress: &Progress) -> Result
     findings.extend(moved);
     let inclines = recorded_inclines(loaded, &works);
     let yaws: Vec<Option<f64>> = works.iter().map(yaw_period_s).collect();
-    let layout = Layout::of(session, gravity, &pitch, &yaws);
+    let layout = Layout::of(session, gravity, &pitch, &yaws, &inclines);
     let mut system = System::new(session, layout);
     system.observe(observations(session, &works, &[]), &inclines);
     Ok(Prepared {

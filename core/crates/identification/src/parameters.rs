@@ -154,12 +154,14 @@ pub struct Layout {
 impl Layout {
     /// Lays out the parameters of a session. `gravity` is the effective one, buoyancy included;
     /// `pitch_deg` holds what the phones' own tilts say of each swing's pitch, where they say
-    /// anything, `yaw_periods_s` the observed yaw period of each swing, where there is one.
+    /// anything, `yaw_periods_s` the observed yaw period of each swing, where there is one,
+    /// `inclines_deg` the angle of each incline that was recorded.
     pub fn of(
         session: &Session,
         gravity: Quantity,
         pitch_deg: &[Option<Quantity>],
         yaw_periods_s: &[Option<f64>],
+        inclines_deg: &[Option<Quantity>],
     ) -> Self {
         let mut builder = Builder::of(session);
         let gravity = builder.stated(InputKind::Gravity, gravity);
@@ -190,7 +192,7 @@ impl Layout {
             swings.push(hung);
             added_masses.push(builder.added(i, &session.swings[i]));
         }
-        builder.read_beside(session);
+        builder.read_beside(session, inclines_deg);
         Layout {
             shared: builder.shared,
             parameters: builder.parameters,
@@ -340,7 +342,7 @@ impl<'a> Builder<'a> {
 
     /// What instruments share among readings that are rows of their own: typed periods, inclines,
     /// points that were moved.
-    fn read_beside(&mut self, session: &Session) {
+    fn read_beside(&mut self, session: &Session, inclines_deg: &[Option<Quantity>]) {
         for (i, swing) in session.swings.iter().enumerate() {
             if let SwingData::PeriodsS(typed) = &swing.data {
                 for (mode, period) in typed {
@@ -356,7 +358,8 @@ impl<'a> Builder<'a> {
         }
         for (i, incline) in session.inclines.iter().enumerate() {
             let reading = Reading::Observed(Observed::Incline(i));
-            for part in incline_parts(incline, i) {
+            let recorded_deg = inclines_deg.get(i).copied().flatten();
+            for part in incline_parts(incline, i, recorded_deg) {
                 self.share(&part.key, reading, part.figure.value, part.slope_deg);
             }
         }
@@ -560,11 +563,16 @@ pub struct InclinePart {
     pub slope_deg: f64,
 }
 
-/// The figures of an incline that were read: its stated angle, and the weight's own.
-pub fn incline_parts(incline: &Incline, i: usize) -> Vec<InclinePart> {
+/// The figures of an incline that were read: its angle, and the weight's own, which widen the angle
+/// whether it is stated or recorded.
+pub fn incline_parts(
+    incline: &Incline,
+    i: usize,
+    recorded_deg: Option<Quantity>,
+) -> Vec<InclinePart> {
     let angle = match incline.angle {
         InclineAngle::Stated(angle) => angle,
-        InclineAngle::Recording(_) => Quantity::exact(0.0),
+        InclineAngle::Recording(_) => recorded_deg.unwrap_or_default(),
     };
     let part = |name: &str, figure: Quantity, slope_deg: f64| InclinePart {
         key: format!("incline[{}].{name}", i + 1),

@@ -245,7 +245,7 @@ spacing = { value = 0.8, u = 0.0 }
     #[test]
     fn damping_numbers_go_with_the_body() {
         let session = read_session(SESSION, "session.toml").unwrap();
-        let layout = Layout::of(&session, Quantity::exact(9.8), &[None], &[None]);
+        let layout = Layout::of(&session, Quantity::exact(9.8), &[None], &[None], &[]);
         let setup = SwingSetup {
             layout: &layout,
             swing: &session.swings[0],

@@ -24,7 +24,7 @@ const GYRADIUS_M: f64 = 0.129;
 const LEVER_M: f64 = 0.2;
 
 /// One recorded swing in yaw.
-struct Yaw {
+pub struct Yaw {
     gyradius_m: f64,
     rate_hz: f64,
     duration_s: f64,
@@ -38,7 +38,7 @@ struct Yaw {
     limit: f64,
 }
 
-const SWING: Yaw = Yaw {
+pub const SWING: Yaw = Yaw {
     gyradius_m: GYRADIUS_M,
     rate_hz: 100.0,
     duration_s: 60.0,
@@ -50,7 +50,7 @@ const SWING: Yaw = Yaw {
 };
 
 impl Yaw {
-    fn csv(&self, name: &str) -> String {
+    pub fn csv(&self, name: &str) -> String {
         let mut draws = fresh(name);
         let omega = HALF_SPACING_M / self.gyradius_m * (GRAVITY / LINES_M).sqrt();
         let mut noise = |size: f64| -> f64 {

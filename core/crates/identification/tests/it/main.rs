@@ -6,6 +6,7 @@ mod axes;
 mod contradictions;
 mod crossings;
 mod findings;
+mod inclines;
 mod instruments;
 mod motions;
 mod single_routes;
