@@ -92,6 +92,20 @@ class PeriodTrend:
 
 
 @dataclass(frozen=True, slots=True)
+class OneMotion:
+    """A swing as one motion, f(θ) = θ + κ (sin θ − θ): κ, α (1/s), b (1/rad) and c (rad/s²)."""
+
+    hardness: float
+    hardness_se: float
+    damping_per_s: float
+    damping_per_s_se: float | None
+    drag_per_rad: float
+    drag_per_rad_se: float | None
+    friction_rad_s2: float
+    friction_rad_s2_se: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class SwingResult:
     """One swing's modes, strongest first."""
 
@@ -103,6 +117,7 @@ class SwingResult:
     rms_over_noise: float | None
     simulated: bool
     trend: PeriodTrend | None = None
+    motion: OneMotion | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -260,7 +275,8 @@ def view(core: _core.Measurement) -> Measurement:
 def _swing(item: dict[str, Any]) -> SwingResult:
     modes = tuple(_mode(mode) for mode in item["modes"])
     parts = {"modes": modes, "repairs": records(Repair, item["repairs"]), "trend": _trend(item.get("trend"))}
-    return record(SwingResult, {**item, **parts})
+    motion = item.get("motion")
+    return record(SwingResult, {**item, **parts, "motion": motion and record(OneMotion, motion)})
 
 
 def _trend(item: dict[str, Any] | None) -> PeriodTrend | None:

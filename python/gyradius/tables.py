@@ -9,7 +9,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from .measurement import Claim, Measurement, ModeResult, PeriodTrend, Quantity, SwingResult
+from .measurement import Claim, Measurement, ModeResult, OneMotion, PeriodTrend, Quantity, SwingResult
 from .numbers import interval, short, with_u
 
 UNITS = {
@@ -84,6 +84,7 @@ def _swings(swings: tuple[SwingResult, ...]) -> RenderableType:
         table.add_section()
     notes = [Text(f"  {swing.id}: {repair.text}", style="dim") for swing in swings for repair in swing.repairs]
     notes += [Text(f"  {swing.id}: {_trend(swing.trend)}", style="dim") for swing in swings if swing.trend]
+    notes += [Text(f"  {swing.id}: {_motion(swing.motion)}", style="dim") for swing in swings if swing.motion]
     return Group(table, *notes, *(warning_line(f"{swing.id}: {text}") for swing in swings for text in swing.warnings))
 
 
@@ -97,6 +98,18 @@ def _trend(trend: PeriodTrend) -> str:
         if wave.tau_m_s is not None:
             text += f", τ_m = {short(wave.tau_m_s)} s"
     return text
+
+
+def _motion(motion: OneMotion) -> str:
+    """What brings a body back that turns about one axis, and what damps it, in one line."""
+    parts = (
+        ("restoring law κ", motion.hardness, motion.hardness_se, ""),
+        ("damping α", motion.damping_per_s, motion.damping_per_s_se, "1/s"),
+        ("drag b", motion.drag_per_rad, motion.drag_per_rad_se, "1/rad"),
+        ("dry friction c", motion.friction_rad_s2, motion.friction_rad_s2_se, "rad/s²"),
+    )
+    told = (f"{name} = {with_u(value, se, unit)}" for name, value, se, unit in parts if se is not None)
+    return "one motion: " + ", ".join(told)
 
 
 def _mode_cells(mode: ModeResult) -> tuple[str, ...]:

@@ -168,11 +168,43 @@ def test_a_single_rate_is_measured() -> None:
     assert mode.amplitude == pytest.approx(0.15, rel=0.02)
 
 
-def test_a_large_swing_of_an_encoder_is_no_sum_of_oscillations() -> None:
-    angle = CASES / "angle-column" / "angle.csv"
-    result = gyradius.load(angle, mapping=["t=time:s", "angle=angle:rad"]).measure()
-    assert "large_amplitude" in kinds(result, "refused")
-    assert not result.swings[0].modes
+def only_mode(result: gyradius.Measurement) -> gyradius.ModeResult:
+    (mode,) = result.swings[0].modes
+    return mode
+
+
+def test_a_large_swing_is_one_motion() -> None:
+    """T0 1.0304(5) s, from 1.65 rad: a session, its bare recording, and the encoder's angle."""
+    swing = CASES / "large-amplitude-split"
+    angle = gyradius.load(CASES / "angle-column" / "angle.csv", mapping=["t=time:s", "angle=angle:rad"])
+    for data in (gyradius.load(swing), gyradius.load(swing / "rec.csv"), angle):
+        mode = only_mode(data.measure())
+        assert mode.period_s == pytest.approx(1.0304, abs=0.0005 + WITHIN * mode.period_se_s)
+        assert mode.period_se_s < 0.001
+        assert mode.amplitude == pytest.approx(1.65, rel=0.02)
+
+
+@pytest.mark.parametrize("name", ["z0.07", "z0.1", "heavy_only"])
+def test_what_dies_away_soon_has_a_period(name: str) -> None:
+    """1.5 s undamped; 1.5076 s of a damping ratio of 0.1."""
+    mode = only_mode(gyradius.load(CASES / "heavy-damping" / f"{name}.csv").measure())
+    assert mode.period_s == pytest.approx(1.5, abs=WITHIN * mode.period_se_s)
+    assert mode.period_se_s < 3e-4
+    damped = 1.5 / (1.0 - (0.07 if name == "z0.07" else 0.1) ** 2) ** 0.5
+    assert mode.period_observed_s == pytest.approx(damped, rel=1e-3)
+
+
+def test_a_ship_that_stiffens_has_the_period_of_small_rolls() -> None:
+    """2.5509 ± 0.0003 s (scipy fit of the equation of motion), linear damping 0.0275 1/s, drag 0.057 1/rad."""
+    result = gyradius.load(CASES / "extended-period-biased").measure()
+    (swing,) = result.swings
+    mode, motion = only_mode(result), swing.motion
+    assert mode.period_s == pytest.approx(2.5509, abs=0.0003 + WITHIN * mode.period_se_s)
+    assert motion is not None
+    assert motion.hardness < -1
+    # The fit from which they are has the damping force as 2 α θ' + b |θ'| θ' too.
+    assert motion.drag_per_rad_se is not None
+    assert motion.drag_per_rad == pytest.approx(0.057, abs=WITHIN * motion.drag_per_rad_se)
 
 
 def test_constant_channels_change_nothing_of_a_criticism() -> None:

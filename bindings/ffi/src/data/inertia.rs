@@ -2,7 +2,7 @@
 
 use gyradius_core::identification::{
     AmplitudePoint, BudgetLine, Claim, Finding, Measurement, ModeResult, ModulationResult,
-    QuantityResult, Route, SwingResult, TrendResult, Value, Verdict,
+    MotionResult, QuantityResult, Route, SwingResult, TrendResult, Value, Verdict,
 };
 use gyradius_core::recording::{ModeName, Repair};
 
@@ -157,8 +157,32 @@ pub struct SwingResult {
     pub rms_over_noise: Option<f64>,
     /// What a list of periods follows, eq. (14).
     pub trend: Option<TrendResult>,
+    /// The swing as one motion about a fixed axis, where it was fitted as one.
+    pub motion: Option<MotionResult>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
     pub simulated: bool,
+}
+
+/// A swing as one motion: θ'' = −ω² f(θ) − 2 α θ' − b |θ'| θ' − c sgn θ', with f(θ) = θ + κ (sin θ −
+/// θ).
+#[uniffi::remote(Record)]
+pub struct MotionResult {
+    /// κ: 0 of a spring, 1 of a pendulum, below 0 where the restoring torque hardens.
+    pub hardness: f64,
+    /// Its standard error.
+    pub hardness_se: f64,
+    /// α, 1/s.
+    pub damping_per_s: f64,
+    /// Its standard error; none where it stands at zero, below which it cannot be.
+    pub damping_per_s_se: Option<f64>,
+    /// b, 1/rad.
+    pub drag_per_rad: f64,
+    /// Its standard error; none where it stands at zero, below which it cannot be.
+    pub drag_per_rad_se: Option<f64>,
+    /// c, rad/s².
+    pub friction_rad_s2: f64,
+    /// Its standard error; none where it stands at zero, below which it cannot be.
+    pub friction_rad_s2_se: Option<f64>,
 }
 
 /// A list of periods against time, eq. (14): T(t) = T_0 (1 + b t) + C exp(−t/τ_m) sin(2π t/T_m +

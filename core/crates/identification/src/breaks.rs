@@ -5,7 +5,8 @@
 use gyradius_base::error::Result;
 use gyradius_recording::{MISSING_INTERVALS, Repair, RepairKind, median_interval_s};
 use gyradius_signal::{
-    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, decompose, undisturbed_span,
+    ChannelGroup, DecomposeOptions, Decomposition, FreeSpan, decompose, decompose_heavily_damped,
+    undisturbed_span,
 };
 
 use super::observe::clipped;
@@ -63,10 +64,35 @@ pub fn free_part(all: &[ChannelGroup], disturbed_s: &[f64], repairs: &[Repair]) 
 fn part(all: &[ChannelGroup], disturbed_s: &[f64]) -> Result<Free> {
     let span = undisturbed_span(all, disturbed_s);
     let groups = clipped(all, span.start_s, span.end_s);
-    let found = decompose(&groups, &DecomposeOptions::default())?;
+    let found = match decompose(&groups, &DecomposeOptions::default()) {
+        Ok(found) => found,
+        Err(error) => match decompose_heavily_damped(&groups) {
+            Ok(found) => found,
+            Err(_) => return heavily_damped(all, disturbed_s).ok_or(error),
+        },
+    };
     Ok(Free {
         span,
         groups,
+        found,
+        cut_at_s: None,
+    })
+}
+
+/// The whole record, where oscillations describe all of it: what dies away within a cycle or two looks
+/// like a disturbance, and what is left is rest.
+fn heavily_damped(all: &[ChannelGroup], disturbed_s: &[f64]) -> Option<Free> {
+    let stamps = || all.iter().flat_map(|group| group.t_s.iter().copied());
+    let span = FreeSpan {
+        start_s: stamps().fold(f64::INFINITY, f64::min),
+        end_s: stamps().fold(f64::NEG_INFINITY, f64::max),
+        notes: vec![],
+    };
+    let found = decompose_heavily_damped(all).ok()?;
+    let is_whole = disturbed_s.is_empty() && beyond_noise(all, &found) <= 0.0;
+    is_whole.then(|| Free {
+        span,
+        groups: all.to_vec(),
         found,
         cut_at_s: None,
     })

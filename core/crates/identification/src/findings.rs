@@ -21,7 +21,9 @@ use gyradius_recording::AssumedU;
 
 pub(super) use amplitude::of_amplitude;
 pub(super) use dimensions::{of_dimensions, of_size, unchecked};
-pub(super) use recording::{clear_of_limit, of_list, of_recording, of_residual};
+pub(super) use recording::{
+    LEAST_DESCRIBED, NOISE_MISMATCH, clear_of_limit, of_list, of_recording, of_residual,
+};
 pub use support::NEAR_IN_PHASE;
 pub(super) use support::{
     duplicates, is_supported, near_resonance, not_one_motion, phone_mass, phone_moved,

@@ -18,6 +18,7 @@ mod measurement;
 pub mod modes;
 mod names;
 mod observe;
+mod one_motion;
 pub mod outputs;
 pub mod parameters;
 pub mod routes;
@@ -36,13 +37,14 @@ pub use findings::{Finding, FindingKind, NEAR_IN_PHASE, Severity};
 pub use measure::solved_periods;
 pub use measure::{Analysis, MeasureOptions, analyse, analyse_watched, measure, measure_recording};
 pub use measurement::{
-    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, ModulationResult, QuantityResult,
-    Route, SwingResult, TrendResult, Verdict,
+    AmplitudePoint, BudgetLine, Claim, Measurement, ModeResult, ModulationResult, MotionResult,
+    QuantityResult, Route, SwingResult, TrendResult, Verdict,
 };
 pub use names::{
     AmplitudeUnit, Decision, Input, InputKind, Method, QuantityName, Relation, RouteMethod, Subject,
 };
 pub use observe::Evidence;
+pub use one_motion::OneMotion;
 pub use outputs::COVERAGE_95;
 pub use sentences::{GRAVITY, NO_GRAVITY, NO_JOINT_ESTIMATE, input};
 pub use value::Value;

@@ -28,7 +28,7 @@ use super::findings::{
     of_list, of_recording, of_residual, of_size, phone_mass, phone_moved, unchecked,
 };
 use super::measurement::{
-    AmplitudePoint, Claim, Measurement, ModeResult, SwingResult, TrendResult,
+    AmplitudePoint, Claim, Measurement, ModeResult, MotionResult, SwingResult, TrendResult,
 };
 use super::names::{AmplitudeUnit, Input, Subject};
 use super::observe::{
@@ -161,7 +161,7 @@ fn plausibility(
             let evidence = work.evidence.as_ref();
             let mut found = of_recording(&swing.id, recording, evidence, gravity_m_s2);
             if stated.suspension.kind != SuspensionKind::Free {
-                found.extend(evidence.and_then(|evidence| of_amplitude(&work.result, evidence)));
+                found.extend(evidence.and_then(|evidence| of_amplitude(&swing.id, evidence)));
             }
             found
         }
@@ -218,7 +218,9 @@ pub fn analyse_watched(
         SOLVED_SHARE,
         "fitting the simulation to the samples",
     )?;
-    match by_samples(&mut system, &mut works, &inclines, estimated) {
+    let solved = by_samples(&mut system, &mut works, &inclines, estimated);
+    let has_failed = solved.is_err();
+    match solved {
         Ok(solution) => {
             tell(progress, FITTED_SHARE, "weighing uncertainties")?;
             let counted = |w: &SwingWork| {
@@ -234,7 +236,7 @@ pub fn analyse_watched(
         }
         Err(error) => result.warn(message("no_joint_estimate", [("reason", plain(error))])),
     }
-    let unused = not_used(&system, &works, &result);
+    let unused = not_used(&system, &works, &result, has_failed);
     unused.into_iter().for_each(|one| result.find(one));
     let (swings, evidence) = works.into_iter().map(|w| (w.result, w.evidence)).unzip();
     result.swings = swings;
@@ -310,13 +312,19 @@ pub fn estimate(
     let corrections: Vec<Vec<Correction>> = (0..works.len())
         .map(|i| {
             let (swing, index) = (&session.swings[i], &system.layout.swings[i]);
-            corrections(
+            let mut found = corrections(
                 &system.layout,
                 (&first.x, other.as_deref()),
                 swing,
                 index,
                 &works[i].result,
-            )
+            );
+            // The motion itself is followed to small amplitude already.
+            let motion = works[i].evidence.as_ref().and_then(Evidence::one_motion);
+            if let (Some(motion), Some(first)) = (motion, found.first_mut()) {
+                *first = Correction::known(motion.period_s.value / motion.observed_s);
+            }
+            found
         })
         .collect();
     for (work, corrections) in works.iter_mut().zip(&corrections) {
@@ -488,8 +496,10 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
     let periods = modes
         .iter()
         .enumerate()
-        .filter(|(_, m)| {
-            m.mode != ModeName::Other && m.relative_db > WEAKEST_DB && m.decay_time_s.is_some()
+        .filter(|(i, m)| {
+            // A damped oscillation that does not die away is driven; a motion is not.
+            let is_free = m.decay_time_s.is_some() || (*i == 0 && evidence.one_motion().is_some());
+            m.mode != ModeName::Other && m.relative_db > WEAKEST_DB && is_free
         })
         .map(|(i, m)| {
             (
@@ -504,6 +514,7 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         modes,
         repairs: evidence.repairs.clone(),
         rms_over_noise: Some(evidence.found.rms_over_noise),
+        motion: evidence.one_motion().map(MotionResult::from),
         ..Default::default()
     };
     let result = result.warned(warnings);
@@ -522,7 +533,10 @@ fn mode_result(
     amplitude: Option<f64>,
 ) -> ModeResult {
     let points = windows(evidence, i);
-    let limit = small_limit(mode, &points);
+    let limit = match evidence.one_motion() {
+        Some(motion) if i == 0 => motion.period_s,
+        _ => small_limit(mode, &points),
+    };
     ModeResult {
         mode: name,
         period_s: limit.value,
@@ -859,6 +873,10 @@ const FEWEST_WINDOWS: usize = 3;
 /// or by twice that (yaw on lines): of 0 to 2 A²/16 the root mean square is 2/√3 of A²/16.
 fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
     let duration_s = work.result.duration_s();
+    let is_motion = |i: usize| {
+        let evidence = work.evidence.as_ref();
+        i == 0 && evidence.is_some_and(|e| e.one_motion().is_some())
+    };
     let shows_law = |i: usize| {
         let found = work.evidence.as_ref().and_then(|e| e.found.modes.get(i));
         found.is_none_or(|mode| mode.law.shift_rad_s != 0.0)
@@ -866,7 +884,8 @@ fn hung_somehow(work: &SwingWork) -> Vec<ModeResult> {
     let modes = work.result.modes.iter().enumerate();
     let corrected = modes.map(|(i, mode)| {
         let in_rad = mode.amplitude_unit == AmplitudeUnit::Radian;
-        let is_known = shows_law(i) && mode.against_amplitude.len() >= FEWEST_WINDOWS;
+        let is_known =
+            is_motion(i) || (shows_law(i) && mode.against_amplitude.len() >= FEWEST_WINDOWS);
         let Some(amplitude) = mode.amplitude.filter(|_| in_rad && !is_known) else {
             return mode.clone();
         };

@@ -15,6 +15,7 @@ use super::findings::Finding;
 use super::names::{
     AmplitudeUnit, Decision, Input, Method, QuantityName, Relation, RouteMethod, Subject,
 };
+use super::one_motion::OneMotion;
 use super::value::Value;
 use gyradius_signal::{PeriodTrend, mean_square_amplitude};
 
@@ -96,6 +97,9 @@ pub struct SwingResult {
     /// What a list of periods follows, eq. (14).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub trend: Option<TrendResult>,
+    /// The swing as one motion about a fixed axis, where it was fitted as one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionResult>,
     /// Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
     #[serde(default)]
     pub simulated: bool,
@@ -174,6 +178,43 @@ impl From<&PeriodTrend> for TrendResult {
             b_se_per_s: trend.b_se_per_s,
             modulation,
             scatter_s: trend.scatter_s,
+        }
+    }
+}
+
+/// A swing as one motion: θ'' = −ω² f(θ) − 2 α θ' − b |θ'| θ' − c sgn θ', with f(θ) = θ + κ (sin θ −
+/// θ).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct MotionResult {
+    /// κ: 0 of a spring, 1 of a pendulum, below 0 where the restoring torque hardens.
+    pub hardness: f64,
+    /// Its standard error.
+    pub hardness_se: f64,
+    /// α, 1/s.
+    pub damping_per_s: f64,
+    /// Its standard error; none where it stands at zero, below which it cannot be.
+    pub damping_per_s_se: Option<f64>,
+    /// b, 1/rad.
+    pub drag_per_rad: f64,
+    /// Its standard error; none where it stands at zero, below which it cannot be.
+    pub drag_per_rad_se: Option<f64>,
+    /// c, rad/s².
+    pub friction_rad_s2: f64,
+    /// Its standard error; none where it stands at zero, below which it cannot be.
+    pub friction_rad_s2_se: Option<f64>,
+}
+
+impl From<&OneMotion> for MotionResult {
+    fn from(motion: &OneMotion) -> Self {
+        Self {
+            hardness: motion.hardness.value,
+            hardness_se: motion.hardness.u,
+            damping_per_s: motion.damping_per_s.0,
+            damping_per_s_se: motion.damping_per_s.1,
+            drag_per_rad: motion.drag_per_rad.0,
+            drag_per_rad_se: motion.drag_per_rad.1,
+            friction_rad_s2: motion.friction_rad_s2.0,
+            friction_rad_s2_se: motion.friction_rad_s2.1,
         }
     }
 }

@@ -11,11 +11,13 @@ use gyradius_recording::{
     ChannelQuantity, Excitation, ModeName, Recording, Repair, RepairKind, Sensor, SuspensionKind,
     Swing, Track,
 };
-use gyradius_signal::{ChannelGroup, Decomposition, FittedMode, FreeSpan, SpanNoteKind};
+use gyradius_signal::{ChannelGroup, Decomposition, FittedMode, FreeSpan, SpanNoteKind, residuals};
 
 use super::breaks::{Free, free_part};
 use super::channels::Channels;
 use super::findings::clear_of_limit;
+use super::one_motion::{OneMotion, Turn};
+use super::samples::inside;
 use super::sentences::{message, motion};
 use super::words::mode_text;
 
@@ -50,6 +52,10 @@ pub struct Evidence {
     pub named: Vec<NamedMode>,
     /// The vertical in phone axes, where an accelerometer saw it.
     pub up: Option<Vec3>,
+    /// The swing as one motion about a fixed axis, where one was fitted.
+    pub motion: Option<OneMotion>,
+    /// The damped oscillations of the record alone, where a motion took the place of some of them.
+    pub spectrum: Option<Decomposition>,
     /// What its only channel measured, where it has one alone.
     pub single: Option<ChannelQuantity>,
     /// Unit of the modes' amplitude: `rad` or `m`.
@@ -72,6 +78,57 @@ pub struct Evidence {
 }
 
 impl Evidence {
+    /// With the strongest turn as one motion, where that describes it: lines of the spectrum that it
+    /// explains are none of their own.
+    fn with_motion(mut self, is_pendulum: bool) -> Self {
+        let is_angle = self.single == Some(ChannelQuantity::Angle);
+        // Some axes of a gyroscope need not see the turn.
+        let is_told =
+            is_angle || self.single == Some(ChannelQuantity::Rate) || self.map.gyroscope.is_some();
+        let Some(group) = self.groups.first().filter(|_| is_told) else {
+            return self;
+        };
+        let turn = Turn {
+            group,
+            found: &self.found,
+            is_angle,
+        };
+        let (start_s, duration_s) = inside(&self);
+        let Some(motion) = OneMotion::of(&turn, (start_s, start_s + duration_s), is_pendulum)
+        else {
+            return self;
+        };
+        if !motion.is_described {
+            self.motion = Some(motion);
+            return self;
+        }
+        let main = motion.mode();
+        let mut modes = vec![motion.as_mode(&turn)];
+        let mut named = vec![self.named[main].clone()];
+        for (place, mode) in self.found.modes.iter().enumerate() {
+            let name = self.named[place].name;
+            if place == main {
+                continue;
+            }
+            if !motion.explains(&turn, mode) {
+                modes.push(mode.clone());
+                named.push(self.named[place].clone());
+            } else if named[0].name == ModeName::Other {
+                // The name that shapes or the operator's word gave to a part of the motion is its own.
+                named[0].name = name;
+            }
+        }
+        named[0].angle_rad = Some(motion.amplitude_rad);
+        self.spectrum = Some(self.found.clone());
+        let of_spectrum = std::mem::take(&mut self.found.warnings);
+        self.warnings.retain(|said| !of_spectrum.contains(said));
+        self.found.rms_over_noise = motion.rms_over_noise;
+        (self.found.modes, self.named) = (modes, named);
+        self.found.tones.clear();
+        self.motion = Some(motion);
+        self
+    }
+
     /// The channels that tell how fast it turns: the axes of a gyroscope that were recorded, or a
     /// single rate. They are the first ones; empty where there are none.
     pub fn rates(&self) -> Range<usize> {
@@ -92,6 +149,23 @@ impl Evidence {
             _ if rates.is_empty() => None,
             _ => Some(norm(rates) / mode.undamped_omega_rad_s()),
         }
+    }
+
+    /// The swing as one motion, where that describes it: then it is the first mode.
+    pub fn one_motion(&self) -> Option<&OneMotion> {
+        self.motion.as_ref().filter(|motion| motion.is_described)
+    }
+
+    /// What is left of the channels: by the motion where there is one, else by the damped
+    /// oscillations.
+    pub fn residuals(&self) -> Vec<ChannelGroup> {
+        let mut left = residuals(&self.groups, self.spectrum.as_ref().unwrap_or(&self.found));
+        let of_motion = |motion: &OneMotion| motion.residuals(self.groups.first()?);
+        if let (Some(turn), Some(first)) = (self.one_motion().and_then(of_motion), left.first_mut())
+        {
+            *first = turn;
+        }
+        left
     }
 
     /// Share of a turn about the vertical that the recorded axes of a gyroscope see, squared; where
@@ -155,6 +229,8 @@ fn found_in(
     let (id, named, up) = (id.into(), vec![], None);
     Ok(Evidence {
         single: None,
+        motion: None,
+        spectrum: None,
         id,
         groups,
         channels: channels.names.clone(),
@@ -181,6 +257,23 @@ fn saturated(repairs: &[Repair]) -> Vec<Sensor> {
 
 /// Analyses a phone's recording.
 pub fn observe_recording(
+    id: &str,
+    recording: &Recording,
+    gravity_m_s2: f64,
+    hanging: &Hanging,
+    swing: Option<&Swing>,
+) -> Result<Evidence> {
+    let evidence = spectrum_of(id, recording, gravity_m_s2, hanging, swing)?;
+    // On two and three lines a body need not turn about one axis.
+    Ok(match swing.map(|swing| swing.suspension.kind) {
+        Some(SuspensionKind::Compound) => evidence.with_motion(true),
+        Some(SuspensionKind::Free) | None => evidence.with_motion(false),
+        Some(SuspensionKind::Bifilar | SuspensionKind::Trifilar) => evidence,
+    })
+}
+
+/// The damped oscillations of a phone's recording.
+fn spectrum_of(
     id: &str,
     recording: &Recording,
     gravity_m_s2: f64,

@@ -24,6 +24,7 @@ impl SwingWork {
     pub(super) fn refuse(&mut self) {
         self.periods.clear();
         self.result.modes.clear();
+        self.result.motion = None;
         self.evidence = None;
     }
 }

@@ -59,6 +59,14 @@ impl Correction {
         }
     }
 
+    /// One that leaves nothing open.
+    pub fn known(small_over_observed: f64) -> Self {
+        Correction {
+            factor: small_over_observed,
+            u_relative: 0.0,
+        }
+    }
+
     /// Before there is a body to simulate: the pendulum's law A²/16, and yaw's that is up to twice
     /// that, may be missing.
     pub fn unknown(mode: &ModeResult) -> Self {

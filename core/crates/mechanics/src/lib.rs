@@ -16,6 +16,7 @@ mod equations;
 mod equilibrium;
 mod experiment;
 mod numbers;
+pub mod one_angle;
 mod path;
 mod phone;
 mod pose;

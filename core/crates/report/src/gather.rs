@@ -14,7 +14,7 @@ use gyradius_identification::{Analysis, Evidence};
 use gyradius_recording::{
     ChannelQuantity, InclineAngle, LoadedData, LoadedSession, PeriodList, Quantity, Session,
 };
-use gyradius_signal::{ChannelGroup, period_from_list, residuals, spectrum};
+use gyradius_signal::{ChannelGroup, period_from_list, spectrum};
 
 /// Cycles of the strongest mode in a close-up.
 const CLOSE_UP_CYCLES: f64 = 6.0;
@@ -198,7 +198,7 @@ struct Channel<'a> {
 }
 
 fn recording(evidence: &Evidence, language: Language) -> RecordingFigureData {
-    let left = residuals(&evidence.groups, &evidence.found);
+    let left = evidence.residuals();
     let firsts = evidence.groups.iter().scan(0, |next, group| {
         let first = *next;
         *next += group.channels.len();

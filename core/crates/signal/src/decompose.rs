@@ -16,6 +16,10 @@ use super::words::message;
 use gyradius_base::Result;
 use gyradius_base::message::Message;
 
+/// Largest decay over frequency of an oscillation: 1.6 cycles in a decay time.
+const OVERDAMPED: f64 = 0.1;
+/// Of one that is heavily damped: a damping ratio of 0.33, half a cycle in a decay time.
+const HEAVY: f64 = 0.35;
 /// Noise per sample, over that in the band, from which cells are not trusted.
 const ABOVE_BAND: f64 = 2.0;
 
@@ -31,19 +35,37 @@ const ABOVE_BAND: f64 = 2.0;
 /// what a constant frequency and decay read over the span, and the law holds the small-amplitude
 /// limits.
 pub fn decompose(groups: &[ChannelGroup], options: &DecomposeOptions) -> Result<Decomposition> {
+    decomposed(groups, options, OVERDAMPED)
+}
+
+/// The same of a record in which no other oscillation was found, with damping ratios to 0.33. Beside
+/// others, what is so broad would be what they leave of themselves.
+pub fn decompose_heavily_damped(groups: &[ChannelGroup]) -> Result<Decomposition> {
+    decomposed(groups, &DecomposeOptions::default(), HEAVY)
+}
+
+fn decomposed(
+    groups: &[ChannelGroup],
+    options: &DecomposeOptions,
+    most_damping: f64,
+) -> Result<Decomposition> {
     let record = Record::new(groups, options)?;
-    let search = searched(&record, options)?;
+    let search = searched(&record, options, most_damping)?;
     let noise = channel_noise(&record, &search);
     if !swings_above_band(&search, &noise) && !holds_alias(&search, &noise) {
         return summarize(&record, &search, &noise);
     }
     let record = record.by_sample();
-    let search = searched(&record, options)?;
+    let search = searched(&record, options, most_damping)?;
     summarize(&record, &search, &channel_noise(&record, &search))
 }
 
-fn searched<'a>(record: &'a Record<'a>, options: &'a DecomposeOptions) -> Result<Search<'a>> {
-    let mut search = Search::new(record, options)
+fn searched<'a>(
+    record: &'a Record<'a>,
+    options: &'a DecomposeOptions,
+    most_damping: f64,
+) -> Result<Search<'a>> {
+    let mut search = Search::new(record, options, most_damping)
         .ok_or_else(|| no_result("the samples do not determine a mean and a drift"))?;
     search.run();
     Ok(search)

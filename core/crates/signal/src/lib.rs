@@ -35,12 +35,13 @@ pub use beat::{BeatCount, beat_count};
 pub use crossings::{
     Crossing, CrossingPeriod, PeriodSeries, crossing_periods, period_from_crossings, zero_crossings,
 };
-pub use decompose::decompose;
+pub use decompose::{decompose, decompose_heavily_damped};
 pub use evaluate::{model, residuals};
 pub use gates::{GatePeriods, gate_periods};
 pub use modulation::{Modulation, PeriodTrend, fit_period_trend};
+pub use noise::white_level;
 pub use period_list::{FlaggedPeriod, ListedPeriod, period_from_list};
-pub use small_amplitude::{PeriodLaw, SmallAmplitude, growth_with_square, small_amplitude_limit};
+pub use small_amplitude::{PeriodLaw, SmallAmplitude, small_amplitude_limit};
 pub use spectrum::spectrum;
 pub use trim::{FreeSpan, SpanNote, SpanNoteKind, free_swing_span, undisturbed_span};
 pub use types::{

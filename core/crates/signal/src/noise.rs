@@ -143,6 +143,11 @@ impl ChannelNoise {
     }
 }
 
+/// White level of what a model of any kind leaves of a channel, standard deviation per sample.
+pub fn white_level(residuals: &[f64]) -> f64 {
+    ChannelNoise::of(residuals).white
+}
+
 /// Variance of a run about its own mean.
 fn run_variance(run: &[f64]) -> f64 {
     let (sum, squares) = run.iter().fold((0.0, 0.0), |(s, q), r| (s + r, q + r * r));

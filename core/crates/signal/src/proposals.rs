@@ -20,8 +20,6 @@ const NEGLIGIBLE: f64 = 2.5e-5;
 const MINOR: f64 = 3e-3;
 /// Half-width of the skirt of a line that an amplitude law moves, in parts of its frequency.
 const MOVED_SKIRT: f64 = 0.1;
-/// Largest decay over frequency of an oscillation: 1.6 cycles in a decay time.
-const OVERDAMPED: f64 = 0.1;
 /// χ² that the linearised problem must promise of a law before it is fitted: half of what it must
 /// gain.
 const HOPELESS_LAW: f64 = 12.0;
@@ -69,8 +67,7 @@ pub(super) fn proposals(
     let fits = starts
         .iter()
         .filter_map(|start| refine(start, &search.cells, ITERATIONS));
-    let fits =
-        fits.filter(|fit| forced || (is_oscillation(fit, search.record.band) && !is_skirt(fit)));
+    let fits = fits.filter(|fit| forced || (is_oscillation(fit, search) && !is_skirt(fit)));
     trials.extend(
         fits.min_by(|a, b| a.merit.total_cmp(&b.merit))
             .map(|fit| (Kind::Mode, fit)),
@@ -110,10 +107,11 @@ pub(super) fn nearest(model: &Model, k: f64) -> Option<usize> {
 }
 
 /// A new mode must swing within the band, and count for something beside the strongest.
-fn is_oscillation(fit: &Fit, band: (f64, f64)) -> bool {
+fn is_oscillation(fit: &Fit, search: &Search) -> bool {
+    let band = search.record.band;
     let new = fit.model.modes.len() - 1;
     let mode = fit.model.modes[new];
-    let swings = mode.alpha < OVERDAMPED * mode.omega && mode.alpha > -2.0;
+    let swings = mode.alpha < search.most_damping * mode.omega && mode.alpha > -2.0;
     let inside = (band.0..=band.1).contains(&(mode.omega / TAU));
     swings && inside && counts(fit, new)
 }

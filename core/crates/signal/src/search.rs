@@ -33,6 +33,8 @@ pub(super) struct Search<'a> {
     pub fit: Fit,
     /// Transforms, planned once for each length.
     planner: RefCell<FftPlanner<f64>>,
+    /// Largest decay over frequency of an oscillation.
+    pub most_damping: f64,
     /// Bound on the whitened power of a line.
     pub bound: f64,
     /// Modes whose decay is held at zero because they would grow.
@@ -60,7 +62,11 @@ pub(super) struct Peak {
 }
 
 impl<'a> Search<'a> {
-    pub fn new(record: &'a Record<'a>, options: &'a DecomposeOptions) -> Option<Self> {
+    pub fn new(
+        record: &'a Record<'a>,
+        options: &'a DecomposeOptions,
+        most_damping: f64,
+    ) -> Option<Self> {
         let band_width = record.band_width();
         let band_cells = record.gather(band_width);
         let model = Model {
@@ -81,6 +87,7 @@ impl<'a> Search<'a> {
             width,
             fit,
             planner,
+            most_damping,
             bound,
             held_growing: 0,
             top_floor: vec![],

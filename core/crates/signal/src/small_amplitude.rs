@@ -95,17 +95,6 @@ pub fn small_amplitude_limit(points: &[WindowPoint]) -> Option<SmallAmplitude> {
     Some(described(best, mean, spread.sqrt(), points))
 }
 
-/// By what part of itself the period grows per square of the amplitude, with its standard error:
-/// the law of every smooth symmetric restoring force at moderate amplitudes. `None` with fewer than
-/// three points.
-pub fn growth_with_square(points: &[WindowPoint]) -> Option<(f64, f64)> {
-    let fit = fit(points, &[2]).filter(|fit| fit.dof > 0)?;
-    let scale = fit.rss / fit.dof as f64;
-    let variance = fit.covariance[(1, 1)] / scale.max(f64::MIN_POSITIVE) * scale.max(1.0);
-    let small_s = fit.parameters[0];
-    Some((fit.parameters[1] / small_s, variance.sqrt() / small_s))
-}
-
 /// χ² per degree of freedom above which none of the laws describes the points (windows three sigma
 /// off).
 const NO_LAW_FITS: f64 = 9.0;

@@ -7345,6 +7345,136 @@ public func FfiConverterTypeModulationResult_lower(_ value: ModulationResult) ->
 
 
 /**
+ * A swing as one motion: θ'' = −ω² f(θ) − 2 α θ' − b |θ'| θ' − c sgn θ', with f(θ) = θ + κ (sin θ −
+ * θ).
+ */
+public struct MotionResult: Equatable, Hashable {
+    /**
+     * κ: 0 of a spring, 1 of a pendulum, below 0 where the restoring torque hardens.
+     */
+    public let hardness: Double
+    /**
+     * Its standard error.
+     */
+    public let hardnessSe: Double
+    /**
+     * α, 1/s.
+     */
+    public let dampingPerS: Double
+    /**
+     * Its standard error; none where it stands at zero, below which it cannot be.
+     */
+    public let dampingPerSSe: Double?
+    /**
+     * b, 1/rad.
+     */
+    public let dragPerRad: Double
+    /**
+     * Its standard error; none where it stands at zero, below which it cannot be.
+     */
+    public let dragPerRadSe: Double?
+    /**
+     * c, rad/s².
+     */
+    public let frictionRadS2: Double
+    /**
+     * Its standard error; none where it stands at zero, below which it cannot be.
+     */
+    public let frictionRadS2Se: Double?
+
+    // Default memberwise initializers are never public by default, so we
+    // declare one manually.
+    public init(
+        /**
+         * κ: 0 of a spring, 1 of a pendulum, below 0 where the restoring torque hardens.
+         */hardness: Double, 
+        /**
+         * Its standard error.
+         */hardnessSe: Double, 
+        /**
+         * α, 1/s.
+         */dampingPerS: Double, 
+        /**
+         * Its standard error; none where it stands at zero, below which it cannot be.
+         */dampingPerSSe: Double?, 
+        /**
+         * b, 1/rad.
+         */dragPerRad: Double, 
+        /**
+         * Its standard error; none where it stands at zero, below which it cannot be.
+         */dragPerRadSe: Double?, 
+        /**
+         * c, rad/s².
+         */frictionRadS2: Double, 
+        /**
+         * Its standard error; none where it stands at zero, below which it cannot be.
+         */frictionRadS2Se: Double?) {
+        self.hardness = hardness
+        self.hardnessSe = hardnessSe
+        self.dampingPerS = dampingPerS
+        self.dampingPerSSe = dampingPerSSe
+        self.dragPerRad = dragPerRad
+        self.dragPerRadSe = dragPerRadSe
+        self.frictionRadS2 = frictionRadS2
+        self.frictionRadS2Se = frictionRadS2Se
+    }
+
+    
+
+    
+}
+
+#if compiler(>=6)
+extension MotionResult: Sendable {}
+#endif
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public struct FfiConverterTypeMotionResult: FfiConverterRustBuffer {
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> MotionResult {
+        return
+            try MotionResult(
+                hardness: FfiConverterDouble.read(from: &buf), 
+                hardnessSe: FfiConverterDouble.read(from: &buf), 
+                dampingPerS: FfiConverterDouble.read(from: &buf), 
+                dampingPerSSe: FfiConverterOptionDouble.read(from: &buf), 
+                dragPerRad: FfiConverterDouble.read(from: &buf), 
+                dragPerRadSe: FfiConverterOptionDouble.read(from: &buf), 
+                frictionRadS2: FfiConverterDouble.read(from: &buf), 
+                frictionRadS2Se: FfiConverterOptionDouble.read(from: &buf)
+        )
+    }
+
+    public static func write(_ value: MotionResult, into buf: inout [UInt8]) {
+        FfiConverterDouble.write(value.hardness, into: &buf)
+        FfiConverterDouble.write(value.hardnessSe, into: &buf)
+        FfiConverterDouble.write(value.dampingPerS, into: &buf)
+        FfiConverterOptionDouble.write(value.dampingPerSSe, into: &buf)
+        FfiConverterDouble.write(value.dragPerRad, into: &buf)
+        FfiConverterOptionDouble.write(value.dragPerRadSe, into: &buf)
+        FfiConverterDouble.write(value.frictionRadS2, into: &buf)
+        FfiConverterOptionDouble.write(value.frictionRadS2Se, into: &buf)
+    }
+}
+
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeMotionResult_lift(_ buf: RustBuffer) throws -> MotionResult {
+    return try FfiConverterTypeMotionResult.lift(buf)
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+public func FfiConverterTypeMotionResult_lower(_ value: MotionResult) -> RustBuffer {
+    return FfiConverterTypeMotionResult.lower(value)
+}
+
+
+/**
  * How a hull moved.
  */
 public struct Moving: Equatable, Hashable {
@@ -12405,6 +12535,10 @@ public struct SwingResult: Equatable, Hashable {
      */
     public let trend: TrendResult?
     /**
+     * The swing as one motion about a fixed axis, where it was fitted as one.
+     */
+    public let motion: MotionResult?
+    /**
      * Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
      */
     public let simulated: Bool
@@ -12434,6 +12568,9 @@ public struct SwingResult: Equatable, Hashable {
          * What a list of periods follows, eq. (14).
          */trend: TrendResult?, 
         /**
+         * The swing as one motion about a fixed axis, where it was fitted as one.
+         */motion: MotionResult?, 
+        /**
          * Whether the simulation of the hull was fitted to the samples; else damped oscillations were.
          */simulated: Bool) {
         self.id = id
@@ -12443,6 +12580,7 @@ public struct SwingResult: Equatable, Hashable {
         self.warnings = warnings
         self.rmsOverNoise = rmsOverNoise
         self.trend = trend
+        self.motion = motion
         self.simulated = simulated
     }
 
@@ -12469,6 +12607,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
                 warnings: FfiConverterSequenceTypeSentence.read(from: &buf), 
                 rmsOverNoise: FfiConverterOptionDouble.read(from: &buf), 
                 trend: FfiConverterOptionTypeTrendResult.read(from: &buf), 
+                motion: FfiConverterOptionTypeMotionResult.read(from: &buf), 
                 simulated: FfiConverterBool.read(from: &buf)
         )
     }
@@ -12481,6 +12620,7 @@ public struct FfiConverterTypeSwingResult: FfiConverterRustBuffer {
         FfiConverterSequenceTypeSentence.write(value.warnings, into: &buf)
         FfiConverterOptionDouble.write(value.rmsOverNoise, into: &buf)
         FfiConverterOptionTypeTrendResult.write(value.trend, into: &buf)
+        FfiConverterOptionTypeMotionResult.write(value.motion, into: &buf)
         FfiConverterBool.write(value.simulated, into: &buf)
     }
 }
@@ -16791,6 +16931,30 @@ fileprivate struct FfiConverterOptionTypeModulationResult: FfiConverterRustBuffe
         switch try readInt(&buf) as Int8 {
         case 0: return nil
         case 1: return try FfiConverterTypeModulationResult.read(from: &buf)
+        default: throw UniffiInternalError.unexpectedOptionalTag
+        }
+    }
+}
+
+#if swift(>=5.8)
+@_documentation(visibility: private)
+#endif
+fileprivate struct FfiConverterOptionTypeMotionResult: FfiConverterRustBuffer {
+    typealias SwiftType = MotionResult?
+
+    public static func write(_ value: SwiftType, into buf: inout [UInt8]) {
+        guard let value = value else {
+            writeInt(&buf, Int8(0))
+            return
+        }
+        writeInt(&buf, Int8(1))
+        FfiConverterTypeMotionResult.write(value, into: &buf)
+    }
+
+    public static func read(from buf: inout (data: Data, offset: Data.Index)) throws -> SwiftType {
+        switch try readInt(&buf) as Int8 {
+        case 0: return nil
+        case 1: return try FfiConverterTypeMotionResult.read(from: &buf)
         default: throw UniffiInternalError.unexpectedOptionalTag
         }
     }

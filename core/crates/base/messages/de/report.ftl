@@ -39,6 +39,7 @@ report-to_be_read = Mit dem Ergebnis zu lesen
 
 report-method = Wie es gewonnen wurde
 report-swings_fitted = Der Körper hing an Leinen, wurde ausgelenkt und losgelassen. Jeder Aufnahme wurden gedämpfte Schwingungen angepasst, die allen Kanälen gemeinsam sind; ihre Zahl entschieden die Daten. Jede Schwingung ist nach der Form der Bewegung benannt.
+report-swings_one_motion = Danach wurde jede Schwingung um eine Achse als eine Bewegung bei voller Amplitude angepasst, mit linearer Dämpfung, Luftwiderstand und trockener Reibung: { $swings }. Die Periode unten ist die kleiner, ungedämpfter Schwingungen.
 report-swings_simulated = Danach wurde die ganze Bewegung des Rumpfs an seinen Leinen simuliert und den Messwerten selbst angepasst, alle diese Schwingungen zusammen: { $swings }. Ihre Perioden unten sind die des angepassten Rumpfs bei kleiner Amplitude.
 report-swing_of_seconds = { $swing } ({ $seconds } s freie Schwingung)
 report-no_period = { $swing }: es wurde keine Periode gefunden.

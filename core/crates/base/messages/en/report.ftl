@@ -39,6 +39,7 @@ report-to_be_read = To be read with the result
 
 report-method = How it was got
 report-swings_fitted = The body hung on lines, was set swinging and let go. Each recording was fitted with damped oscillations shared by all channels, their number decided from the data; each oscillation was named by the shape of the motion.
+report-swings_one_motion = Then each swing about one axis was fitted as one motion at its full amplitude, with linear damping, drag and dry friction: { $swings }. The period below is that of small, undamped swings.
 report-swings_simulated = Then the full motion of the hull on its lines was simulated and fitted to the samples themselves, all of these swings together: { $swings }. Their periods below are those of the fitted hull at small amplitude.
 report-swing_of_seconds = { $swing } ({ $seconds } s of free swing)
 report-no_period = { $swing }: no period was found.

@@ -76,16 +76,7 @@ pub struct Cause {
 }
 
 /// The body at a moment.
-#[derive(Debug, Clone, Copy)]
-pub struct Now {
-    pub t_s: f64,
-    pub angle_rad: f64,
-    pub rate_rad_s: f64,
-    /// Sense of the motion, 1 or −1.
-    pub sense: f64,
-    /// How far a bearing has given, 1 where it slides.
-    pub given: f64,
-}
+pub type Now = gyradius_mechanics::one_angle::Now<f64>;
 
 /// Every cause, in the order in which all swings have them.
 pub fn catalogue(scales: &Scales) -> Vec<Cause> {

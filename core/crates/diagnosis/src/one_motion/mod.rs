@@ -2,15 +2,13 @@
 //!
 //! Where no recording holds what a simulation of the whole body needs (a compound pendulum; no
 //! accelerometer, or one whose gravity was taken off), the turn about one axis is simulated: θ'' =
-//! −ω² f(θ) − 2 α θ', with f the law of the suspension ([`law`]). Each cause adds a torque over the
+//! −ω² f(θ) − 2 α θ', with f the law of the suspension ([`Law`](gyradius_mechanics::one_angle::Law)). Each cause adds a torque over the
 //! moment of inertia ([`causes`]).
 
 mod causes;
 mod findings;
 mod fitting;
-mod law;
 mod learned;
-mod motion;
 mod next_swing;
 mod search;
 mod swing;

@@ -15,15 +15,14 @@ use num_complex::Complex64;
 
 use super::super::point::{CauseParameter, Part};
 use super::super::shape::{direction, energy, shape};
-use super::causes::{Cause, Scales, catalogue};
-use super::law::{Law, TwoLines};
-use super::motion::{Equation, Motion};
+use super::causes::{Cause, Now, Scales, catalogue};
 use gyradius_base::frames::Vec3;
 use gyradius_identification::Evidence;
 use gyradius_identification::estimate::System;
 use gyradius_identification::measure::SwingWork;
 use gyradius_identification::routes::yaw::Lines;
 use gyradius_identification::samples::{Stream, Turning};
+use gyradius_mechanics::one_angle::{Law, Torque, TwoLines, follow};
 use gyradius_recording::{ModeName, Suspension, SuspensionKind};
 use gyradius_signal::{FittedMode, Pole};
 
@@ -225,19 +224,9 @@ impl<'a> Swing<'a> {
             causes: self.of_causes(point, causes),
             scales: self.scales,
         };
-        let motion = Motion::of(
-            &equation,
-            point[START_RAD],
-            point[START_RAD_S],
-            self.duration_s,
-        )?;
-        Some(
-            self.stream
-                .t_s
-                .iter()
-                .map(|t| motion.rate_rad_s(*t))
-                .collect(),
-        )
+        let start = Now::start(point[START_RAD], point[START_RAD_S]);
+        let motion = follow(&equation, start, self.scales.omega_rad_s, &self.stream.t_s)?;
+        Some(motion.into_iter().map(|[_, rate]| rate).collect())
     }
 
     /// Readings of the gyroscope along the axis, rad/s; `None` where no motion can be computed.
@@ -347,6 +336,39 @@ impl<'a> Swing<'a> {
     }
 }
 
+/// What moves the body.
+struct Equation<'a> {
+    law: Law,
+    /// Angular frequency of small swings, rad/s, and linear damping α, 1/s.
+    omega_rad_s: f64,
+    alpha_per_s: f64,
+    /// Causes with their values.
+    causes: Vec<(&'a Cause, &'a [f64])>,
+    scales: Scales,
+}
+
+impl Torque<f64> for Equation<'_> {
+    fn acceleration(&self, now: &Now) -> f64 {
+        let (mut torque, mut inertia) =
+            self.law.at(self.omega_rad_s, now.angle_rad, now.rate_rad_s);
+        torque -= 2.0 * self.alpha_per_s * now.rate_rad_s;
+        for (cause, q) in &self.causes {
+            torque += cause.torque(q, &self.scales, now);
+            inertia += cause.added_inertia(q, &self.scales, now);
+        }
+        torque / inertia
+    }
+
+    /// Dahl's law along a way in one sense: the bearing gives as 1 − exp(−way/θ_s) of what is left.
+    fn given(&self, now: &Now, angle_rad: f64) -> f64 {
+        let give_rad = self.causes.iter().find_map(|(cause, q)| cause.give_rad(q));
+        give_rad.map_or(0.0, |give_rad| {
+            let way = (now.sense * (angle_rad - now.angle_rad)).max(0.0);
+            now.sense + (now.given - now.sense) * (-way / give_rad).exp()
+        })
+    }
+}
+
 /// The law of a swing as its suspension is stated.
 fn law(system: &System, x: &[f64], number: usize, mode: ModeName) -> Law {
     let (suspension, index) = (
@@ -364,7 +386,10 @@ fn law(system: &System, x: &[f64], number: usize, mode: ModeName) -> Law {
             half_spacing_m: 0.5 * bottom,
             top_half_spacing_m: 0.5 * top,
         };
-        TwoLines::new(&lines, x[system.layout.gravity])
+        let height_m = lines.height_m().ok()?;
+        let half_spacings_m = [lines.half_spacing_m, lines.top_half_spacing_m];
+        let gravity_m_s2 = x[system.layout.gravity];
+        Some(TwoLines::new(half_spacings_m, height_m, gravity_m_s2))
     };
     let yaw = (mode == ModeName::Yaw).then(lines).flatten();
     yaw.map_or(Law::Linear, Law::TwoLines)

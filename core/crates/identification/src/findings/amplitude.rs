@@ -3,13 +3,11 @@
 use std::f64::consts::PI;
 
 use gyradius_recording::{ChannelQuantity, ModeName};
-use gyradius_signal::{FittedMode, WindowPoint, growth_with_square};
 
 use super::recording::number;
 use super::{Finding, FindingKind as Kind, Severity};
-use crate::measurement::{AmplitudePoint, SwingResult};
-use crate::modes::NamedMode;
 use crate::observe::Evidence;
+use crate::one_motion::{OneMotion, SURE};
 
 /// Half of what gravity makes of an amplitude: no spring or drag that leaves a swing to measure takes
 /// more of it.
@@ -18,96 +16,65 @@ const LEAST_SHARE: f64 = 0.5;
 const MOST_SHARE: f64 = 1.5;
 /// Nobody swings a body by less to measure it, degrees: read as rad it would be 11°.
 const LEAST_SWING_DEG: f64 = 0.2;
-/// So many standard errors are sure: chance does that once in 10⁶.
-const SURE: f64 = 5.0;
 
 /// What a period does with the amplitude: on a fixed axis, where gravity alone brings it back, the
-/// period grows by A²/16 of itself.
-pub fn of_amplitude(swing: &SwingResult, evidence: &Evidence) -> Option<Finding> {
-    let (mode, growth) = growth(swing, evidence)?;
+/// period grows by A²/16 of itself, κ = 1.
+pub fn of_amplitude(id: &str, evidence: &Evidence) -> Option<Finding> {
+    let motion = evidence.motion.as_ref()?;
+    let place = if motion.is_described {
+        0
+    } else {
+        motion.mode()
+    };
+    if evidence.named.get(place)?.name != ModeName::Compound {
+        return None;
+    }
     let found = match evidence.single {
         Some(ChannelQuantity::Angle) => None,
-        _ => too_harmonic(&growth),
+        _ => too_harmonic(motion).filter(|_| motion.is_described),
     };
-    let found = found.or_else(|| against_law(mode, &growth))?;
-    Some(found.of_swing(&swing.id))
+    let found = found.or_else(|| against_law(motion))?;
+    Some(found.of_swing(id))
 }
 
-/// Where the period surely does otherwise than the law, and by more than it is uncertain, the figures
-/// are not those of small swings.
-fn against_law(mode: &FittedMode, growth: &Growth) -> Option<Finding> {
-    let law = growth.law();
-    let is_law = growth.most() > LEAST_SHARE * law && growth.least() < MOST_SHARE * law;
-    let matters = (growth.value - law).abs() * mode.period_s() > SURE * mode.period_se_s();
+/// By what part of itself the period of a pendulum is longer at the first amplitude than at none.
+fn growth(motion: &OneMotion) -> f64 {
+    motion.amplitude_rad.powi(2) / 16.0
+}
+
+/// κ is surely no less and no more than this.
+fn bounds(motion: &OneMotion) -> [f64; 2] {
+    let (value, u) = (motion.hardness.value, SURE * motion.hardness.u);
+    [value - u, value + u]
+}
+
+/// Where the period surely does otherwise than the law, and by more than it is uncertain, something
+/// else than gravity is at work.
+fn against_law(motion: &OneMotion) -> Option<Finding> {
+    let ([least, most], law) = (bounds(motion), growth(motion));
+    let is_law = most > LEAST_SHARE && least < MOST_SHARE;
+    let growth = motion.hardness.value * law;
+    let matters = (growth - law).abs() * motion.period_s.value > SURE * motion.period_s.u;
     (!is_law && matters).then(|| {
         let arguments = [
-            ("percent", number(100.0 * growth.value, 2)),
+            ("percent", number(100.0 * growth, 2)),
             ("law_percent", number(100.0 * law, 2)),
-            ("angle_deg", number(growth.angle.to_degrees(), 0)),
+            ("angle_deg", number(motion.amplitude_rad.to_degrees(), 0)),
         ];
         let warned = (Kind::NoiseMismatch, Severity::Warned);
         let found = Finding::new(warned, "against_law", arguments);
-        found.with("growth", growth.value).with("expected", law)
+        found.with("growth", growth).with("expected", law)
     })
 }
 
-/// By what part of itself a period is longer at the first amplitude than at none.
-struct Growth {
-    value: f64,
-    u: f64,
-    /// The first amplitude, rad.
-    angle: f64,
-}
-
-impl Growth {
-    /// On a fixed axis, A²/16.
-    fn law(&self) -> f64 {
-        self.angle * self.angle / 16.0
-    }
-
-    fn most(&self) -> f64 {
-        self.value + SURE * self.u
-    }
-
-    fn least(&self) -> f64 {
-        self.value - SURE * self.u
-    }
-}
-
-/// The growth of a compound pendulum's period, where the whole turn is seen.
-fn growth<'a>(swing: &SwingResult, evidence: &'a Evidence) -> Option<(&'a FittedMode, Growth)> {
-    let is_whole = evidence.map.gyroscope.is_some() || evidence.single.is_some();
-    let compound = |named: &NamedMode| named.name == ModeName::Compound;
-    let modes = &evidence.named;
-    let place = modes.iter().position(compound).filter(|_| is_whole)?;
-    let angle = modes[place].angle_rad?;
-    let windows = &swing.modes.get(place)?.against_amplitude;
-    let windows: Vec<WindowPoint> = windows.iter().map(WindowPoint::from).collect();
-    let (value, u) = growth_with_square(&windows)?;
-    let [value, u] = [value, u].map(|by_square| by_square * angle * angle);
-    let mode = evidence.found.modes.get(place)?;
-    Some((mode, Growth { value, u, angle }))
-}
-
-impl From<&AmplitudePoint> for WindowPoint {
-    fn from(point: &AmplitudePoint) -> Self {
-        Self {
-            t_s: point.t_s,
-            amplitude: point.amplitude,
-            period_s: point.period_s,
-            period_se_s: point.period_se_s,
-            decrement: point.decrement,
-            decrement_se: point.decrement_se,
-        }
-    }
-}
-
-/// Where the period surely grows by less than half of that, the amplitude is not what the gyroscope
-/// says.
-fn too_harmonic(growth: &Growth) -> Option<Finding> {
-    let angle = growth.angle;
+/// Where the period surely grows by less than half of that, as little as a spring's, the amplitude is
+/// not what the gyroscope says.
+fn too_harmonic(motion: &OneMotion) -> Option<Finding> {
+    let angle = motion.amplitude_rad;
     let is_swing = (LEAST_SWING_DEG..=PI).contains(&angle);
-    (is_swing && growth.most() < LEAST_SHARE * growth.law()).then(|| {
+    let [least, most] = bounds(motion);
+    let is_spring = most < LEAST_SHARE && least > -LEAST_SHARE;
+    (is_swing && is_spring).then(|| {
         let refused = (Kind::UnitSuspect, Severity::Refused);
         let arguments = [
             ("angle_deg", number(angle.to_degrees(), 0)),

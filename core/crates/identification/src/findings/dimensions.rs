@@ -25,6 +25,9 @@ const MOST_TAPER: f64 = 5.0;
 const WORTH_A_NOTE: f64 = 0.3;
 /// A uniform rod has k = 0.29 of its length; a third of that is a body with all its mass amidships.
 const LEAST_SHARE_OF_LENGTH: f64 = 0.1;
+/// Mass that grows from none amidships in proportion to the distance, to the ends: k = L/√8. A hull
+/// has less there.
+const MOST_SHARE_OF_LENGTH: f64 = 0.354;
 /// A uniform rod that just reaches from one suspension point to the other has k = d/√3 = 0.58 d; a
 /// body on a light beam of its own may have half of that.
 const LEAST_GYRADIUS_OF_HALF_SPACING: f64 = 0.25;
@@ -222,9 +225,12 @@ fn a_rod(result: &Measurement) -> Option<Finding> {
     })
 }
 
-/// Much smaller than the hull is long, or much deeper than a hull is.
+/// Much smaller or larger than the hull is long, or much deeper than a hull is.
 fn of_length(name: &QuantityName, value: f64, length: f64) -> Option<Finding> {
     let (key, is_odd) = match name {
+        QuantityName::KYaw | QuantityName::KPitch if value > MOST_SHARE_OF_LENGTH * length => {
+            ("large_for_length", true)
+        }
         QuantityName::KYaw | QuantityName::KPitch => {
             ("small_for_length", value < LEAST_SHARE_OF_LENGTH * length)
         }

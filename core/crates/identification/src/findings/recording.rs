@@ -18,7 +18,7 @@ use crate::observe::Evidence;
 /// What moves has so many times the variance of the noise …
 const STANDS_OUT: f64 = 10.0;
 /// … and at least this share of it is in the oscillations that were found.
-const LEAST_DESCRIBED: f64 = 0.5;
+pub const LEAST_DESCRIBED: f64 = 0.5;
 /// Where no more than this share of the samples are lost at the sensor's limit, a decaying swing
 /// loses at most a tenth of its first periods. A sinusoid that lost a tenth of its samples at its
 /// peaks is still told from its third harmonic: over |sin x| < 0.988 the two correlate by 0.24, over
@@ -32,7 +32,7 @@ const GRAVITY_TOLERANCE: f64 = 0.1;
 /// A unit is named if the size fits it so well.
 const UNIT_TOLERANCE: f64 = 0.15;
 /// Residual over noise beyond which the noise was not estimated right, or the model is not.
-const NOISE_MISMATCH: f64 = 1.5;
+pub const NOISE_MISMATCH: f64 = 1.5;
 /// An alternation is real beyond so many standard errors: chance does that once in 10⁸.
 const ALTERNATION: f64 = 6.0;
 /// Fewest periods that show an alternation.
@@ -318,6 +318,9 @@ fn too_few_samples(evidence: &Evidence) -> Option<Finding> {
 /// The oscillations that were found must make up most of what moves, in one sensor at least: else
 /// the motion is not among them, and what they say of periods is of something else.
 fn not_described(evidence: &Evidence) -> Option<Finding> {
+    if evidence.one_motion().is_some() {
+        return None;
+    }
     let mut first = 0;
     let mut best: Option<f64> = None;
     for group in &evidence.groups {

@@ -12,9 +12,14 @@ use crate::theory::has_motion;
 use crate::words::mode_text;
 
 /// Periods that somebody typed for motions which the suspension does not have. Of a result without a
-/// quantity, why: what each swing lacks that gives the estimate no period, and what the periods of
+/// quantity, why (`has_failed`: the estimate did): what each swing lacks that gives the estimate no period, and what the periods of
 /// the others do not tell.
-pub fn not_used(system: &System, works: &[SwingWork], result: &Measurement) -> Vec<Finding> {
+pub fn not_used(
+    system: &System,
+    works: &[SwingWork],
+    result: &Measurement,
+    has_failed: bool,
+) -> Vec<Finding> {
     if !result.quantities.is_empty() {
         let swings = system.session.swings.iter();
         return swings.filter_map(left_out).collect();
@@ -44,7 +49,9 @@ pub fn not_used(system: &System, works: &[SwingWork], result: &Measurement) -> V
             seen.push(mode);
         }
     }
-    if !seen.is_empty() {
+    // Where the estimate failed or a figure was taken out, that is told.
+    let is_told = has_failed || result.findings.iter().any(Finding::refuses);
+    if !seen.is_empty() && !is_told {
         found.push(of_session("no_quantity", [("motions", motions(&seen))]));
     }
     found

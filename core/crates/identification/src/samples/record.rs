@@ -8,7 +8,7 @@ use gyradius_base::frames::Vec3;
 /// Samples are averaged over blocks this long, as a share of the fastest period found, before they
 /// enter the normal equations; residuals are formed sample by sample, so nothing is shifted, and no
 /// more than (2π/16)²/24 = 0.6 % of the information of the fastest motion is lost.
-const BLOCK_OF_PERIOD: f64 = 1.0 / 16.0;
+pub(crate) const BLOCK_OF_PERIOD: f64 = 1.0 / 16.0;
 
 /// The free span is known to a fraction of a second; so much is left out at its ends, s.
 const MARGIN_S: f64 = 0.3;
@@ -43,7 +43,7 @@ fn whole(first: usize) -> Range<usize> {
 }
 
 /// Start of the part that is used, s by the phone's clock, and its duration, s.
-fn inside(evidence: &Evidence) -> (f64, f64) {
+pub(crate) fn inside(evidence: &Evidence) -> (f64, f64) {
     let start_s = evidence.span.start_s + MARGIN_S;
     (start_s, evidence.span.end_s - MARGIN_S - start_s)
 }
@@ -258,7 +258,7 @@ impl Samples {
 }
 
 /// Runs of samples no longer than `block_s`.
-fn blocks(t_s: &[f64], block_s: f64) -> Vec<Range<usize>> {
+pub(crate) fn blocks(t_s: &[f64], block_s: f64) -> Vec<Range<usize>> {
     let mut blocks = Vec::new();
     let mut first = 0;
     for i in 1..=t_s.len() {

@@ -9,6 +9,7 @@ mod findings;
 mod inclines;
 mod instruments;
 mod motions;
+mod one_motion;
 mod single_routes;
 mod uncertainty;
 mod vectors;

@@ -3,5 +3,6 @@
 #![allow(missing_docs)]
 
 mod dynamics;
+mod one_angle;
 mod sensors;
 mod simulation;

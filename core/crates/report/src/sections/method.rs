@@ -29,6 +29,12 @@ fn swings(measurement: &Measurement, out: &mut Markup) {
         let text = out.tell("swings_simulated", [("swings", plain(simulated))]);
         out.element("p", &[], &text);
     }
+    let about_one_axis = measurement.swings.iter().filter(|s| s.motion.is_some());
+    let about_one_axis = ids(about_one_axis.map(|s| &s.id), language);
+    if !about_one_axis.is_empty() {
+        let text = out.tell("swings_one_motion", [("swings", plain(about_one_axis))]);
+        out.element("p", &[], &text);
+    }
     list(
         out,
         "",

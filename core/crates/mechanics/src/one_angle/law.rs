@@ -1,6 +1,6 @@
 //! How a body swings in one angle without anything that brakes it.
 
-use gyradius_identification::routes::yaw::Lines;
+use crate::real::Real;
 
 /// What brings the body back.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,26 +24,24 @@ pub struct TwoLines {
 }
 
 impl TwoLines {
-    /// `None` where lines so short cannot hang.
-    pub fn new(lines: &Lines, gravity_m_s2: f64) -> Option<Self> {
-        let rest_m = lines.height_m().ok()?;
-        let product_m2 = lines.half_spacing_m * lines.top_half_spacing_m;
-        Some(Self {
-            product_m2,
-            rest_m2: rest_m * rest_m,
+    /// Of half spacings below and above, the vertical distance of their points at rest, and gravity.
+    pub fn new(half_spacings_m: [f64; 2], height_m: f64, gravity_m_s2: f64) -> Self {
+        Self {
+            product_m2: half_spacings_m[0] * half_spacings_m[1],
+            rest_m2: height_m * height_m,
             gravity_m_s2,
-        })
+        }
     }
 }
 
 impl Law {
     /// Torque over inertia that brings the body back, rad/s², and the inertia's factor, at an angle
     /// (rad) and a rate (rad/s); ω is the angular frequency of small swings, rad/s.
-    pub fn at(&self, omega_rad_s: f64, angle_rad: f64, rate_rad_s: f64) -> (f64, f64) {
+    pub fn at<R: Real>(&self, omega_rad_s: R, angle_rad: R, rate_rad_s: R) -> (R, R) {
         let square = omega_rad_s * omega_rad_s;
         match self {
-            Law::Linear => (-square * angle_rad, 1.0),
-            Law::Pendulum => (-square * angle_rad.sin(), 1.0),
+            Law::Linear => (-square * angle_rad, R::one()),
+            Law::Pendulum => (-square * angle_rad.sin(), R::one()),
             Law::TwoLines(lines) => lines.at(square, angle_rad, rate_rad_s),
         }
     }
@@ -57,15 +55,23 @@ impl Law {
 impl TwoLines {
     /// From the energy (k² + z'²) θ'²/2 + g z(θ) with h² = h₀² − 2 d_b d_t (1 − cos θ), z = h₀ − h;
     /// k² = g d_b d_t/(h₀ ω²), eq. (5).
-    fn at(&self, square: f64, angle_rad: f64, rate_rad_s: f64) -> (f64, f64) {
-        let (sin, cos) = angle_rad.sin_cos();
+    fn at<R: Real>(&self, square: R, angle_rad: R, rate_rad_s: R) -> (R, R) {
+        let (sin, cos) = (angle_rad.sin(), angle_rad.cos());
+        let rest = R::constant(self.rest_m2);
+        let h2 = rest - (R::one() - cos).scale(2.0 * self.product_m2);
         // Lines that cross hold nothing: a fit that gets there is far off, and is kept finite.
-        let h2 = (self.rest_m2 - 2.0 * self.product_m2 * (1.0 - cos)).max(1e-6 * self.rest_m2);
+        let least = 1e-6 * self.rest_m2;
+        let h2 = if h2.value() > least {
+            h2
+        } else {
+            R::constant(least)
+        };
         let h = h2.sqrt();
-        let slope = self.product_m2 * sin / h;
-        let bend = self.product_m2 * cos / h + slope * slope / h;
-        let k2 = self.gravity_m_s2 * self.product_m2 / (self.rest_m2.sqrt() * square);
-        let back = -(self.gravity_m_s2 * slope + slope * bend * rate_rad_s * rate_rad_s) / k2;
-        (back, 1.0 + slope * slope / k2)
+        let slope = sin.scale(self.product_m2) / h;
+        let bend = cos.scale(self.product_m2) / h + slope * slope / h;
+        let of_one = self.gravity_m_s2 * self.product_m2 / self.rest_m2.sqrt();
+        let k2 = R::constant(of_one) / square;
+        let back = slope.scale(self.gravity_m_s2) + slope * bend * rate_rad_s * rate_rad_s;
+        (-back / k2, R::one() + slope * slope / k2)
     }
 }
