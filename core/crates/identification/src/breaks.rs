@@ -9,14 +9,12 @@ use gyradius_signal::{
     undisturbed_span,
 };
 
+use super::chance::beyond_chance;
 use super::observe::clipped;
 
 /// Most gaps, the widest first, that are tried: a clock that is set by a network steps once or twice
 /// in a swing.
 const MOST_GAPS: usize = 3;
-/// Residual beyond the noise that cannot be chance: its variance has a relative standard deviation
-/// of √(2/n), and this many of those come once in 10⁶.
-const SIGNIFICANT: f64 = 5.0;
 /// The clock stepped where less than this share of the excess is left once the gap is closed: closing
 /// one in which time did pass makes it larger.
 const LEFT: f64 = 0.5;
@@ -102,7 +100,7 @@ fn heavily_damped(all: &[ChannelGroup], disturbed_s: &[f64]) -> Option<Free> {
 fn beyond_noise(groups: &[ChannelGroup], found: &Decomposition) -> f64 {
     let samples = groups.iter().map(|g| g.t_s.len() * g.channels.len());
     let n = samples.sum::<usize>().max(1) as f64;
-    found.rms_over_noise.powi(2) - 1.0 - SIGNIFICANT * (2.0 / n).sqrt()
+    beyond_chance(found.rms_over_noise.powi(2), n)
 }
 
 /// Where the clock may have stepped.

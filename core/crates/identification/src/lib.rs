@@ -7,6 +7,7 @@ mod alternatives;
 mod beats;
 mod breaks;
 pub mod by_samples;
+mod chance;
 mod channels;
 mod correlated;
 mod court;

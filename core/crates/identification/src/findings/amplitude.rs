@@ -6,8 +6,9 @@ use gyradius_recording::{ChannelQuantity, ModeName};
 
 use super::recording::number;
 use super::{Finding, FindingKind as Kind, Severity};
+use crate::chance::SURE;
 use crate::observe::Evidence;
-use crate::one_motion::{OneMotion, SURE};
+use crate::one_motion::OneMotion;
 
 /// Half of what gravity makes of an amplitude: no spring or drag that leaves a swing to measure takes
 /// more of it.

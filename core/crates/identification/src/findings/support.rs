@@ -14,7 +14,7 @@ use num_complex::Complex64;
 use super::{Finding, FindingKind as Kind, Severity};
 use crate::estimate::{Observed, Solution, System};
 use crate::measurement::Measurement;
-use crate::modes::PhoneMotion;
+use crate::modes::{PhoneMotion, in_phase};
 use crate::names::QuantityName;
 use crate::observe::Evidence;
 use crate::swing_work::SwingWork;
@@ -208,9 +208,8 @@ fn along_the_axis(evidence: &Evidence, mode: usize) -> Option<f64> {
         return None;
     }
     // By the phase of the turn both are real but for the damping.
-    let phase = turn.iter().map(|c| c * c).sum::<Complex64>().sqrt();
-    let axis = turn.map(|c| (c * phase.conj()).re);
-    let length = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
+    let axis = in_phase(&turn.into());
+    let length = axis.norm();
     let along: Complex64 = axis.iter().zip(&force).map(|(a, f)| f * *a).sum();
     // At the centre of oscillation there is no force of its own: any other would have a large share.
     let least = LEAST_FORCE * STANDARD_GRAVITY_M_S2 * size(&turn) / mode.omega_rad_s;

@@ -11,6 +11,6 @@ mod motion;
 mod naming;
 mod pose;
 
-pub use motion::{CVec3, ChannelMap, PhoneMotion};
+pub use motion::{CVec3, ChannelMap, PhoneMotion, in_phase};
 pub use naming::{Hanging, NamedMode, name_modes};
 pub use pose::{line_direction, tilt_between_rad, up_direction};

@@ -83,10 +83,14 @@ impl PhoneMotion {
     /// given.
     pub fn principal_direction(vector: &CVec3, up: &Vec3) -> Option<Vec3> {
         let across = vector - up.map(Complex64::from) * along(vector, up);
-        let phase = across.iter().map(|c| c * c).sum::<Complex64>().sqrt();
-        let in_phase = across.map(|c| (c * phase.conj()).re);
-        in_phase.try_normalize(1e-300)
+        in_phase(&across).try_normalize(1e-300)
     }
+}
+
+/// The line along which a complex vector swings: its real part at the phase at which that is longest.
+pub fn in_phase(vector: &CVec3) -> Vec3 {
+    let phase = vector.iter().map(|c| c * c).sum::<Complex64>().sqrt();
+    vector.map(|c| (c * phase.conj()).re)
 }
 
 fn vector(mode: &FittedMode, first: usize) -> CVec3 {

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use gyradius_estimation::{ByRows, Fit, Options, Rows, UNSTOPPED, Wanted, minimise};
-use gyradius_signal::white_level;
 
 use super::lines::Line;
 use super::problem::Problem;
@@ -11,6 +10,7 @@ use super::readings::Readings;
 use super::start::{Start, starts};
 use super::summary;
 use super::torque::Restoring;
+use crate::chance::beyond_chance;
 
 /// Periods that a fit begins with: fewer do not tell damping from frequency, over more a start that
 /// is a few percent off loses count.
@@ -25,10 +25,6 @@ const OPTIONS: Options = Options {
     gain_share: 1e-12,
     keep: None,
 };
-/// What is left beyond the noise cannot be chance: the variance of n rows has a relative standard
-/// deviation of √(2/n), and this many of those come once in 10⁶.
-const SIGNIFICANT: f64 = 5.0;
-
 /// A swing fitted.
 #[derive(Debug, Clone)]
 pub struct Fitted {
@@ -58,12 +54,13 @@ impl Fitted {
 
     /// Once more from where it is, with the noise that it leaves where that is less: where a cycle has
     /// few samples, a motion that does not describe the swing leaves it as noise.
-    fn again(mut self) -> Option<Self> {
-        let noise = white_level(&self.left()?).min(self.readings.noise);
-        self.readings.noise = Some(noise).filter(|n| *n > 0.0)?;
-        let fit = solve(&self.problem(), &self.fit.x)?;
-        self.fit = Some(fit).filter(|fit| fit.ending.is_converged())?;
-        Some(self)
+    fn again(self) -> Option<Self> {
+        let left = self.left()?;
+        let readings = self.readings.quieter(&left)?;
+        let mut again = Self { readings, ..self };
+        let fit = solve(&again.problem(), &again.fit.x)?;
+        again.fit = Some(fit).filter(|fit| fit.ending.is_converged())?;
+        Some(again)
     }
 
     /// Whether more is left than noise.
@@ -73,7 +70,7 @@ impl Fitted {
             .rows(0, &self.fit.x, &[], Wanted::Residuals)?;
         let count = rows.residuals.len() as f64;
         let mean = rows.residuals.norm_squared() / count;
-        Some(mean > 1.0 + SIGNIFICANT * (2.0 / count).sqrt())
+        Some(beyond_chance(mean, count) > 0.0)
     }
 
     /// With the lines that are left beside it, where it can be fitted with them.
@@ -121,36 +118,30 @@ fn solve(problem: &Problem, x: &[f64]) -> Option<Fit> {
 }
 
 /// From the best start over the whole record, then with the lines that it leaves.
-pub fn fit_from_afar(mut readings: Readings, restoring: Restoring) -> Option<Fitted> {
+pub fn fit_from_afar(readings: Readings, restoring: Restoring) -> Option<Fitted> {
     let duration_s = readings.duration_s();
     let cycles = duration_s * readings.pole.im / std::f64::consts::TAU;
     if cycles > readings.blocks.len() as f64 {
         // Most of it is a gap: the motion in it would cost more than the samples are worth.
         return None;
     }
-    let (start, mut fit) = begin(&readings, restoring)?;
-    // What damped oscillations leave of a wide swing is no noise.
-    let first = problem(&readings, restoring, &start, &[], first_horizon_s(&start));
-    if let Some(noise) = first.left(&fit.x).map(|left| white_level(&left)) {
-        readings.noise = Some(noise.min(readings.noise)).filter(|n| *n > 0.0)?;
-    }
-    let first = problem(&readings, restoring, &start, &[], first_horizon_s(&start));
-    fit = solve(&first, &fit.x)?;
+    let (start, first) = begin(&readings, restoring)?;
     let mut horizon_s = first_horizon_s(&start);
+    let left = problem(&readings, restoring, &start, &[], horizon_s).left(&first.x)?;
+    let readings = readings.quieter(&left)?;
+    let to = |horizon_s| problem(&readings, restoring, &start, &[], horizon_s);
+    let mut fit = solve(&to(horizon_s), &first.x)?;
     while horizon_s < duration_s {
         let known = readings.blocks_to(horizon_s).len();
         horizon_s *= LONGER;
         if readings.blocks_to(horizon_s).len() > known {
-            let longer = problem(&readings, restoring, &start, &[], horizon_s);
+            let longer = to(horizon_s);
             if !foresees(&longer, &fit, known)? {
                 return None;
             }
             fit = solve(&longer, &fit.x)?;
         }
     }
-    let x = fit.x;
-    let whole = problem(&readings, restoring, &start, &[], f64::INFINITY);
-    let fit = solve(&whole, &x)?;
     let fitted = Fitted {
         readings,
         fit,

@@ -6,7 +6,7 @@ use gyradius_signal::{ChannelGroup, DecomposeOptions, decompose};
 /// The logarithm of a line's frequency over that of the spectrum, its damping, and its amplitudes
 /// (cosine, sine).
 pub const LINE: usize = 4;
-/// So many are told apart at most.
+/// So many are fitted at most.
 const MOST_LINES: usize = 4;
 /// A line nearer to the swing's own frequencies than this, relative, is what the motion leaves of
 /// itself; so is one nearer than the second to a multiple of them.

@@ -26,19 +26,18 @@ use gyradius_recording::Quantity;
 use gyradius_signal::{AmplitudeLaw, ChannelGroup, FittedMode, residuals};
 use num_complex::Complex64;
 
+use crate::chance::SURE;
 use crate::findings::{LEAST_DESCRIBED, NOISE_MISMATCH};
 use fit::{Fitted, fit_from_afar};
 use lines::is_own;
-use readings::Readings;
 pub use readings::Turn;
+use readings::{Readings, variance};
 use torque::Restoring;
 
 /// κ of a spring, of a pendulum, and the most of two lines.
 const SPRING: f64 = 0.0;
 const PENDULUM: f64 = 1.0;
 const LINES: f64 = 2.0;
-/// So many standard uncertainties are sure: chance does that once in 10⁶.
-pub const SURE: f64 = 5.0;
 
 /// A swing fitted as one motion.
 #[derive(Debug, Clone)]
@@ -94,7 +93,7 @@ impl OneMotion {
         let any = of_law(Restoring::Unknown)?;
         let pendulum = is_pendulum.then(|| of_law(Restoring::Known(Law::Pendulum)));
         let motion = match pendulum.flatten() {
-            Some(pendulum) if !any.is_surely_not(PENDULUM) => Self {
+            Some(pendulum) if !any.is_surely_no_pendulum() => Self {
                 hardness: any.hardness,
                 ..pendulum
             },
@@ -109,9 +108,9 @@ impl OneMotion {
         })
     }
 
-    /// Whether κ is surely another.
-    fn is_surely_not(&self, hardness: f64) -> bool {
-        (self.hardness.value - hardness).abs() > SURE * self.hardness.u
+    /// Whether κ is surely not that of a pendulum.
+    fn is_surely_no_pendulum(&self) -> bool {
+        (self.hardness.value - PENDULUM).abs() > SURE * self.hardness.u
     }
 
     /// Place of the mode that it is among those of the spectrum.
@@ -165,7 +164,7 @@ impl OneMotion {
     pub fn residuals(&self, group: &ChannelGroup) -> Option<ChannelGroup> {
         let readings = &self.fitted.readings;
         let problem = self.fitted.problem();
-        let along = problem.at(&self.fitted.fit.x, &group.t_s, readings.start_s)?;
+        let along = problem.at(&self.fitted.fit.x, &group.t_s)?;
         let level_along = readings.axis.dot(&readings.level);
         let channel = |(c, samples): (usize, &Vec<f64>)| {
             // Across the axis the channels read their levels, along it what is fitted.
@@ -178,12 +177,6 @@ impl OneMotion {
             t_s: group.t_s.clone(),
             channels: group.channels.iter().enumerate().map(channel).collect(),
         })
-    }
-
-    /// The part that was fitted, s by the sensor's clock.
-    pub fn span_s(&self) -> (f64, f64) {
-        let readings = &self.fitted.readings;
-        (readings.start_s, readings.start_s + readings.duration_s())
     }
 
     /// Whether κ may be that of a spring, a pendulum, two lines or between.
@@ -201,7 +194,7 @@ impl OneMotion {
         let Some(group) = lines.first() else {
             return false;
         };
-        let (start_s, end_s) = self.span_s();
+        let (start_s, end_s) = (readings.start_s, readings.start_s + readings.duration_s());
         let used =
             group.t_s.partition_point(|t| *t < start_s)..group.t_s.partition_point(|t| *t <= end_s);
         let along = |i: usize| {
@@ -210,13 +203,7 @@ impl OneMotion {
         };
         let count = readings.values.len().max(1) as f64;
         let by_lines = used.map(|i| along(i).powi(2)).sum::<f64>() / count;
-        let mean = readings.values.iter().sum::<f64>() / count;
-        let all = readings
-            .values
-            .iter()
-            .map(|y| (y - mean).powi(2))
-            .sum::<f64>()
-            / count;
+        let all = variance(&readings.values);
         let most = NOISE_MISMATCH * by_lines.sqrt().max(readings.spectrum_noise);
         let is_as_good = self.left_rms <= most || self.is_ordinary();
         is_as_good && self.left_rms.powi(2) <= (1.0 - LEAST_DESCRIBED) * all

@@ -103,7 +103,8 @@ impl Problem<'_> {
     }
 
     /// What it reads at times by its clock, s; before the first sample what it reads there.
-    pub fn at(&self, x: &[f64], t_s: &[f64], start_s: f64) -> Option<Vec<f64>> {
+    pub fn at(&self, x: &[f64], t_s: &[f64]) -> Option<Vec<f64>> {
+        let start_s = self.readings.start_s;
         let from_start: Vec<f64> = t_s.iter().map(|t| (t - start_s).max(0.0)).collect();
         self.at_times(x, &from_start)
     }
@@ -149,9 +150,7 @@ impl Problem<'_> {
         }
         Some(matrix)
     }
-}
 
-impl Problem<'_> {
     fn add_lines(&self, x: &[f64], t_s: f64, (matrix, row): (&mut DMatrix<f64>, usize)) {
         for (l, line) in self.lines.iter().enumerate() {
             let first = FIRST_LINE + LINE * l;

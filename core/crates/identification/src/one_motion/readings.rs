@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use gyradius_base::frames::Vec3;
-use gyradius_signal::{ChannelGroup, Decomposition, FittedMode};
+use gyradius_signal::{ChannelGroup, Decomposition, FittedMode, white_level};
 use num_complex::Complex64;
 
+use crate::modes::{CVec3, in_phase};
 use crate::samples::{BLOCK_OF_PERIOD, blocks};
 
 /// The readings along the axis of a swing.
@@ -90,7 +91,8 @@ impl Readings {
     pub fn of(turn: &Turn, (start_s, end_s): (f64, f64), mode: usize) -> Option<Self> {
         let strongest = turn.found.modes.get(mode)?;
         let shape = turn.shape(strongest);
-        let axis = direction(shape)?;
+        let vector = CVec3::from_fn(|c, _| shape.get(c).copied().unwrap_or_default());
+        let axis = in_phase(&vector).try_normalize(f64::MIN_POSITIVE)?;
         let all = &turn.group.t_s;
         let used = all.partition_point(|t| *t < start_s)..all.partition_point(|t| *t <= end_s);
         let t_s: Vec<f64> = all.get(used.clone())?.iter().map(|t| t - start_s).collect();
@@ -131,6 +133,13 @@ impl Readings {
         &self.blocks[..end]
     }
 
+    /// With no more noise than a motion leaves of them: what damped oscillations leave of a wide swing
+    /// is none.
+    pub fn quieter(mut self, left: &[f64]) -> Option<Self> {
+        self.noise = Some(white_level(left).min(self.noise)).filter(|n| *n > 0.0)?;
+        Some(self)
+    }
+
     /// Mean of a figure over a block.
     pub fn mean(block: &Range<usize>, at: impl Fn(usize) -> f64) -> f64 {
         block.clone().map(at).sum::<f64>() / block.len() as f64
@@ -138,16 +147,8 @@ impl Readings {
 }
 
 /// Mean square about the mean.
-fn variance(channel: &[f64]) -> f64 {
+pub fn variance(channel: &[f64]) -> f64 {
     let count = channel.len().max(1) as f64;
     let mean = channel.iter().sum::<f64>() / count;
     channel.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / count
-}
-
-/// The line along which a complex vector swings, of unit length: its real part at the phase at which
-/// it is longest.
-fn direction(shape: &[Complex64]) -> Option<Vec3> {
-    let phase = shape.iter().map(|c| c * c).sum::<Complex64>().sqrt();
-    let part = |k: usize| shape.get(k).map_or(0.0, |c| (c * phase.conj()).re);
-    Vec3::from_fn(|k, _| part(k)).try_normalize(f64::MIN_POSITIVE)
 }
