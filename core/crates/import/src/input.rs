@@ -13,6 +13,7 @@ pub(crate) fn read_exported(path: &Path) -> Result<Input> {
     if path.is_dir() {
         return Store::open(path).map(Input::Folder);
     }
+    refuse_open_database(path)?;
     match fs::read(path) {
         Ok(bytes) => Ok(Input::File(file, bytes)),
         Err(error) => Err(Error::Unreadable {
@@ -20,6 +21,25 @@ pub(crate) fn read_exported(path: &Path) -> Result<Input> {
             reason: error.to_string(),
         }),
     }
+}
+
+/// Until a program closes a database, its latest rows stand in the file `…-wal` beside it.
+fn refuse_open_database(path: &Path) -> Result<()> {
+    let mut beside = path.as_os_str().to_owned();
+    beside.push("-wal");
+    let holds_rows = fs::metadata(&beside).is_ok_and(|file| file.len() > 0);
+    if !holds_rows {
+        return Ok(());
+    }
+    Err(Error::Malformed {
+        file: path.display().to_string(),
+        line: None,
+        expected: "a database that no program has open".to_owned(),
+        found: format!(
+            "rows in `{}`, which are not in it yet; open and close it with a program for databases",
+            Path::new(&beside).display()
+        ),
+    })
 }
 
 /// How files are to be read, with a mapping where entries of one are given.
