@@ -82,6 +82,25 @@ impl FromStr for Unit {
     }
 }
 
+/// Units that a header alone has: `mrad/s`, `rpm`, and a number before a unit of time (`0.1 ms`).
+fn scaled(name: &str) -> Option<(Dimension, f64)> {
+    match name {
+        "mrad/s" => return Some((Dimension::AngularRate, 1e-3)),
+        "mdps" | "mdeg/s" => return Some((Dimension::AngularRate, 1e-3_f64.to_radians())),
+        "rpm" | "rev/min" | "u/min" => {
+            return Some((Dimension::AngularRate, std::f64::consts::TAU / 60.0));
+        }
+        "rev/s" | "rps" => return Some((Dimension::AngularRate, std::f64::consts::TAU)),
+        _ => {}
+    }
+    let end = name.find(|c: char| !c.is_ascii_digit() && c != '.')?;
+    let count: f64 = name.get(..end)?.parse().ok()?;
+    let unit = name.get(end..)?;
+    let (quantity, factor) =
+        plain_unit(unit).filter(|_| matches!(unit, "s" | "ms" | "us" | "ns"))?;
+    (count > 0.0).then_some((quantity, count * factor))
+}
+
 fn plain_unit(name: &str) -> Option<(Dimension, f64)> {
     Some(match name {
         "s" => (Dimension::Time, 1.0),
@@ -114,8 +133,14 @@ fn plain_unit(name: &str) -> Option<(Dimension, f64)> {
 
 /// A unit as a header writes it in brackets; programs differ in `°`, `^2`, spaces and words.
 pub(super) fn unit_of_header(unit: &str) -> Option<Unit> {
-    // A degree sign in another encoding than UTF-8 reads as a replacement character.
-    let unit = unit.trim().to_lowercase().replace('\u{fffd}', "°");
+    // A degree sign or a square in another encoding than UTF-8 reads as a replacement character.
+    let unit = unit.trim().to_lowercase();
+    let known = |sign: &str| written(&unit.replace('\u{fffd}', sign));
+    known("°").or_else(|| known("²"))
+}
+
+/// The same in characters that can all be read.
+fn written(unit: &str) -> Option<Unit> {
     let plain: String = unit
         .chars()
         .filter(|c| !matches!(c, ' ' | '(' | ')'))
@@ -140,6 +165,7 @@ pub(super) fn unit_of_header(unit: &str) -> Option<Unit> {
     };
     let whole = below.map_or_else(|| above.to_owned(), |below| format!("{above}/{below}"));
     plain_unit(&whole)
+        .or_else(|| scaled(&whole))
         .filter(|(quantity, _)| *quantity != Dimension::Clock)
         .map(|(quantity, factor)| Unit { quantity, factor })
 }
