@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import suppress
 
 try:
     from .interrupt import INTERRUPTED, deaf, leave, leave_at_once
@@ -17,7 +18,7 @@ def main() -> None:
     leave_at_once()
     # What takes time to load is loaded here, where Ctrl-C is heard.
     from .cli import run
-    from .console import prepare_streams
+    from .console import prepare_streams, silence_standard_output
 
     prepare_streams()
     try:
@@ -28,6 +29,12 @@ def main() -> None:
         raise
     except KeyboardInterrupt:
         leave()
+    except OSError as error:
+        # Help and the version are written before any command handles its errors.
+        silence_standard_output()
+        with suppress(OSError):
+            sys.stderr.write(f"gyradius: standard output: {error.strerror or error}\n")
+        sys.exit(2)
     finally:
         deaf()
 

@@ -50,6 +50,8 @@ LOOKALIKES = {
     "⁻": "-",
 }
 GREEK = {"μ": "u"}
+# Columns that a terminal may have, and those that it has where what is stated is none of them.
+LEAST_COLUMNS, USUAL_COLUMNS, MOST_COLUMNS = 1, 80, 1000
 LOOKALIKE_ERRORS = "gyradius.lookalike"
 
 
@@ -65,12 +67,21 @@ def error_console() -> Console:
 
 class _Console(Console):
     def __init__(self, **options: Any) -> None:
-        super().__init__(markup=False, emoji=False, highlight=False, **options)
+        super().__init__(markup=False, emoji=False, highlight=False, width=_stated_width(), **options)
         self.push_render_hook(_Plain())
 
     def on_broken_pipe(self) -> None:
         # Nobody reads on: how the command ends is decided in one place.
         raise BrokenPipeError
+
+
+def _stated_width() -> int | None:
+    """The width that ``COLUMNS`` states where nothing, or next to nothing, could be shown in it."""
+    stated = os.environ.get("COLUMNS", "")
+    if not (stated.isascii() and stated.isdigit()):
+        return None
+    columns = int(stated[:9])
+    return None if LEAST_COLUMNS <= columns <= MOST_COLUMNS else min(max(columns, USUAL_COLUMNS), MOST_COLUMNS)
 
 
 class _Plain(RenderHook):
