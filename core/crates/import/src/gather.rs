@@ -142,6 +142,10 @@ fn contents(
             };
             Ok((data, columns("t,y", &track.t_s, &track.y_m)))
         }
+        ImportedData::Periods(list) => Ok((
+            SwingData::Periods(file.into()),
+            columns("t,period", &list.t_s, &list.period_s),
+        )),
         ImportedData::Channel(channel) => Ok((
             SwingData::Recording(file.into()),
             write_recording(&channel.clone().into()),

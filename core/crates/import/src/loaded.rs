@@ -114,7 +114,10 @@ fn recording(path: &Path, input: Input, mapping: &[String]) -> Result<Loaded> {
     match (data.next(), data.next()) {
         (Some(ImportedData::Recording(recording)), None) => Ok(Loaded::Bare(Box::new(recording))),
         (Some(ImportedData::Channel(channel)), None) => Ok(Loaded::Bare(Box::new(channel.into()))),
-        (Some(ImportedData::Track(_) | ImportedData::GateEvents(_)), None) => Err(no_phone(
+        (
+            Some(ImportedData::Track(_) | ImportedData::Periods(_) | ImportedData::GateEvents(_)),
+            None,
+        ) => Err(no_phone(
             path,
             "a track or a list of events, which becomes a session with `gyradius import`",
         )),

@@ -141,6 +141,33 @@ pub(crate) fn recording(name: &str, series: Vec<RawSeries>) -> Result<Recording>
     Ok(out)
 }
 
+/// The same of what another program exported, with what it has columns for but no sample of.
+pub(crate) fn recording_told(name: &str, series: Vec<RawSeries>) -> Result<Recording> {
+    let empty: Vec<Repair> = series.iter().filter_map(not_recorded).collect();
+    let mut out = recording(name, series)?;
+    out.repairs.extend(empty);
+    Ok(out)
+}
+
+/// A sensor, or an axis of one, that has columns but no sample in them.
+fn not_recorded(raw: &RawSeries) -> Option<Repair> {
+    let what = match raw.has_samples() {
+        true if raw.empty.is_empty() => return None,
+        true => format!("{} without a sample", raw.empty.join(", ")),
+        false if raw.t_s.is_empty() => "no sample in any row".to_owned(),
+        false => "one sample alone, which has no clock".to_owned(),
+    };
+    let sensor = raw.sensor;
+    Some(Repair {
+        kind: RepairKind::NotImported,
+        sensor,
+        count: 0,
+        first_s: raw.t_s.first().copied().unwrap_or(0.0),
+        last_s: raw.t_s.last().copied().unwrap_or(0.0),
+        text: format!("{}: {what}; left out", sensor.name()),
+    })
+}
+
 /// A sensor whose stamps do not overlap with the gyroscope's (with the accelerometer's where there is
 /// none) has a clock of another origin: its samples cannot be put beside the others'.
 fn drop_other_clocks(all: &mut Vec<Placed>, repairs: &mut Vec<Repair>) {

@@ -5,7 +5,7 @@
 //! means that the sensor has no sample in that row, so that sensors keep their own clocks.
 //! `lx,ly,lz` is acceleration without gravity.
 
-use super::assembled::{channel, periods, recording, track};
+use super::assembled::{channel, periods, recording, recording_told, track};
 use super::import::table::{Columns, Table};
 use super::repair::{self, RawSeries};
 use super::samples::{
@@ -44,12 +44,26 @@ pub(crate) fn read_table(table: &Table) -> Result<Recording> {
         .chain(TRIADS.iter().flat_map(|triad| triad.1))
         .collect();
     check_header(table, &known)?;
-    let mut columns = vec![required(table, "t")?];
+    let (series, _) = axes_of(table)?;
+    recording(table.file(), series)
+}
+
+/// The same whatever other columns there are, names in upper or lower case; with the columns that are
+/// read.
+pub(crate) fn read_axes(table: &Table) -> Result<(Recording, Vec<usize>)> {
+    let (series, columns) = axes_of(table)?;
+    Ok((recording_told(table.file(), series)?, columns))
+}
+
+fn axes_of(table: &Table) -> Result<(Vec<RawSeries>, Vec<usize>)> {
+    let find = |name: &str| known_once(table, name);
+    let time = find("t")?.ok_or_else(|| missing(table, "t"))?;
+    let mut columns = vec![time];
     let mut sensors = Vec::new();
     for (sensor, axes) in TRIADS {
         let mut places = Vec::new();
         for (axis, name) in axes.into_iter().enumerate() {
-            if let Some(column) = table.find(|column| column == name) {
+            if let Some(column) = find(name)? {
                 places.push((axis, columns.len()));
                 columns.push(column);
             }
@@ -71,7 +85,24 @@ pub(crate) fn read_table(table: &Table) -> Result<Recording> {
         .map(|(sensor, places)| collect(table, &numbers, *sensor, places))
         .collect::<Result<Vec<_>>>()?;
     check_clock(&series, table)?;
-    recording(table.file(), series)
+    Ok((series, columns))
+}
+
+/// A column by its name, in upper or lower case; two of one name are refused.
+fn known_once(table: &Table, name: &str) -> Result<Option<usize>> {
+    let mut names = table.header().iter().enumerate();
+    let mut having = names
+        .by_ref()
+        .filter(|(_, column)| column.eq_ignore_ascii_case(name));
+    let first = having.next().map(|(column, _)| column);
+    match having.next() {
+        None => Ok(first),
+        Some(_) => Err(table.malformed(
+            Some(0),
+            &format!("column `{name}` once"),
+            &format!("`{}`", table.header_text()),
+        )),
+    }
 }
 
 /// Reads a single channel `t,angle` (rad) or `t,rate` (rad/s).
@@ -111,8 +142,12 @@ pub(crate) fn track_of(table: &Table) -> Result<Track> {
 
 /// Reads a list of periods `t,period`.
 pub fn read_period_list(bytes: &[u8], name: &str) -> Result<PeriodList> {
-    let table = Table::native(bytes, name)?;
-    periods(name, read_single(&table, "period", Sensor::Timer)?)
+    periods_of(&Table::native(bytes, name)?)
+}
+
+/// The same from a table whose header has been found already.
+pub(crate) fn periods_of(table: &Table) -> Result<PeriodList> {
+    periods(table.file(), read_single(table, "period", Sensor::Timer)?)
 }
 
 /// The only column of a table beside the time.
@@ -154,6 +189,11 @@ pub(crate) fn collect(
         _ => filled().copied().collect(),
     };
     let mut raw = RawSeries::of_axes(sensor, filled.iter().map(|(axis, _)| *axis).collect());
+    raw.empty = places
+        .iter()
+        .filter(|(_, place)| !is_filled(*place))
+        .map(|(axis, _)| sensor.axis_name(*axis).to_owned())
+        .collect();
     for (row, &offset) in numbers.offset.iter().enumerate() {
         let number = numbers.row.get(row).copied().unwrap_or(row);
         let cells = || filled.iter().map(|&(_, place)| numbers.cells[place][row]);
@@ -199,13 +239,17 @@ fn nearest(name: &str, known: &[&str]) -> Option<String> {
 }
 
 fn required(table: &Table, column: &str) -> Result<usize> {
-    table.find(|name| name == column).ok_or_else(|| {
-        table.malformed(
-            Some(0),
-            &format!("a column `{column}`"),
-            &format!("`{}`", table.header_text()),
-        )
-    })
+    table
+        .find(|name| name == column)
+        .ok_or_else(|| missing(table, column))
+}
+
+fn missing(table: &Table, column: &str) -> Error {
+    table.malformed(
+        Some(0),
+        &format!("a column `{column}`"),
+        &format!("`{}`", table.header_text()),
+    )
 }
 
 /// Stamps in milliseconds or nanoseconds would make every period a thousand times too long: refused

@@ -31,6 +31,15 @@ pub enum Sensor {
 }
 
 impl Sensor {
+    /// What files call one of its axes; nothing where it has none.
+    pub(crate) fn axis_name(self, axis: usize) -> &'static str {
+        let triad = TRIADS.iter().find(|(sensor, _)| *sensor == self);
+        triad
+            .and_then(|(_, axes)| axes.get(axis))
+            .copied()
+            .unwrap_or_default()
+    }
+
     /// What a report calls it.
     pub const fn name(self) -> &'static str {
         match self {

@@ -162,3 +162,14 @@ fn the_shared_exports_become_sessions_with_a_gyroscope() {
         }
     }
 }
+
+#[test]
+fn a_database_that_a_program_has_open_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("rec.sqlite");
+    std::fs::write(&file, "SQLite format 3\0").unwrap();
+    std::fs::write(dir.path().join("rec.sqlite-wal"), "rows").unwrap();
+    let folder = dir.path().join("session");
+    let error = import_session(&[file], &folder, &request(&[]), Overwrite::Refuse).unwrap_err();
+    assert!(error.to_string().contains("rec.sqlite-wal"), "{error}");
+}

@@ -90,7 +90,13 @@ impl SensorColumns {
     /// Reads the samples; `NaN` in every axis at the end of a column is padding to a longer one
     /// beside it.
     pub fn read(&self, table: &Table) -> Result<RawSeries> {
-        let numbers = self.numbers(table)?;
+        let mut numbers = self.numbers(table)?;
+        // An axis that is NaN throughout was not recorded.
+        for cells in numbers.cells.iter_mut().skip(1) {
+            if cells.iter().flatten().all(|value| value.is_nan()) {
+                cells.fill(None);
+            }
+        }
         let places: Vec<(usize, usize)> = self.directions.iter().copied().zip(1..).collect();
         let mut raw = collect(table, &numbers, self.sensor, &places)?;
         let empty = |row: usize| raw.channels.iter().all(|channel| channel[row].is_nan());
@@ -124,11 +130,12 @@ impl SensorColumns {
         }
         let mut numbers = table.numbers_of(&self.axes, tag)?;
         let times = match self.clock {
-            Clock::Rows { rate_hz } => numbers
-                .row
-                .iter()
-                .map(|&row| Some(row as f64 / rate_hz))
-                .collect(),
+            Clock::Rows { rate_hz } => {
+                let blank = table.blank_rows(&numbers.offset);
+                let rows = numbers.row.iter().zip(blank);
+                rows.map(|(row, blank)| Some((row + blank) as f64 / rate_hz))
+                    .collect()
+            }
             Clock::Number { column, .. } | Clock::Text { column } => {
                 let texts = table.tagged_texts(column, tag)?;
                 let times = unwrapped(&texts);
@@ -216,7 +223,7 @@ pub(super) fn assemble(name: &str, mut series: Vec<(usize, RawSeries)>) -> Resul
     }
     let mut series: Vec<RawSeries> = series.into_iter().map(|(_, raw)| raw).collect();
     from_first_stamp(&mut series);
-    crate::assembled::recording(name, series)
+    crate::assembled::recording_told(name, series)
 }
 
 /// Counts Unix time from the first stamp.
@@ -248,9 +255,11 @@ pub(super) fn add_repair(recording: &mut Recording, repair: &Repair) {
 
 /// A remark where the size of gravity contradicts the unit or the kind of acceleration.
 pub(super) fn gravity_doubt(recording: &Recording) -> Option<String> {
-    let mean = mean_size(recording)?;
+    let Some(mean) = mean_size(recording) else {
+        return free_doubt(recording);
+    };
     let likely = match mean {
-        m if (7.0..=13.0).contains(&m) => return None,
+        m if (7.0..=13.0).contains(&m) => return free_doubt(recording),
         m if (0.7..=1.3).contains(&m) => "the unit is probably g, not m/s2",
         m if (69.0..=128.0).contains(&m) => "the unit is probably m/s2, not g",
         m if m < 0.7 => "gravity is probably already taken out (columns lx, ly, lz)",
@@ -259,6 +268,21 @@ pub(super) fn gravity_doubt(recording: &Recording) -> Option<String> {
     Some(format!(
         "the mean size of the acceleration is {mean:.3} m/s2 where gravity is 9.8: {likely}"
     ))
+}
+
+/// The same of an acceleration that is said to be free of gravity.
+fn free_doubt(recording: &Recording) -> Option<String> {
+    let mean = mean_length(&recording.linear_accelerometer.as_ref()?.axes);
+    (7.0..=13.0).contains(&mean).then(|| {
+        format!(
+            "the mean size of the acceleration without gravity is {mean:.3} m/s2, which is that of gravity: it is probably not taken out (columns ax, ay, az)"
+        )
+    })
+}
+
+/// Whether the size of gravity says that accelerations are in g.
+pub(super) fn is_in_g(recording: &Recording) -> bool {
+    mean_size(recording).is_some_and(|mean| (0.7..=1.3).contains(&mean))
 }
 
 fn mean_size(recording: &Recording) -> Option<f64> {

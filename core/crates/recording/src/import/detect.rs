@@ -20,6 +20,7 @@ pub(super) enum Content {
     LightGate,
     Gcsv,
     Track,
+    Periods,
     Channel,
     /// One channel that the words and the units of its header tell.
     Labelled,
@@ -42,7 +43,7 @@ pub(super) fn contents(source: &Source) -> Result<Vec<(&str, &[u8], Content)>> {
     Ok(out)
 }
 
-fn content(table: &Table, name: &str) -> Content {
+pub(super) fn content(table: &Table, name: &str) -> Content {
     let header: Vec<String> = table
         .header()
         .iter()
@@ -58,6 +59,8 @@ fn content(table: &Table, name: &str) -> Content {
         Content::Native
     } else if only(["t", "y"]) {
         Content::Track
+    } else if only(["t", "period"]) {
+        Content::Periods
     } else if only(["t", "angle"]) || only(["t", "rate"]) {
         Content::Channel
     } else if has("event time") && has("state at a") {
@@ -70,9 +73,9 @@ fn content(table: &Table, name: &str) -> Content {
         Content::SensorLogger
     } else if has("platform") && (has("standardisation") || has("device name")) {
         Content::SensorLoggerMetadata
-    } else if starts("accelerometeraccelerationx(")
-        || starts("gyrorotationx(")
-        || starts("motionrotationratex(")
+    } else if starts("accelerometeraccelerationx")
+        || starts("gyrorotationx")
+        || starts("motionrotationratex")
     {
         Content::SensorLog
     } else if has("time") && (has("gfx") || has("wx")) {

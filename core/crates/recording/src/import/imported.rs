@@ -6,7 +6,7 @@ use super::facts::Facts;
 use super::source::stem;
 use crate::recorded::{Recorded, RecordedRepair};
 use crate::samples::{
-    GateEvents, Recording, Repair, RepairKind, SensorChannels, SingleChannel, Track,
+    GateEvents, PeriodList, Recording, Repair, RepairKind, SensorChannels, SingleChannel, Track,
 };
 
 /// Which program wrote a file.
@@ -97,6 +97,8 @@ pub enum ImportedData {
     Recording(Recording),
     /// A rangefinder's track.
     Track(Track),
+    /// A list of periods.
+    Periods(PeriodList),
     /// A light gate's edges.
     GateEvents(GateEvents),
     /// One channel of a motion of one degree of freedom.
@@ -136,6 +138,7 @@ impl ImportedRecording {
         match &self.data {
             ImportedData::Recording(recording) => &recording.repairs,
             ImportedData::Track(track) => &track.repairs,
+            ImportedData::Periods(list) => &list.repairs,
             ImportedData::GateEvents(_) => &[],
             ImportedData::Channel(channel) => &channel.repairs,
         }
@@ -164,6 +167,7 @@ impl ImportedRecording {
                 each.map(|one| series(&named(one), one.t_s)).collect()
             }
             ImportedData::Track(track) => vec![series("track", &track.t_s)],
+            ImportedData::Periods(list) => vec![series("periods", &list.t_s)],
             ImportedData::GateEvents(events) => vec![series("edges of a light gate", &events.t_s)],
             ImportedData::Channel(channel) => vec![series(channel.quantity.name(), &channel.t_s)],
         };

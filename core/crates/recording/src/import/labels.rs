@@ -6,6 +6,7 @@
 use super::clock::seconds_of_text;
 use super::columns::{Clock, SensorColumns};
 use super::run_label::without_run;
+use super::source;
 use super::table::Table;
 use super::tagged::{TAG, tagged, tags_of};
 use super::units::{Dimension, Unit, unit_of_header};
@@ -45,6 +46,8 @@ pub(super) struct Label {
     words: Vec<String>,
     pub axis: Option<usize>,
     unit: Option<Unit>,
+    /// Whether its brackets hold something that is no known unit.
+    is_unknown: bool,
 }
 
 impl Label {
@@ -67,7 +70,13 @@ impl Label {
             .find_map(|word| axis_of_word(word))
             .or_else(|| index.filter(|_| cell.ends_with(']')));
         words.retain(|word| axis_of_word(word).is_none() && word != "axis");
-        Self { words, axis, unit }
+        let is_unknown = unit.is_none() && index.is_none() && !bracket.is_empty();
+        Self {
+            words,
+            axis,
+            unit,
+            is_unknown,
+        }
     }
 
     fn has(&self, any: &[&str]) -> bool {
@@ -95,8 +104,8 @@ impl Label {
     /// The sensor this is an axis of; some headers name the axis alone, and the file names the
     /// sensor.
     fn sensor(&self, set: &str) -> Option<Sensor> {
+        let free = self.has(FREE) || names_free(set);
         let set = set.to_lowercase();
-        let free = self.has(FREE) || set.contains("linear") || set.contains("without g");
         let named = self.has(ACCELEROMETER);
         match self.unit?.quantity {
             Dimension::AngularRate if self.has(GYROSCOPE) || self.words.is_empty() => {
@@ -139,9 +148,37 @@ impl Label {
             None if self.has(ANGLE) => Some("angle".to_owned()),
             _ => None,
         };
-        let of_unit = || self.channel().map(|(field, _)| field.to_owned());
-        by_words.or_else(of_unit)
+        let of_channel = || self.channel().map(|(field, _)| field.to_owned());
+        by_words
+            .or_else(of_channel)
+            .or_else(|| self.field_of_unit())
     }
+
+    /// The field that fits the unit, where the words are of another language.
+    fn field_of_unit(&self) -> Option<String> {
+        let letter = match (self.unit?.quantity, self.axis) {
+            (Dimension::AngularRate, Some(_)) => "g",
+            (Dimension::Acceleration, Some(_)) => "a",
+            (Dimension::AngularRate, None) => return Some("rate".to_owned()),
+            (Dimension::Angle, None) => return Some("angle".to_owned()),
+            (Dimension::Length, None) => return Some("y".to_owned()),
+            _ => return None,
+        };
+        Some(format!("{letter}{}", ["x", "y", "z"][self.axis?]))
+    }
+}
+
+/// Whether the name of a set of sensors is that of an accelerometer without gravity: `Linear
+/// Accelerometer`, `Acceleration without g`. `nonlinear yaw` and `linear rig` name none.
+fn names_free(set: &str) -> bool {
+    let words = words(set);
+    words
+        .windows(2)
+        .any(|pair| match [pair[0].as_str(), pair[1].as_str()] {
+            ["linear" | "user", sensor] => ACCELEROMETER.contains(&sensor),
+            ["without", gravity] => matches!(gravity, "g" | "gravity"),
+            _ => false,
+        })
 }
 
 /// What a field of one channel is, in words.
@@ -197,11 +234,17 @@ pub(super) fn axis_of_word(word: &str) -> Option<usize> {
 /// A sensor of which some axes have been met: column and factor of each.
 struct Met {
     sensor: Sensor,
+    /// The words of its labels, the axis aside.
+    words: Vec<String>,
     clock: Clock,
     axes: [Option<(usize, f64)>; 3],
 }
 
 impl Met {
+    fn count(&self) -> usize {
+        self.axes.iter().flatten().count()
+    }
+
     /// The axes that there are.
     fn columns(self) -> SensorColumns {
         let mut columns = SensorColumns {
@@ -223,36 +266,77 @@ impl Met {
     }
 }
 
-/// The sensors of a table whose header tells units, each with the axes that it has and the nearest time column
-/// before it; `set` is the name of the file.
+/// The sensors of a table whose header tells units, each with the axes that it has and its clock; `set`
+/// is the name of the file.
+///
+/// The axes of one sensor have labels that differ in nothing but the axis. Of several sensors of one
+/// kind the one with the most axes is taken, then the one that is called so most plainly: `Gyroscope
+/// x`, not `Filtered gyroscope x`.
 pub(super) fn sensors(table: &Table, set: &str) -> Vec<SensorColumns> {
-    let mut clock = None;
-    let mut found: Vec<Met> = Vec::new();
+    let mut clocks: Vec<TimeColumn> = Vec::new();
+    let mut met: Vec<Met> = Vec::new();
     for column in 0..table.header().len() {
         let label = Label::of(table, column);
         if let Some(factor) = label.time_factor() {
-            clock = Some(Clock::Number { column, factor });
+            let clock = Clock::Number { column, factor };
+            clocks.push((clock, label.words));
             continue;
         }
-        let (Some(sensor), Some(axis), Some(unit), Some(clock)) =
-            (label.sensor(set), label.axis, label.unit, clock)
-        else {
+        let (Some(sensor), Some(axis), Some(unit), Some(clock)) = (
+            label.sensor(set),
+            label.axis,
+            label.unit,
+            clock_of(&clocks, &label.words),
+        ) else {
             continue;
         };
-        let place = found
-            .iter()
-            .position(|met| met.sensor == sensor)
-            .unwrap_or_else(|| {
-                found.push(Met {
+        let is_same =
+            |met: &&mut Met| met.sensor == sensor && met.words == label.words && met.clock == clock;
+        match met.iter_mut().find(is_same) {
+            Some(met) => {
+                met.axes[axis].get_or_insert((column, unit.factor));
+            }
+            None => {
+                let mut axes = [None; 3];
+                axes[axis] = Some((column, unit.factor));
+                met.push(Met {
                     sensor,
+                    words: label.words,
                     clock,
-                    axes: [None; 3],
+                    axes,
                 });
-                found.len() - 1
-            });
-        found[place].axes[axis].get_or_insert((column, unit.factor));
+            }
+        }
     }
-    found.into_iter().map(Met::columns).collect()
+    chosen(met).into_iter().map(Met::columns).collect()
+}
+
+/// A column of time with the words of its label.
+type TimeColumn = (Clock, Vec<String>);
+
+/// The nearest column of time before a sensor's axis that is called the time, or that sensor's time,
+/// and nothing else: a lap time or an exposure time is no clock where there is another.
+fn clock_of(clocks: &[TimeColumn], sensor: &[String]) -> Option<Clock> {
+    let is_plain = |(_, words): &&TimeColumn| {
+        let mut words = words.iter();
+        words.all(|word| TIME.contains(&word.as_str()) || sensor.contains(word))
+    };
+    let nearest = clocks.iter().rev().find(is_plain).or(clocks.last());
+    nearest.map(|(clock, _)| *clock)
+}
+
+/// One of each kind of sensor.
+fn chosen(met: Vec<Met>) -> Vec<Met> {
+    let mut chosen: Vec<Met> = Vec::new();
+    for one in met {
+        let rank = |met: &Met| (met.count(), usize::MAX - met.words.len());
+        match chosen.iter_mut().find(|other| other.sensor == one.sensor) {
+            Some(other) if rank(&one) > rank(other) => *other = one,
+            Some(_) => {}
+            None => chosen.push(one),
+        }
+    }
+    chosen
 }
 
 /// Rows by which a proposal judges a column.
@@ -269,18 +353,14 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
         .find(|column| labels[*column].time_factor().is_some())
         .or_else(|| (0..labels.len()).find(|c| labels[*c].has(TIME) && rising(c)))
         .or_else(|| (0..labels.len()).find(rising))?;
-    let stated = labels[time].time_factor().and_then(|factor| match factor {
-        1.0 => Some("s"),
-        1e-3 => Some("ms"),
-        1e-6 => Some("us"),
-        1e-9 => Some("ns"),
-        _ => None,
-    });
+    let stated = labels[time].time_factor().map(seconds_name);
     let is_count = stated.is_none() && labels[time].has(COUNTS);
-    let time_unit = match is_count {
-        true => "RATEfps",
-        false => stated.or_else(|| time_unit(&rows, time))?,
+    let time_unit = match () {
+        _ if is_count => "RATEfps".to_owned(),
+        _ if labels[time].is_unknown => UNIT.to_owned(),
+        _ => stated.or_else(|| time_unit(&rows, time).map(str::to_owned))?,
     };
+    let time_unit = time_unit.as_str();
     let mut fields: Vec<(String, usize)> = Vec::new();
     for (column, label) in labels
         .iter()
@@ -303,19 +383,40 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
         }
     }
     if fields.is_empty() {
+        fields = by_axis(&labels, source::stem(table.file()));
+    }
+    // Names say what a column is; their order says it only where there are none.
+    if fields.is_empty() && !table.is_named() {
         fields = by_order(table, &rows, time);
     }
-    let entry =
-        |field: &str, column: usize, unit: &str| entry_of(field, &table.name_of(column), unit);
+    let entry = |field: &str, column: usize, unit: &str| {
+        let name = table.name_of(column);
+        let is_once = table
+            .header()
+            .iter()
+            .filter(|other| **other == name)
+            .count()
+            == 1;
+        let name = if is_once {
+            name
+        } else {
+            format!("#{}", column + 1)
+        };
+        entry_of(field, &name, unit)
+    };
     let mut entries = vec![entry("t", time, time_unit)];
     for (field, column) in &fields {
         let kind = field.get(..1).unwrap_or_default();
-        let unit = match (labels[*column].unit, kind) {
-            (Some(unit), _) if unit_name(unit).is_some() => unit_name(unit)?,
-            (_, "a" | "l") if field.len() == 2 => acceleration_unit(&rows, &fields, kind),
-            (_, "a") if labels[*column].has(DEGREES) => "deg",
-            (_, "a") => "rad",
-            _ if labels[*column].has(DEGREES) => "deg/s",
+        let label = &labels[*column];
+        let named = label.unit.and_then(unit_name);
+        let unit = match kind {
+            _ if named.is_some() => named.unwrap_or_default(),
+            _ if label.is_unknown || label.unit.is_some() => UNIT,
+            "a" | "l" if field.len() == 2 => acceleration_unit(&rows, &fields, kind),
+            "a" if label.has(DEGREES) => "deg",
+            "a" => "rad",
+            "y" => "m",
+            _ if label.has(DEGREES) => "deg/s",
             _ => "rad/s",
         };
         entries.push(entry(field, *column, unit));
@@ -325,6 +426,34 @@ pub(super) fn proposal(table: &Table) -> Option<String> {
 
 pub(super) fn entry_of(field: &str, column: &str, unit: &str) -> String {
     format!("--map \"{field}={column}:{unit}\"")
+}
+
+/// What stands for a unit that the reader must fill in.
+const UNIT: &str = "UNIT";
+
+/// A unit of time as a mapping writes it.
+fn seconds_name(factor: f64) -> String {
+    let names = [(1.0, "s"), (1e-3, "ms"), (1e-6, "us"), (1e-9, "ns")];
+    let known = names.iter().find(|(known, _)| *known == factor);
+    known.map_or_else(|| format!("{factor}*s"), |(_, name)| (*name).to_owned())
+}
+
+/// Columns that name an axis and nothing else, each once: the file's name may tell the sensor.
+fn by_axis(labels: &[Label], set: &str) -> Vec<(String, usize)> {
+    let kind = match words(set).iter().any(|word| word.starts_with("acc")) {
+        true => "a",
+        false => "g",
+    };
+    let bare = |axis: usize| {
+        let is_axis = |label: &Label| label.axis == Some(axis) && label.words.is_empty();
+        let mut columns = (0..labels.len()).filter(|column| is_axis(&labels[*column]));
+        columns.next().filter(|_| columns.next().is_none())
+    };
+    let fields = ["x", "y", "z"].iter().enumerate();
+    let found: Option<Vec<(String, usize)>> = fields
+        .map(|(axis, name)| Some((format!("{kind}{name}"), bare(axis)?)))
+        .collect();
+    found.unwrap_or_default()
 }
 
 /// Columns of numbers that nothing names: the gyroscope first, then the accelerometer.

@@ -13,6 +13,8 @@ use super::units::unit_of_header;
 
 /// Lines that are searched for the first row.
 const SCANNED_LINES: usize = 2000;
+/// Lines that the names of a header may take more than one.
+const MOST_LINES_OF_A_NAME: usize = 40;
 
 /// A table's parts.
 #[derive(Debug, Default)]
@@ -200,7 +202,8 @@ fn before(lines: &[Line], at: usize) -> Vec<String> {
 fn lines(text: &str) -> Vec<Line<'_>> {
     let mut at = 0;
     let mut lines = Vec::new();
-    for piece in text.split_inclusive(['\n', '\r']) {
+    while let Some(rest) = text.get(at..).filter(|rest| !rest.is_empty()) {
+        let piece = &rest[..length_of_line(rest)];
         let end = at + piece.len();
         // A separator at the start of a row is an empty cell.
         let text = piece.trim_matches(['\n', '\r', ' ']);
@@ -213,6 +216,28 @@ fn lines(text: &str) -> Vec<Line<'_>> {
         at = end;
     }
     lines
+}
+
+/// Bytes of the first line; a name in quotes may run on over a few, none of which is a row.
+fn length_of_line(text: &str) -> usize {
+    let mut pieces = text.split_inclusive(['\n', '\r']);
+    let first = pieces.next().map_or(0, str::len);
+    let is_open = |text: &str| text.bytes().filter(|b| *b == b'"').count() % 2 == 1;
+    let mut length = first;
+    for piece in pieces.take(MOST_LINES_OF_A_NAME) {
+        if !is_open(&text[..length]) {
+            return length;
+        }
+        if separator_of_row(piece.trim(), None).is_some() {
+            return first;
+        }
+        length += piece.len();
+    }
+    if is_open(&text[..length]) {
+        first
+    } else {
+        length
+    }
 }
 
 /// The separator by which a line is a row of values, if it is one.
@@ -250,14 +275,28 @@ fn separator_of_header(line: &str) -> u8 {
 }
 
 pub(super) fn is_row(cells: &[String]) -> bool {
-    let filled = cells.iter().filter(|cell| !cell.is_empty());
+    let filled = cells
+        .iter()
+        .filter(|cell| !cell.is_empty() && !is_missing(cell.as_bytes()));
     let values = filled.clone().filter(|cell| is_value(cell)).count();
     values > 0 && 2 * values > filled.count()
 }
 
 fn is_value(cell: &str) -> bool {
     let is_time = cell.starts_with(|c: char| c.is_ascii_digit()) && seconds_of_text(cell).is_some();
-    is_number(cell) || cell.eq_ignore_ascii_case("nan") || is_time
+    let is_infinite = || {
+        cell.trim_start_matches(['-', '+'])
+            .eq_ignore_ascii_case("inf")
+    };
+    is_number(cell) || cell.eq_ignore_ascii_case("nan") || is_infinite() || is_time
+}
+
+/// How R, Excel, databases and Python write that there is no value.
+pub(super) fn is_missing(cell: &[u8]) -> bool {
+    let known: [&[u8]; 8] = [
+        b"na", b"n/a", b"#n/a", b"null", b"none", b"<na>", b"-", b"--",
+    ];
+    known.iter().any(|known| cell.eq_ignore_ascii_case(known))
 }
 
 fn is_number(cell: &str) -> bool {
@@ -276,10 +315,18 @@ pub(super) fn cells(line: &str, separator: u8) -> Vec<String> {
         quoted ^= c == '"';
         !quoted && (c == separator || separator == ' ' && c == '\t')
     });
-    let cells = pieces.map(|cell| cell.trim().trim_matches('"').trim().to_owned());
+    let cells = pieces.map(|cell| one_line(cell.trim().trim_matches('"').trim()));
     match separator {
         ' ' => cells.filter(|cell| !cell.is_empty()).collect(),
         _ => cells.collect(),
+    }
+}
+
+/// A cell without the line breaks that a spreadsheet allows in it.
+fn one_line(cell: &str) -> String {
+    match cell.contains(['\n', '\r']) {
+        true => cell.split_whitespace().collect::<Vec<_>>().join(" "),
+        false => cell.to_owned(),
     }
 }
 

@@ -10,6 +10,7 @@ use super::imported::{Format, ImportedData, ImportedRecording};
 use super::phyphox::Pauses;
 use super::source::{Source, stem};
 use super::table::{Table, Tag};
+use super::tagged::column_of_tag;
 use super::units::{Dimension, Unit};
 use crate::assembled::{channel, track};
 use crate::repair::RawSeries;
@@ -61,7 +62,10 @@ impl ColumnMapping {
                     entry,
                 ));
             }
-            columns.insert(key.trim().to_owned(), column);
+            if columns.insert(key.trim().to_owned(), column).is_some() {
+                let expected = format!("one column for `{}`", key.trim());
+                return Err(Error::argument("mapping", expected, entry));
+            }
         }
         Ok(Self { columns })
     }
@@ -276,28 +280,22 @@ fn find(table: &Table, mapped: &MappedColumn) -> Result<(usize, Option<Tag>)> {
         .rsplit_once('@')
         .ok_or_else(|| missing(&mapped.name))?;
     let column = by_name(name).ok_or_else(|| missing(name))?;
-    if stem(table.file())
+    // A column of tags says what a row is; the file's name does so only where there is none.
+    let names_file = stem(table.file())
         .to_lowercase()
-        .contains(&of.to_lowercase())
-    {
-        return Ok((column, None));
-    }
-    let rows = table.texts()?;
-    // A number may be a tag too: the column that has it most often holds the tags.
-    let having = |column: usize| {
-        let cells = rows.iter().filter_map(|row| row.get(column));
-        cells.filter(|cell| *cell == of).count()
-    };
-    let columns = (0..table.header().len()).map(|column| (having(column), column));
-    let tagged = columns
-        .filter(|(count, _)| *count > 0)
-        .max_by_key(|(count, _)| *count);
-    let tag = tagged.map(|(_, column)| Tag {
-        column,
-        text: of.to_owned(),
-    });
-    match tag {
-        Some(tag) => Ok((column, Some(tag))),
+        .contains(&of.to_lowercase());
+    match column_of_tag(table, of, names_file)? {
+        Some(place) => {
+            let text = of.to_owned();
+            Ok((
+                column,
+                Some(Tag {
+                    column: place,
+                    text,
+                }),
+            ))
+        }
+        None if names_file => Ok((column, None)),
         None => Err(table.malformed(
             None,
             &format!("`{of}`, part of the file's name or a cell of its rows"),
@@ -435,6 +433,7 @@ fn read(
     for (place, holding) in holdings.iter().enumerate() {
         for columns in holding.columns.iter().flatten() {
             let mut raw = columns.read(&holding.table)?;
+            refuse_empty(&raw, columns, &holding.table)?;
             raw.t_s.iter_mut().for_each(|t| *t = pauses.wall_s(*t));
             series.push((place, raw));
         }
@@ -466,6 +465,21 @@ fn read(
     };
     let imported = ImportedRecording::of(name, Format::Mapped, data, Vec::new());
     Ok(imported.without(left))
+}
+
+/// Columns that the caller named hold samples, or the mapping is a mistake.
+fn refuse_empty(raw: &RawSeries, columns: &SensorColumns, table: &Table) -> Result<()> {
+    let is_empty = |direction: &usize| !raw.has_samples() || !raw.axes.contains(direction);
+    let empty = columns.directions.iter().zip(&columns.axes);
+    let empty = empty.filter(|(direction, _)| is_empty(direction));
+    let names: Vec<String> = empty
+        .map(|(_, column)| format!("`{}`", table.name_of(*column)))
+        .collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    let expected = format!("samples in {} (or a mapping without it)", names.join(", "));
+    Err(table.malformed(None, &expected, "none"))
 }
 
 fn since_first(raw: RawSeries) -> RawSeries {

@@ -29,6 +29,7 @@ mod sqlite;
 mod stacked;
 pub(crate) mod table;
 mod tagged;
+mod told;
 mod trials;
 mod units;
 mod workbook;
@@ -91,6 +92,10 @@ pub fn import_inputs(inputs: &[Input], options: &ImportOptions) -> Result<Import
                 .filter_map(|(name, bytes)| trials::note(bytes, name));
             first.notes.extend(notes);
         }
+        if let Some(first) = found.first_mut() {
+            let told = |(name, bytes): (&str, &[u8])| told::passed_over(bytes, name);
+            first.notes.extend(source.members().flat_map(told));
+        }
         let facts = FactsOfSource::new(&source);
         for recording in &mut found {
             recording.facts = facts.of(&recording.name).recorded_by(recording.format);
@@ -126,6 +131,24 @@ pub(crate) fn file_not_used(name: &str) -> String {
     format!("`{}` is not used", source::base(name))
 }
 
+/// The project's own columns, with others beside them. An acceleration in g is refused: what is written
+/// of it could not be measured.
+fn native(table: &Table) -> Result<ImportedRecording> {
+    let (recording, used) = super::csv::read_axes(table)?;
+    let doubt = columns::gravity_doubt(&recording);
+    if let (Some(doubt), true) = (&doubt, columns::is_in_g(&recording)) {
+        let mapping = labels::proposal(table).unwrap_or_default();
+        let expected = format!(
+            "accelerations in m/s2, or a column mapping that tells the units (what is in capitals is yours to fill in): {}",
+            mapping.replace(":rad/s\"", ":UNIT\"")
+        );
+        return Err(table.malformed(None, &expected, doubt));
+    }
+    let notes = doubt.into_iter().collect();
+    let imported = ImportedRecording::new(table.file(), Format::Native, recording, notes);
+    Ok(imported.without(columns::columns_not_used(table, used)))
+}
+
 fn recognised(
     source: &Source,
     options: &ImportOptions,
@@ -143,13 +166,7 @@ fn recognised(
     for (name, bytes) in of(Content::Native) {
         // With a preamble, another separator or a decimal comma it is read all the same.
         let table = Table::open(bytes, name)?;
-        let recording = super::csv::read_table(&table)?;
-        out.push(ImportedRecording::new(
-            name,
-            Format::Native,
-            recording,
-            Vec::new(),
-        ));
+        out.push(native(&table)?);
     }
     for (name, bytes) in of(Content::Track) {
         let data = ImportedData::Track(super::csv::track_of(&Table::open(bytes, name)?)?);
@@ -159,6 +176,11 @@ fn recognised(
             data,
             Vec::new(),
         ));
+    }
+    for (name, bytes) in of(Content::Periods) {
+        let data = ImportedData::Periods(super::csv::periods_of(&Table::open(bytes, name)?)?);
+        let notes = Vec::new();
+        out.push(ImportedRecording::of(name, Format::Native, data, notes));
     }
     for (name, bytes) in of(Content::Channel) {
         let table = Table::open(bytes, name)?;

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use super::columns::{add_repair, assemble, columns_not_used, gravity_doubt};
 use super::imported::{Format, ImportedRecording};
 use super::labels::sensors;
-use super::source::{Source, stem};
+use super::source::{Source, base, stem};
 use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
@@ -58,7 +58,7 @@ pub(super) fn import(
             .iter()
             .enumerate()
             .zip(not_used)
-            .map(|((place, set), left)| finish(set.0, of(place), &pauses, left))
+            .map(|((place, set), left)| finish(set.0, sets, of(place), &pauses, left))
             .collect();
     }
     if all.is_empty() {
@@ -70,18 +70,35 @@ pub(super) fn import(
         sets[0].0
     };
     let left = not_used.into_iter().flatten();
-    finish(name, all, &pauses, left).map(|recording| vec![recording])
+    let mut recording = finish(name, sets, all, &pauses, left)?;
+    if source.archive.is_none() && sets.len() > 1 {
+        recording.notes.push(read_together(sets));
+    }
+    Ok(vec![recording])
+}
+
+/// Loose files may be of two experiments, whose clocks both start at 0.
+fn read_together(sets: &[File]) -> String {
+    let files: Vec<String> = sets
+        .iter()
+        .map(|set| format!("`{}`", base(set.0)))
+        .collect();
+    format!(
+        "{} are read as one recording of one swing, as they hold different sensors; files of several swings are imported one by one",
+        files.join(" and ")
+    )
 }
 
 fn finish(
     name: &str,
+    sets: &[File],
     mut series: Vec<(usize, RawSeries)>,
     pauses: &Pauses,
     left: impl IntoIterator<Item = String>,
 ) -> Result<ImportedRecording> {
     let not_used: Vec<String> = left
         .into_iter()
-        .chain(keep_first_of_each(&mut series))
+        .chain(keep_first_of_each(&mut series, sets))
         .collect();
     for (_, raw) in &mut series {
         raw.t_s.iter_mut().for_each(|t| *t = pauses.wall_s(*t));
@@ -125,28 +142,40 @@ fn repeats_a_sensor(series: &[(usize, RawSeries)]) -> bool {
     })
 }
 
+/// Axes that hold samples.
+fn fullness(raw: &RawSeries) -> usize {
+    match raw.has_samples() {
+        true => raw.axes.len(),
+        false => 0,
+    }
+}
+
 /// A second set of the same sensor (filtered, say) cannot be told from the first, which is kept; one
 /// with more axes is.
-fn keep_first_of_each(series: &mut Vec<(usize, RawSeries)>) -> Vec<String> {
+fn keep_first_of_each(series: &mut Vec<(usize, RawSeries)>, sets: &[File]) -> Vec<String> {
     let mut seen: Vec<Sensor> = Vec::new();
     let mut notes = Vec::new();
     let axes: Vec<(Sensor, usize)> = series
         .iter()
-        .map(|(_, raw)| (raw.sensor, raw.axes.len()))
+        .map(|(_, raw)| (raw.sensor, fullness(raw)))
         .collect();
     let is_fullest = |raw: &RawSeries| {
         let same = axes.iter().filter(|(sensor, _)| *sensor == raw.sensor);
-        same.map(|(_, count)| *count).max() == Some(raw.axes.len())
+        same.map(|(_, count)| *count).max() == Some(fullness(raw))
     };
-    series.retain(|(_, raw)| {
+    series.retain(|(place, raw)| {
         let new = is_fullest(raw) && !seen.contains(&raw.sensor);
         if new {
             seen.push(raw.sensor);
         } else {
-            notes.push(format!(
-                "{}: a second set of the same sensor is not used",
-                raw.sensor.name()
-            ));
+            let file = sets.get(*place).map_or("", |set| base(set.0));
+            let sensor = raw.sensor.name();
+            notes.push(match raw.has_samples() {
+                true => format!(
+                    "{sensor}: `{file}` is a second set of the same sensor and is not used; if it is a swing of its own, import it as a file by itself"
+                ),
+                false => format!("{sensor}: `{file}` holds no sample and is not used"),
+            });
         }
         new
     });

@@ -15,7 +15,7 @@ use super::columns::{
 use super::file_not_used;
 use super::imported::{Format, ImportedRecording};
 use super::options::{ImportOptions, Platform};
-use super::source::{Source, base, stem};
+use super::source::{Source, base, stem_of_copy};
 use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
@@ -36,10 +36,13 @@ const SENSORS: [&str; 6] = [
     "gravity",
 ];
 
+/// The phone's gyroscope, preferred first.
+const GYROSCOPES: [&str; 2] = ["gyroscopeuncalibrated", "gyroscope"];
+
 /// True for a sensor's file by its columns, and by its name where it tells no elapsed time.
 pub(super) fn recognises(table: &Table, name: &str) -> bool {
     let has = |wanted: &str| table.find(|column| column == wanted).is_some();
-    let named = SENSORS.contains(&stem(name).to_lowercase().as_str());
+    let named = SENSORS.contains(&stem_of_copy(name).to_lowercase().as_str());
     has("seconds_elapsed") || named && ["time", "z", "y", "x"].into_iter().all(has)
 }
 
@@ -55,11 +58,11 @@ pub(super) fn import(
     for (name, bytes) in metadata {
         stated.extend(read_metadata(bytes, name)?);
     }
-    let watch = files
-        .iter()
-        .any(|file| stem(file.0).eq_ignore_ascii_case(MOTION));
-    let (sign, mut notes) = acceleration_sign(&stated, options, watch);
     let mut files_of = Files::new(files);
+    let mut other = Vec::new();
+    let device_of = files_of.keep_one_device(&mut other)?;
+    let (sign, mut notes) = acceleration_sign(&stated, options, device_of == Device::Watch);
+    notes.extend(other);
     let mut series: Vec<RawSeries> = Vec::new();
     series.extend(gyroscope(&mut files_of, &mut notes)?);
     series.extend(acceleration(&mut files_of, sign, &mut notes)?);
@@ -121,6 +124,15 @@ struct Files<'a> {
     by_name: BTreeMap<String, File<'a>>,
     used: BTreeSet<String>,
     not_used: Vec<String>,
+    /// Files of the other device, as the user knows them.
+    of_other: Vec<&'a str>,
+}
+
+/// What a file was recorded by: a phone and a watch sit apart, each with axes of its own.
+#[derive(Clone, Copy, PartialEq)]
+enum Device {
+    Phone,
+    Watch,
 }
 
 impl<'a> Files<'a> {
@@ -128,11 +140,55 @@ impl<'a> Files<'a> {
         Self {
             by_name: files
                 .iter()
-                .map(|file| (stem(file.0).to_lowercase(), *file))
+                .map(|file| (stem_of_copy(file.0).to_lowercase(), *file))
                 .collect(),
             used: BTreeSet::new(),
             not_used: Vec::new(),
+            of_other: Vec::new(),
         }
+    }
+
+    /// Takes the files of one device: the phone, or the watch where the phone has no gyroscope.
+    /// Two devices in one recording would be two bodies.
+    fn keep_one_device(&mut self, notes: &mut Vec<String>) -> Result<Device> {
+        let is_watch = |name: &str| name.starts_with("wrist");
+        let has_both = self.has(MOTION)
+            && self
+                .by_name
+                .keys()
+                .any(|name| SENSORS.contains(&name.as_str()));
+        let device = match self.has(MOTION) && !self.phone_turns()? {
+            true => Device::Watch,
+            false => Device::Phone,
+        };
+        if !has_both {
+            return Ok(device);
+        }
+        let (kept, left) = std::mem::take(&mut self.by_name)
+            .into_iter()
+            .partition(|(name, _)| is_watch(name) == (device == Device::Watch));
+        self.by_name = kept;
+        self.of_other = BTreeMap::into_values(left).map(|file| file.0).collect();
+        let (read, other) = match device {
+            Device::Phone => ("phone", "watch"),
+            Device::Watch => ("watch, as the phone has no gyroscope", "phone"),
+        };
+        notes.push(format!(
+            "the files are of a phone and of a watch, which have axes of their own: read are those of the {read}; for the {other}, import its files by themselves"
+        ));
+        Ok(device)
+    }
+
+    /// Whether the phone's gyroscope has samples.
+    fn phone_turns(&self) -> Result<bool> {
+        for name in GYROSCOPES {
+            if let Some(file) = self.by_name.get(name)
+                && read(file, str::to_owned, Sensor::Gyroscope)?.has_samples()
+            {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The three columns of a file, if it is there, in the unit in which it has them.
@@ -151,6 +207,23 @@ impl<'a> Files<'a> {
 
     fn has(&self, name: &str) -> bool {
         self.by_name.contains_key(name)
+    }
+
+    /// Whether a file is there with samples in it.
+    fn holds(&self, name: &str) -> Result<bool> {
+        let file = self.by_name.get(name);
+        let raw = file.map(|file| read(file, str::to_owned, Sensor::Accelerometer));
+        Ok(raw.transpose()?.is_some_and(|raw| raw.has_samples()))
+    }
+
+    /// A file without samples is not taken, and told.
+    fn without_samples(&mut self, name: &str, sensor: Sensor, notes: &mut Vec<String>) {
+        self.used.remove(name);
+        notes.push(format!(
+            "{}: `{}` holds no sample",
+            sensor.name(),
+            self.file(name)
+        ));
     }
 
     /// The file as the user knows it.
@@ -180,24 +253,25 @@ impl<'a> Files<'a> {
             .by_name
             .iter()
             .filter(|(name, _)| !self.used.contains(*name));
-        let left = left.map(|(_, file)| file_not_used(file.0));
+        let left = left.map(|(_, file)| file.0);
+        let left = left.chain(self.of_other.iter().copied()).map(file_not_used);
         left.chain(self.not_used.iter().cloned())
             .chain(self.columns_left())
     }
 }
 
 fn gyroscope(files: &mut Files, notes: &mut Vec<String>) -> Result<Option<RawSeries>> {
-    for name in ["gyroscopeuncalibrated", "gyroscope", MOTION] {
+    for name in GYROSCOPES.into_iter().chain([MOTION]) {
         let columns = |axis: &str| match name {
             MOTION => format!("rotationRate{axis}"),
             _ => axis.to_owned(),
         };
         if let Some(raw) = files.read(name, columns, Sensor::Gyroscope)? {
-            if raw.t_s.len() >= 2 {
+            if raw.has_samples() {
                 notes.push(format!("gyroscope: `{}`", files.file(name)));
                 return Ok(Some(raw));
             }
-            files.used.remove(name);
+            files.without_samples(name, Sensor::Gyroscope, notes);
         }
     }
     Ok(None)
@@ -209,14 +283,19 @@ fn acceleration(
     notes: &mut Vec<String>,
 ) -> Result<Option<RawSeries>> {
     let plain = |axis: &str| axis.to_owned();
-    let parts = files.has("accelerometer") && files.has("gravity");
+    let parts = files.holds("accelerometer")? && files.holds("gravity")?;
     let mut whole = None;
     for name in ["totalacceleration", "accelerometeruncalibrated"] {
-        if whole.is_none() && (name == "totalacceleration" || !parts) {
-            whole = files.read(name, plain, Sensor::Accelerometer)?;
-            if whole.is_some() {
+        if whole.is_some() || (name != "totalacceleration" && parts) {
+            continue;
+        }
+        match files.read(name, plain, Sensor::Accelerometer)? {
+            Some(raw) if raw.has_samples() => {
                 notes.push(format!("accelerometer: `{}`", files.file(name)));
+                whole = Some(raw);
             }
+            Some(_) => files.without_samples(name, Sensor::Accelerometer, notes),
+            None => {}
         }
     }
     if let Some(mut total) = whole {
@@ -224,7 +303,7 @@ fn acceleration(
         scale(&mut total, sign * unit);
         return Ok(Some(total));
     }
-    if files.has("accelerometer") {
+    if files.holds("accelerometer")? {
         let Some(mut free) = files.read("accelerometer", plain, Sensor::LinearAccelerometer)?
         else {
             return Ok(None);

@@ -54,7 +54,7 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
         if series.iter().any(|(_, raw)| raw.sensor == sensor) {
             continue;
         }
-        let Some(axes) = xyz(&table, |axis| format!("{stem}{axis}{unit}")) else {
+        let Some(axes) = axes_of(&table, stem, unit) else {
             continue;
         };
         let factor = if unit == "(G)" {
@@ -64,11 +64,17 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
         };
         let mut columns = SensorColumns::new(sensor, axes[0], axes, factor);
         columns.clock = clock(&table, stamp)?;
+        let raw = columns.read(&table)?;
+        if !raw.has_samples() {
+            let sensor = sensor.name();
+            notes.push(format!("{sensor}: columns `{stem}X…` hold no sample"));
+            continue;
+        }
         notes.push(format!("{}: columns `{stem}X…`", sensor.name()));
-        series.push((0, columns.read(&table)?));
+        series.push((0, raw));
         used.extend(columns.used());
     }
-    let gravity = xyz(&table, |axis| format!("motionGravity{axis}(G)"));
+    let gravity = axes_of(&table, "motionGravity", "(G)");
     let place = |sensor: Sensor| series.iter().position(|(_, raw)| raw.sensor == sensor);
     if let (Some(free), None, Some(axes)) = (
         place(Sensor::LinearAccelerometer),
@@ -78,12 +84,14 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
         let factor = from_core_motion([1.0; 3])[0];
         let mut columns = SensorColumns::new(Sensor::Accelerometer, axes[0], axes, factor);
         columns.clock = clock(&table, "motionTimestamp")?;
-        series[free].1 = sum(&series[free].1, &columns.read(&table)?);
-        notes.pop();
-        notes.push(
-            "accelerometer: columns `motionUserAccelerationX…` plus `motionGravityX…`".to_owned(),
-        );
-        used.extend(columns.used());
+        let gravity = columns.read(&table)?;
+        if gravity.has_samples() {
+            series[free].1 = sum(&series[free].1, &gravity);
+            notes.pop();
+            let parts = "columns `motionUserAccelerationX…` plus `motionGravityX…`";
+            notes.push(format!("accelerometer: {parts}"));
+            used.extend(columns.used());
+        }
     }
     let recording = assemble(name, series)?;
     notes.extend(gravity_doubt(&recording));
@@ -91,9 +99,16 @@ pub(super) fn import(bytes: &[u8], name: &str) -> Result<ImportedRecording> {
     Ok(imported.without(columns_not_used(&table, used)))
 }
 
+/// Columns with their unit, or without it as in JSON.
+fn axes_of(table: &Table, stem: &str, unit: &str) -> Option<[usize; 3]> {
+    xyz(table, |axis| format!("{stem}{axis}{unit}"))
+        .or_else(|| xyz(table, |axis| format!("{stem}{axis}")))
+}
+
 /// The clock of a sensor: its own stamps, or else that of the rows, `loggingTime`.
 fn clock(table: &Table, stamp: &str) -> Result<Clock> {
-    let own = table.find(|column| column.starts_with(stamp) && column.ends_with("(s)"));
+    let is_seconds = |column: &str| column.ends_with("(s)") || column.ends_with("_sinceReboot");
+    let own = table.find(|column| column.starts_with(stamp) && is_seconds(column));
     if let Some(column) = own {
         return Ok(Clock::Number {
             column,

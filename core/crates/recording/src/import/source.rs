@@ -218,6 +218,19 @@ pub(super) fn base(name: &str) -> &str {
     name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
 
+/// The same without the number that a browser puts behind a second copy: `Gyroscope (1)`.
+pub(super) fn stem_of_copy(name: &str) -> &str {
+    let stem = stem(name);
+    let number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    match stem
+        .strip_suffix(')')
+        .and_then(|bare| bare.rsplit_once(" ("))
+    {
+        Some((bare, copy)) if number(copy) => bare,
+        _ => stem,
+    }
+}
+
 /// File name without folders and ending.
 pub(super) fn stem(name: &str) -> &str {
     let base = base(name);

@@ -160,9 +160,13 @@ impl<'a> Table<'a> {
         let mut mark = self.mark;
         let needed = columns.iter().max().map_or(0, |last| last + 1);
         let mut short: Option<(usize, usize)> = None;
+        let mut no_row: Option<Error> = None;
         self.each_row(tag, |row, offset, record| {
             if let Some((offset, cells)) = short {
                 return Err(self.ragged(offset, cells));
+            }
+            if let Some(error) = no_row.take() {
+                return Err(error);
             }
             if record.len() < needed {
                 // Only the last row may be short: the app was killed while writing it.
@@ -175,12 +179,23 @@ impl<'a> Table<'a> {
             {
                 return Err(self.ragged(offset, record.len()));
             }
-            for (cells, &column) in out.cells.iter_mut().zip(columns) {
+            let mut numbers = Vec::with_capacity(columns.len());
+            for &column in columns {
                 let cell = record.get(column).unwrap_or_default();
-                cells.push(
-                    number(cell, &mut mark)
-                        .map_err(|()| self.not_a_number(offset, column, cell))?,
-                );
+                match number(cell, &mut mark) {
+                    Ok(number) => numbers.push(number),
+                    Err(()) => {
+                        // Only the last line may be no row: what a logger writes when it stops.
+                        no_row = Some(self.not_a_number(offset, column, cell));
+                        if is_row(record) || out.row.is_empty() {
+                            return no_row.take().map_or(Ok(()), Err);
+                        }
+                        return Ok(());
+                    }
+                }
+            }
+            for (cells, number) in out.cells.iter_mut().zip(numbers) {
+                cells.push(number);
             }
             out.row.push(row);
             out.offset.push(offset);
@@ -217,6 +232,24 @@ impl<'a> Table<'a> {
     /// What separates the cells.
     pub(super) fn separator(&self) -> u8 {
         self.separator
+    }
+
+    /// What a line begins with that is a comment.
+    pub(super) fn comment_mark(&self) -> Option<char> {
+        self.comment.map(char::from)
+    }
+
+    /// The lines from the first row on that are not blank, each with its place.
+    pub(super) fn lines_below(&self) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
+        let mut at = self.rows_at;
+        let rows = self.bytes.get(at..).unwrap_or_default();
+        let lines = rows.split_inclusive(|b| matches!(b, b'\n' | b'\r'));
+        let placed = lines.map(move |line| {
+            let start = at;
+            at += line.len();
+            (start, String::from_utf8_lossy(line.trim_ascii()))
+        });
+        placed.filter(|(_, line)| !line.trim_matches(char::from(self.separator)).is_empty())
     }
 
     /// The text, and where its header starts.
@@ -275,7 +308,7 @@ impl<'a> Table<'a> {
         Ok(bytes)
     }
 
-    fn each_row(
+    pub(super) fn each_row(
         &self,
         tag: Option<&Tag>,
         mut visit: impl FnMut(usize, usize, &ByteRecord) -> Result<()>,
@@ -285,6 +318,10 @@ impl<'a> Table<'a> {
         let mut row = 0;
         while self.next(&mut reader, &mut record)? {
             let offset = self.rows_at + record.position().map_or(0, |at| at.byte() as usize);
+            if self.swallows_rows(&record) {
+                let expected = "a quote that is closed before the next row begins";
+                return Err(self.malformed(Some(offset), expected, "a quote left open"));
+            }
             if record.iter().all(|cell| cell.trim_ascii().is_empty()) {
                 continue;
             }
@@ -298,6 +335,54 @@ impl<'a> Table<'a> {
             row += 1;
         }
         Ok(())
+    }
+
+    /// For each row, the blank lines that stand between the rows before it: frames in which nothing was
+    /// seen. Where every other line or more are blank they are nothing but space, and none counts.
+    pub(super) fn blank_rows(&self, offsets: &[usize]) -> Vec<usize> {
+        let is_blank = |line: &[u8]| {
+            let mut bytes = line.iter();
+            bytes.all(|b| *b == self.separator || b.is_ascii_whitespace())
+        };
+        let between = |pair: &[usize]| {
+            let text = self.bytes.get(pair[0]..pair[1]).unwrap_or_default();
+            let end = if text.contains(&b'\n') { b'\n' } else { b'\r' };
+            // What follows the last end is the row's own line, and so is the line that is filled.
+            let lines = text.split(|b| *b == end);
+            lines
+                .filter(|line| is_blank(line))
+                .count()
+                .saturating_sub(1)
+        };
+        let mut blank = vec![0; offsets.len()];
+        let starts: Vec<usize> = offsets.iter().map(|at| self.text_at(*at)).collect();
+        for (i, pair) in starts.windows(2).enumerate() {
+            blank[i + 1] = blank[i] + between(pair);
+        }
+        let last = blank.last().copied().unwrap_or(0);
+        if last + 1 < offsets.len() {
+            blank
+        } else {
+            vec![0; offsets.len()]
+        }
+    }
+
+    /// Where the text of a row begins that the reader met from `offset` on.
+    fn text_at(&self, offset: usize) -> usize {
+        let rest = self.bytes.get(offset..).unwrap_or_default();
+        let ends = rest.iter().take_while(|b| matches!(b, b'\r' | b'\n'));
+        offset + ends.count()
+    }
+
+    /// Whether a quoted cell runs on over lines that are rows themselves: its quote was left open.
+    fn swallows_rows(&self, record: &ByteRecord) -> bool {
+        let is_row = |line: &str| layout::is_row(&layout::cells(line, self.separator));
+        let runs_on = |cell: &[u8]| {
+            let text = String::from_utf8_lossy(cell);
+            text.split(['\n', '\r']).skip(1).any(is_row)
+        };
+        let has_end = |bytes: &[u8]| bytes.iter().any(|b| matches!(b, b'\n' | b'\r'));
+        has_end(record.as_slice()) && record.iter().any(runs_on)
     }
 
     fn reader(&self) -> Reader<&[u8]> {
@@ -398,11 +483,19 @@ fn text_bytes<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, [u8]>> {
     }
 }
 
-/// A cell as a number. The first decimal mark met holds for the rest of the file.
+/// Whether most cells are values.
+pub(super) fn is_row(record: &ByteRecord) -> bool {
+    layout::is_row(&record.iter().map(text_of).collect::<Vec<_>>())
+}
+
+/// A cell as a number, NaN where a program says that there is none. The first decimal mark met holds for the rest of the file.
 fn number(cell: &[u8], mark: &mut Option<u8>) -> std::result::Result<Option<f64>, ()> {
     let cell = cell.trim_ascii();
     if cell.is_empty() {
         return Ok(None);
+    }
+    if layout::is_missing(cell) {
+        return Ok(Some(f64::NAN));
     }
     let found = cell.iter().copied().find(|b| matches!(b, b'.' | b','));
     if let Some(found) = found

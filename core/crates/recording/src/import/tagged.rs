@@ -2,6 +2,8 @@
 
 use super::labels::{ACCELEROMETER, FREE, GYROSCOPE, Label, axis_of_word, entry_of, value, words};
 use super::table::Table;
+use gyradius_base::Result;
+use std::collections::BTreeSet;
 
 /// What says which sensor a row is of.
 pub(super) const TAG: &[&str] = &[
@@ -22,6 +24,29 @@ pub(super) fn tags_of(rows: &[Vec<String>], column: usize, is_called_so: bool) -
     let is_sensor = |tag: &String| field_of_tag(tag).is_some();
     let holds = tags.iter().any(is_sensor) || (is_called_so && tags.len() > 1);
     if holds { tags } else { Vec::new() }
+}
+
+/// The column whose cells are a tag, the one that has it most often: a number may be a tag too. Where
+/// `strict`, its other cells must be tags as well, few in kind.
+pub(super) fn column_of_tag(table: &Table, tag: &str, strict: bool) -> Result<Option<usize>> {
+    let mut columns: Vec<(usize, BTreeSet<Vec<u8>>)> =
+        vec![Default::default(); table.header().len()];
+    table.each_row(None, |_, _, record| {
+        for ((count, kinds), cell) in columns.iter_mut().zip(record) {
+            let cell = cell.trim_ascii();
+            *count += usize::from(cell == tag.as_bytes());
+            if kinds.len() <= MOST_TAGS && !kinds.contains(cell) {
+                kinds.insert(cell.to_vec());
+            }
+        }
+        Ok(())
+    })?;
+    let having = columns
+        .iter()
+        .enumerate()
+        .filter(|(_, (count, kinds))| *count > 0 && (!strict || kinds.len() <= MOST_TAGS));
+    let most = having.max_by_key(|(_, (count, _))| *count);
+    Ok(most.map(|(column, _)| column))
 }
 
 /// More than so many kinds of rows are no kinds.

@@ -1,6 +1,7 @@
 //! Several trials in one table: rows numbered by a column, a clock that starts again, columns side
 //! by side, tables one below the other.
 
+use super::detect::{self, Content};
 use super::labels::is_time;
 use super::run_label::{RunLabel, run_of};
 use super::source::{Source, base};
@@ -335,6 +336,12 @@ pub(super) fn choose(bytes: &[u8], name: &str, trial: &str) -> Result<Option<Vec
 /// Refuses a file whose trials cannot be read as one recording: tables one below the other, and,
 /// unless a mapping names the columns, columns side by side.
 pub(super) fn refuse_several(source: &Source, is_mapped: bool) -> Result<()> {
+    let is_known = |name: &str, bytes: &[u8]| {
+        Table::open(bytes, name)
+            .is_ok_and(|table| detect::content(&table, name) != Content::Unknown)
+    };
+    // Beside files that are known, a table that is not known is not used, however many it holds.
+    let holds_known = source.members().any(|(name, bytes)| is_known(name, bytes));
     for (name, bytes) in source.members() {
         let Ok(table) = Table::open(bytes, name) else {
             continue;
@@ -342,6 +349,10 @@ pub(super) fn refuse_several(source: &Source, is_mapped: bool) -> Result<()> {
         let Some(trials) = Trials::apart(&table)? else {
             continue;
         };
+        let is_beside = holds_known && !is_mapped && !is_known(name, &trials.alone(&table, 0)?);
+        if is_beside {
+            continue;
+        }
         if !(is_mapped && matches!(trials.places, Places::Columns(_))) {
             return Err(Error::Malformed {
                 file: name.to_owned(),

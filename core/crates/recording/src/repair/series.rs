@@ -17,6 +17,8 @@ pub(crate) struct RawSeries {
     pub axes: Vec<usize>,
     /// Samples by channel; NaN where a cell is missing beside filled ones.
     pub channels: Vec<Vec<f64>>,
+    /// Names of the columns of its axes that hold no sample in any row.
+    pub empty: Vec<String>,
     /// The sensor's stated limit, in the channels' unit.
     pub limit: Option<f64>,
 }
@@ -34,6 +36,7 @@ impl RawSeries {
             t_s: Vec::new(),
             channels: vec![Vec::new(); axes.len()],
             axes,
+            empty: Vec::new(),
             limit: None,
         }
     }
@@ -45,6 +48,11 @@ impl RawSeries {
         for (channel, value) in self.channels.iter_mut().zip(values) {
             channel.push(value);
         }
+    }
+
+    /// Whether there are enough samples for a clock: one has none.
+    pub fn has_samples(&self) -> bool {
+        self.t_s.len() >= 2
     }
 
     /// Leaves out everything from sample `length` on.

@@ -4,6 +4,7 @@
 
 mod axes;
 mod containers;
+mod half_told;
 mod import;
 mod recorder;
 mod recording_csv;
