@@ -15,7 +15,7 @@ use super::columns::{
 use super::file_not_used;
 use super::imported::{Format, ImportedRecording};
 use super::options::{ImportOptions, Platform};
-use super::source::{Source, base, stem_of_copy};
+use super::source::{Source, base, stem, stem_of_copy};
 use super::table::Table;
 use crate::repair::RawSeries;
 use crate::samples::Sensor;
@@ -60,8 +60,11 @@ pub(super) fn import(
     }
     let mut files_of = Files::new(files);
     let mut other = Vec::new();
+    // A watch that was recorded with it tells the phone's system.
+    let has_watch = files_of.has(MOTION);
     let device_of = files_of.keep_one_device(&mut other)?;
-    let (sign, mut notes) = acceleration_sign(&stated, options, device_of == Device::Watch);
+    let is_apple = has_watch || device_of == Device::Watch;
+    let (sign, mut notes) = acceleration_sign(&stated, options, is_apple);
     notes.extend(other);
     let mut series: Vec<RawSeries> = Vec::new();
     series.extend(gyroscope(&mut files_of, &mut notes)?);
@@ -124,7 +127,7 @@ struct Files<'a> {
     by_name: BTreeMap<String, File<'a>>,
     used: BTreeSet<String>,
     not_used: Vec<String>,
-    /// Files of the other device, as the user knows them.
+    /// Files of another device or recording, as the user knows them.
     of_other: Vec<&'a str>,
 }
 
@@ -137,15 +140,27 @@ enum Device {
 
 impl<'a> Files<'a> {
     fn new(files: &[File<'a>]) -> Self {
-        Self {
-            by_name: files
-                .iter()
-                .map(|file| (stem_of_copy(file.0).to_lowercase(), *file))
-                .collect(),
+        let mut all = Self {
+            by_name: BTreeMap::new(),
             used: BTreeSet::new(),
             not_used: Vec::new(),
             of_other: Vec::new(),
+        };
+        for file in files {
+            // `Gyroscope (1).csv` beside `Gyroscope.csv` is another recording.
+            let is_copy = |name: &str| stem_of_copy(name) != stem(name);
+            let name = stem_of_copy(file.0).to_lowercase();
+            let Some(kept) = all.by_name.get_mut(&name) else {
+                all.by_name.insert(name, *file);
+                continue;
+            };
+            let other = match is_copy(kept.0) && !is_copy(file.0) {
+                true => std::mem::replace(kept, *file).0,
+                false => file.0,
+            };
+            all.of_other.push(other);
         }
+        all
     }
 
     /// Takes the files of one device: the phone, or the watch where the phone has no gyroscope.
@@ -168,7 +183,8 @@ impl<'a> Files<'a> {
             .into_iter()
             .partition(|(name, _)| is_watch(name) == (device == Device::Watch));
         self.by_name = kept;
-        self.of_other = BTreeMap::into_values(left).map(|file| file.0).collect();
+        self.of_other
+            .extend(BTreeMap::into_values(left).map(|file| file.0));
         let (read, other) = match device {
             Device::Phone => ("phone", "watch"),
             Device::Watch => ("watch, as the phone has no gyroscope", "phone"),

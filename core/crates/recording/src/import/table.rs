@@ -18,6 +18,8 @@ pub struct Table<'a> {
     separator: u8,
     comment: Option<u8>,
     mark: Option<u8>,
+    /// Whether it is the project's own: then every line must be a row.
+    is_native: bool,
     header: Vec<String>,
     units: Vec<String>,
     preamble: Vec<String>,
@@ -53,6 +55,7 @@ impl<'a> Table<'a> {
             separator: b',',
             comment: None,
             mark: Some(b'.'),
+            is_native: true,
             header: Vec::new(),
             units: Vec::new(),
             preamble: Vec::new(),
@@ -90,6 +93,7 @@ impl<'a> Table<'a> {
             separator: layout.separator,
             comment: layout.comment,
             mark: None,
+            is_native: false,
             header: layout.header,
             units: layout.units,
             preamble: layout.preamble,
@@ -187,7 +191,7 @@ impl<'a> Table<'a> {
                     Err(()) => {
                         // Only the last line may be no row: what a logger writes when it stops.
                         no_row = Some(self.not_a_number(offset, column, cell));
-                        if is_row(record) || out.row.is_empty() {
+                        if self.is_native || is_row(record) || out.row.is_empty() {
                             return no_row.take().map_or(Ok(()), Err);
                         }
                         return Ok(());
