@@ -3,17 +3,16 @@
 //!
 //! # Conventions
 //! The session's free parameters are shared, a swing's own numbers are those of its block. While a
-//! fit runs, the phone's turn counts from where the fit began.
+//! fit runs, the phone's turn and place count from where the fit began (`turn`).
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Matrix6};
 
-use super::linearise::{Linearised, Simulated};
+use super::linearise::{Linearised, chi2, readings};
 use super::model::{Statement, SwingModel};
-use super::scene::{OWN, Own, TURN};
-use super::turn::turn_slopes;
+use super::scene::{OWN, Own, PLACE};
 use crate::parameters::{Layout, Role};
 use gyradius_base::error::{Error, Result};
-use gyradius_base::frames::{Mat3, Vec3};
+use gyradius_base::frames::Vec3;
 use gyradius_estimation::{
     Ending, Keep, Normal, Options, Parameter, Problem, Shape, Slopes, UNSTOPPED, minimise,
 };
@@ -43,15 +42,17 @@ pub enum Enough {
 }
 
 impl Enough {
-    fn options(self) -> Options {
-        let (gain, gain_share) = match self {
-            Enough::Nearly => (0.0, 1e-2),
-            // A hundredth of a standard deviation.
-            Enough::Converged => (1e-4, 0.0),
+    /// Of a fit to so many readings.
+    fn options(self, readings: usize) -> Options {
+        let gain_share = match self {
+            Enough::Nearly => 1e-2,
+            // A tenth of a standard deviation, by the noise that the fit leaves: what a swing says of
+            // the session's parameters is led on from there by one more step.
+            Enough::Converged => 1e-2 / readings.max(1) as f64,
         };
         Options {
             most_steps: MOST_STEPS,
-            gain,
+            gain: 0.0,
             gain_share,
             keep: Some(KEEP),
         }
@@ -107,9 +108,11 @@ impl Fitting<'_> {
         horizon_s: f64,
         enough: Enough,
     ) -> Result<(Point, Vec<Linearised>)> {
+        let each = self.models.iter();
+        let count = each.map(|model| readings(&model.samples, horizon_s)).sum();
         let mut equations = Equations::about(self, at, horizon_s);
         let (parameters, start) = equations.parameters(moves);
-        let options = enough.options();
+        let options = enough.options(count);
         let found = minimise(&mut equations, &parameters, &start, &options, UNSTOPPED)
             .ok()
             .filter(|fit| fit.ending != Ending::NoDerivatives)
@@ -130,10 +133,10 @@ struct Equations<'a> {
     horizon_s: f64,
     /// The last derivatives, by turns about where they were taken.
     slopes: Vec<Linearised>,
-    /// Those turns by the turns of the fit.
-    turns: Vec<Mat3>,
-    /// The last motions, and where they are.
-    motions: (Vec<f64>, Vec<Simulated>),
+    /// The phone's place and those turns by the numbers of the fit.
+    turns: Vec<Matrix6<f64>>,
+    /// Where the last motions are, and what they leave of each swing's blocks.
+    left: (Vec<f64>, Vec<Vec<Vec3>>),
 }
 
 impl<'a> Equations<'a> {
@@ -146,7 +149,7 @@ impl<'a> Equations<'a> {
             horizon_s,
             slopes: vec![],
             turns: vec![],
-            motions: (vec![], vec![]),
+            left: (vec![], vec![]),
         }
     }
 
@@ -183,22 +186,24 @@ impl<'a> Equations<'a> {
         point
     }
 
-    /// The motions at a point; none where one cannot be simulated.
-    fn motions(&mut self, x: &[f64]) -> Option<&[Simulated]> {
-        if self.motions.0 != x {
-            let point = self.point(x);
+    /// What the motions at a point leave; none where one cannot be simulated.
+    fn left(&mut self, x: &[f64]) -> Option<&[Vec<Vec3>]> {
+        if self.left.0 != x {
+            let (point, horizon_s) = (self.point(x), self.horizon_s);
             let each = self.fitting.models.iter().zip(&point.owns);
-            let motions = each.map(|(model, own)| model.simulated(&point.x, own, self.horizon_s));
-            self.motions = (x.to_vec(), motions.collect::<Result<_>>().ok()?);
+            let left = each.map(|(model, own)| {
+                let motion = model.simulated(&point.x, own, horizon_s)?;
+                Ok(motion.misfits(&model.samples, horizon_s))
+            });
+            self.left = (x.to_vec(), left.collect::<Result<_>>().ok()?);
         }
-        Some(&self.motions.1)
+        Some(&self.left.1)
     }
 
     /// Derivatives at a point.
     fn linearise(&mut self, x: &[f64]) -> Result<()> {
         let point = self.point(x);
-        let turn = |own: &Own| turn_slopes(Vec3::from_column_slice(&own.values[TURN..TURN + 3]));
-        self.turns = point.owns.iter().map(turn).collect();
+        self.turns = point.owns.iter().map(Own::folding_slopes).collect();
         let owns = point.owns.into_iter().map(Own::folded);
         let each = self.fitting.models.iter().zip(owns);
         self.slopes = each
@@ -218,9 +223,9 @@ impl Problem for Equations<'_> {
 
     fn chi2(&mut self, x: &[f64]) -> Option<f64> {
         let (fitting, horizon_s) = (self.fitting, self.horizon_s);
-        let motions = self.motions(x)?.iter().zip(&fitting.models);
-        let of_samples: f64 = motions
-            .map(|(motion, model)| motion.chi2(&model.samples, horizon_s))
+        let left = self.left(x)?.iter().zip(&fitting.models);
+        let of_samples: f64 = left
+            .map(|(left, model)| chi2(left, &model.samples, horizon_s))
             .sum();
         let session = self.point(x).x;
         let known = fitting.known.iter();
@@ -231,16 +236,15 @@ impl Problem for Equations<'_> {
         if slopes == Slopes::New {
             self.linearise(x).ok()?;
         }
-        self.motions(x)?;
+        self.left(x)?;
         let mut normal = Normal::zero(&self.shape());
-        let each = self.motions.1.iter().zip(&self.fitting.models);
-        for (s, (motion, model)) in each.enumerate() {
-            let (slopes, turn) = (&self.slopes[s], self.free.len() + TURN);
+        for (s, left) in self.left.1.iter().enumerate() {
+            let (slopes, place) = (&self.slopes[s], self.free.len() + PLACE);
             let mut by_turn = DMatrix::identity(slopes.matrix.nrows(), slopes.matrix.ncols());
             by_turn
-                .view_mut((turn, turn), (3, 3))
+                .view_mut((place, place), (6, 6))
                 .copy_from(&self.turns[s]);
-            let gradient = by_turn.tr_mul(&slopes.gradient(motion, &model.samples));
+            let gradient = by_turn.tr_mul(&slopes.gradient(left));
             normal.add(
                 s,
                 &(by_turn.transpose() * &slopes.matrix * &by_turn),

@@ -276,7 +276,7 @@ impl SwingModel<'_> {
             x: point.x.clone(),
             own: own.clone().folded(),
             free: free(self.setup.layout),
-            gradient: slopes.gradient(&simulated, &self.samples),
+            gradient: slopes.gradient(&simulated.misfits(&self.samples, whole_s)),
             rms_over_noise: rms(&simulated, &self.samples),
             inflation: inflation(&simulated, &self.samples),
             matrix: slopes.matrix,

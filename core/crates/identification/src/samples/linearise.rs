@@ -2,11 +2,12 @@
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use super::nodes::nodes;
 use super::record::{Samples, Sensor, Stream};
 use super::scene::{BIAS, DRIFT, LANES, OWN, Own, PLACE, SHARED_LANES, SwingSetup, TURN};
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
-use gyradius_mechanics::{Dual, Fineness, Mounted, Path, Real};
+use gyradius_mechanics::{Dual, Fineness, Mounted, Path, Reading, Real};
 
 /// Columns before they are combined: lanes, place, turn, the clock.
 const RAW: usize = LANES.len() + 7;
@@ -31,8 +32,6 @@ pub struct Linearised {
 /// One block's derivatives by axis.
 #[derive(Debug, Clone)]
 struct BlockRows {
-    stream: usize,
-    block: std::ops::Range<usize>,
     rows: [SVector<f64, COLUMNS>; 3],
     weight: Vec3,
 }
@@ -84,31 +83,68 @@ impl Simulated {
     }
 
     fn moving(&self, sensor: Sensor, t_s: f64) -> Vec3 {
-        let reading = self.mounted.read(&self.path.at(t_s / (1.0 + self.clock)));
+        let reading = self.felt(t_s);
         pick(sensor, reading.gyro, reading.force)
     }
 
-    /// Mean difference of samples and readings over a block.
-    fn misfit(&self, stream: &Stream, block: &std::ops::Range<usize>) -> Vec3 {
-        let sum: Vec3 = block
-            .clone()
-            .map(|i| stream.values[i] - self.at(stream.sensor, stream.t_s[i]))
-            .sum();
-        sum / block.len() as f64
+    fn felt(&self, t_s: f64) -> Reading<f64> {
+        self.mounted.read(&self.path.at(t_s / (1.0 + self.clock)))
     }
 
-    /// χ² of the block means up to `horizon_s`.
-    pub fn chi2(&self, samples: &Samples, horizon_s: f64) -> f64 {
-        let of = |stream: &Stream| -> f64 {
-            within(stream, horizon_s)
-                .map(|block| {
-                    let r = self.misfit(stream, block).component_div(&stream.noise);
-                    block.len() as f64 * r.norm_squared()
-                })
-                .sum()
-        };
-        samples.streams.iter().map(of).sum()
+    /// Mean difference of samples and readings over each block up to `horizon_s`, stream by stream.
+    pub fn misfits(&self, samples: &Samples, horizon_s: f64) -> Vec<Vec3> {
+        let horizon_s = horizon_s.min(samples.duration_s);
+        // Sensors that are read at once feel one motion.
+        let mut felt: Vec<(f64, Reading<f64>)> = Vec::new();
+        let mut all = Vec::new();
+        for stream in &samples.streams {
+            let mut places = 0..;
+            for block in within(stream, horizon_s) {
+                let values = &stream.values[block.clone()];
+                let mut misfit = values.iter().sum::<Vec3>() / block.len() as f64;
+                for ((t_s, share), place) in
+                    (nodes(&stream.t_s[block.clone()]).into_iter()).zip(places.by_ref())
+                {
+                    let reading = match felt.get(place) {
+                        Some((before_s, reading)) if *before_s == t_s => *reading,
+                        _ => self.felt(t_s),
+                    };
+                    if place == felt.len() {
+                        felt.push((t_s, reading));
+                    }
+                    let moving = pick(stream.sensor, reading.gyro, reading.force);
+                    misfit -= (moving + self.level(stream.sensor, t_s)) * share;
+                }
+                all.push(misfit);
+            }
+        }
+        all
     }
+}
+
+/// χ² of the mean differences over blocks up to `horizon_s`.
+pub fn chi2(misfits: &[Vec3], samples: &Samples, horizon_s: f64) -> f64 {
+    let horizon_s = horizon_s.min(samples.duration_s);
+    let blocks = samples.streams.iter().flat_map(|stream| {
+        let noise = stream.noise;
+        within(stream, horizon_s).map(move |block| (block.len(), noise))
+    });
+    let each = misfits.iter().zip(blocks);
+    each.map(|(misfit, (count, noise))| count as f64 * misfit.component_div(&noise).norm_squared())
+        .sum()
+}
+
+/// How many readings blocks up to `horizon_s` hold.
+pub fn readings(samples: &Samples, horizon_s: f64) -> usize {
+    let axes = |stream: &Stream| {
+        stream
+            .noise
+            .iter()
+            .filter(|noise| noise.is_finite())
+            .count()
+    };
+    let of = |stream: &Stream| axes(stream) * within(stream, horizon_s).count();
+    samples.streams.iter().map(of).sum()
 }
 
 /// The blocks that end before the horizon.
@@ -155,7 +191,7 @@ impl Linearised {
             .collect();
         let mut all = Vec::new();
         let mut matrix = Box::new(SMatrix::<f64, COLUMNS, COLUMNS>::zeros());
-        for (i, stream) in samples.streams.iter().enumerate() {
+        for stream in &samples.streams {
             for block in within(stream, horizon_s) {
                 let count = block.len() as f64;
                 let t_s = block.clone().map(|i| stream.t_s[i]).sum::<f64>() / count;
@@ -164,12 +200,7 @@ impl Linearised {
                 for axis in 0..3 {
                     matrix.syger(weight[axis], &rows[axis], &rows[axis], 1.0);
                 }
-                all.push(BlockRows {
-                    stream: i,
-                    block: block.clone(),
-                    rows,
-                    weight,
-                });
+                all.push(BlockRows { rows, weight });
             }
         }
         matrix.fill_upper_triangle_with_lower_triangle();
@@ -183,11 +214,10 @@ impl Linearised {
         })
     }
 
-    /// The gradient g at a point nearby.
-    pub fn gradient(&self, simulated: &Simulated, samples: &Samples) -> DVector<f64> {
+    /// The gradient g at a point nearby, from the misfits of all blocks there.
+    pub fn gradient(&self, misfits: &[Vec3]) -> DVector<f64> {
         let mut gradient = DVector::zeros(COLUMNS);
-        for part in &self.rows {
-            let misfit = simulated.misfit(&samples.streams[part.stream], &part.block);
+        for (part, misfit) in self.rows.iter().zip(misfits) {
             for axis in 0..3 {
                 gradient.axpy(part.weight[axis] * misfit[axis], &part.rows[axis], 1.0);
             }

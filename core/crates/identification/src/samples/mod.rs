@@ -17,6 +17,7 @@ mod fit;
 mod linearise;
 mod model;
 mod modes;
+mod nodes;
 mod record;
 mod scene;
 mod session;

@@ -6,7 +6,8 @@ use crate::observe::Evidence;
 use gyradius_base::frames::Vec3;
 
 /// Samples are averaged over blocks this long, as a share of the fastest period found, before they
-/// enter the normal equations; residuals are formed sample by sample, so nothing is shifted, and no
+/// enter the normal equations; the motion is averaged over the same instants (`nodes`), so nothing is
+/// shifted, and no
 /// more than (2π/16)²/24 = 0.6 % of the information of the fastest motion is lost.
 pub(crate) const BLOCK_OF_PERIOD: f64 = 1.0 / 16.0;
 

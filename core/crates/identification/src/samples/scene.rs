@@ -1,7 +1,8 @@
 //! From the session's parameters and a swing's own to what is simulated.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Matrix6};
 
+use super::turn::{turned, turned_slopes};
 use crate::parameters::{Layout, SwingIndex};
 use crate::theory::{axis, swing_body, swing_rig};
 use gyradius_base::error::Result;
@@ -36,9 +37,9 @@ pub mod place {
     pub const YAW: usize = 3;
     /// Damping rates of surge, sway, roll, pitch and yaw.
     pub const DAMPING: Range<usize> = 8..13;
-    /// The phone's place, x, y, z.
+    /// The phone's place, x, y, z, before its turn.
     pub const PHONE: Range<usize> = 13..16;
-    /// Its turn.
+    /// Its tilts about x and y, and its heading about z.
     pub const TURN: Range<usize> = 16..19;
     /// Biases of gyroscope and accelerometer.
     pub const BIAS: Range<usize> = 19..25;
@@ -59,7 +60,7 @@ pub const DRIFT: usize = place::DRIFT.start;
 pub struct Own {
     /// Its parameters, at their [`place`]s.
     pub values: [f64; OWN],
-    /// `hanging_from_phone`; the turn in `values` comes on top.
+    /// `hanging_from_phone`; the turn in `values` comes after it.
     pub nominal: Rotation,
 }
 
@@ -163,7 +164,7 @@ impl Own {
         Self { values, nominal }
     }
 
-    /// Where the phone lies, hanging axes, m.
+    /// Where the phone lies, hanging axes, m; its turn is folded.
     pub fn phone_m(&self) -> Vec3 {
         Vec3::from_column_slice(&self.values[place::PHONE])
     }
@@ -183,25 +184,30 @@ impl Own {
     pub fn turned_round(&self) -> Self {
         const ABOUT_FACE: [usize; 8] = [0, 1, 2, 4, 5, 6, PLACE, PLACE + 1];
         let half_turn = Rotation::from_axis_angle(&Vec3::z_axis(), std::f64::consts::PI);
-        let mut turned = self.clone();
+        let mut turned = self.clone().folded();
         ABOUT_FACE
             .iter()
             .for_each(|i| turned.values[*i] = -turned.values[*i]);
-        turned.nominal = Rotation::new_normalize((half_turn * self.nominal).into_inner());
+        turned.nominal = Rotation::new_normalize((half_turn * turned.nominal).into_inner());
         turned
     }
 
-    /// The turn taken into the nominal orientation.
+    /// The turn taken into the nominal orientation and the place.
     pub fn folded(mut self) -> Self {
-        let turn = Vec3::new(
-            self.values[TURN],
-            self.values[TURN + 1],
-            self.values[TURN + 2],
-        );
-        let turned = self.nominal * Rotation::from_scaled_axis(turn);
-        self.nominal = Rotation::new_normalize(turned.into_inner());
-        self.values[TURN..TURN + 3].fill(0.0);
+        let (nominal, place_m) = turned(self.turn(), &self.nominal, self.phone_m());
+        self.nominal = Rotation::new_normalize(nominal.into_inner());
+        self.values[place::PHONE].copy_from_slice(place_m.as_slice());
+        self.values[place::TURN].fill(0.0);
         self
+    }
+
+    fn turn(&self) -> Vec3 {
+        Vec3::from_column_slice(&self.values[place::TURN])
+    }
+
+    /// What of place and turn is folded, by their numbers.
+    pub fn folding_slopes(&self) -> Matrix6<f64> {
+        turned_slopes(self.turn(), &self.nominal, self.phone_m())
     }
 
     /// Uncertainties of weak priors about zero: they keep the equations solvable where a swing does
