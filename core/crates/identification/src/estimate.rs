@@ -183,7 +183,7 @@ impl<'a> System<'a> {
                     .sum(),
             ),
             Observed::Incline(i) => {
-                let depth = self.layout.swings.first()?.log_depth;
+                let depth = self.layout.depth_of_inclines()?;
                 Some(incline_angle_deg(
                     &self.layout,
                     x,
@@ -465,7 +465,11 @@ impl Derived {
 }
 
 /// The observations that stated incline angles make.
+/// An incline shows mass times depth: without the mass it tells nothing of the depth.
 fn incline_observations(session: &Session, recorded_deg: &[Option<Quantity>]) -> Vec<Observation> {
+    if session.body.mass_kg.is_none() {
+        return vec![];
+    }
     let angle = |i: usize| match session.inclines[i].angle {
         InclineAngle::Stated(angle) => Some(angle),
         InclineAngle::Recording(_) => recorded_deg.get(i).copied().flatten(),

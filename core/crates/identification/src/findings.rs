@@ -26,8 +26,8 @@ pub(super) use recording::{
 };
 pub use support::NEAR_IN_PHASE;
 pub(super) use support::{
-    duplicates, is_supported, near_resonance, not_one_motion, phone_mass, phone_moved,
-    undetermined, unsupported,
+    duplicates, incline_without_mass, is_supported, near_resonance, not_one_motion, phone_mass,
+    phone_moved, undetermined, unsupported,
 };
 
 pub(super) use unused::not_used;

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use crate::chance::SURE;
 use crate::modes::{Hanging, tilt_between_rad};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::Vec3;
@@ -24,8 +25,9 @@ use super::by_samples::by_samples;
 use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
-    Finding, duplicates, near_resonance, not_one_motion, not_used, of_amplitude, of_dimensions,
-    of_list, of_recording, of_residual, of_size, phone_mass, phone_moved, unchecked,
+    Finding, duplicates, incline_without_mass, near_resonance, not_one_motion, not_used,
+    of_amplitude, of_dimensions, of_list, of_recording, of_residual, of_size, phone_mass,
+    phone_moved, unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, MotionResult, SwingResult, TrendResult,
@@ -319,6 +321,9 @@ pub fn estimate(
                 index,
                 &works[i].result,
             );
+            for (correction, mode) in found.iter_mut().zip(&works[i].result.modes) {
+                *correction = beside_record(*correction, mode);
+            }
             // The motion itself is followed to small amplitude already.
             let motion = works[i].evidence.as_ref().and_then(Evidence::one_motion);
             if let (Some(motion), Some(first)) = (motion, found.first_mut()) {
@@ -332,6 +337,23 @@ pub fn estimate(
     }
     system.observe(observations(session, works, &corrections), inclines);
     system.solve(&first.x)
+}
+
+/// A law brings a period to small amplitude, and the record itself does, by how it changes while the
+/// swing dies away. Where they surely differ, the law is not that of this swing: what they differ by
+/// is in doubt.
+fn beside_record(by_law: Correction, mode: &ModeResult) -> Correction {
+    let (small_s, observed_s) = (mode.period_s, mode.period_observed_s);
+    let apart = (small_s / observed_s - by_law.factor).abs();
+    let u = by_law.u_relative.hypot(mode.period_se_s / observed_s);
+    let is_of_record = small_s != observed_s;
+    match is_of_record && apart > SURE * u {
+        true => Correction {
+            u_relative: by_law.u_relative.hypot(apart),
+            ..by_law
+        },
+        false => by_law,
+    }
 }
 
 impl System<'_> {
@@ -414,6 +436,7 @@ fn beyond_the_data(
     found.extend(not_one_motion(session, works));
     found.extend(near_resonance(system, solution, works, result));
     found.extend(phone_mass(session, works, result));
+    found.extend(incline_without_mass(session));
     found.extend(unchecked(result));
     found.into_iter().for_each(|one| result.find(one));
 }

@@ -145,7 +145,7 @@ pub fn write_averaged(system: &System, spread: &Spread, result: &mut Measurement
         result.budget.insert(name.clone(), lines);
         determined.push((name, averaged.derived));
     }
-    for one in unsupported(&left_out) {
+    for one in unsupported(system.session, &left_out) {
         result.find(one);
     }
     for (name, derived) in &not_determined {

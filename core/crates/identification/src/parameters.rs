@@ -210,8 +210,15 @@ impl Layout {
 
     /// Logarithm of the depth in a level hanging, where there is one.
     pub fn level_depth(&self) -> Option<usize> {
-        let level = |s: &&SwingIndex| self.parameters[s.pitch_deg].prior.value.abs() < LEVEL_DEG;
+        let is_level = |i: usize| self.parameters[i].prior.value.abs() < LEVEL_DEG;
+        let level = |s: &&SwingIndex| is_level(s.pitch_deg) && s.roll_deg.is_none_or(is_level);
         self.swings.iter().find(level).map(|s| s.log_depth)
+    }
+
+    /// That of the hanging in which weights were put on: the level one; without one, the first.
+    pub fn depth_of_inclines(&self) -> Option<usize> {
+        self.level_depth()
+            .or(self.swings.first().map(|s| s.log_depth))
     }
 
     /// Relative error of the clock that a swing was timed with.

@@ -32,6 +32,10 @@ const LONGEST_S: f64 = 180.0;
 /// A typed period is simulated over this many cycles.
 const TYPED_CYCLES: f64 = 10.0;
 
+/// The square root of the rounding of numbers: a period changes with the square of the amplitude, and
+/// a motion below this is all rounding.
+const LEAST_RAD: f64 = 1.5e-8;
+
 /// What brings an observed period to small amplitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Correction {
@@ -212,7 +216,8 @@ fn parts(body: &RigidBody, modes: &SmallModes, swing: &Swing, result: &SwingResu
         let small = find(mode.mode)?;
         let angle = mode
             .amplitude
-            .filter(|_| mode.amplitude_unit == AmplitudeUnit::Radian)?;
+            .filter(|_| mode.amplitude_unit == AmplitudeUnit::Radian)
+            .filter(|angle| *angle > LEAST_RAD)?;
         let size = angle_of_shape(modes, small, mode.mode, &unit);
         Some(Part {
             observed,

@@ -13,8 +13,8 @@ const MOST_RATIO: f64 = 20.0;
 const MOST_RATIO_OF_LINES: f64 = 300.0;
 /// Points of suspension may lie a little beyond the hull's ends, on a frame.
 const BEYOND_ENDS: f64 = 1.2;
-/// A dimension with less than this share of a quantity's variance does not matter to it.
-const MATTERS: f64 = 0.1;
+/// Less than this share of a quantity's variance is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Gravity at sea level is 9.780 at the equator and 9.832 at the poles; 10 km up it is 0.031 less.
 const GRAVITY_ON_EARTH_M_S2: [f64; 2] = [9.74, 9.84];
@@ -376,7 +376,8 @@ pub fn of_size(session: &Session, result: &mut Measurement) -> Vec<Finding> {
     found
 }
 
-/// Dimensions that matter to a quantity and that no consistency test reached.
+/// Dimensions that a quantity depends on and that no consistency test reached: a slip in one of them
+/// moves it, however small a share of its uncertainty that dimension has.
 pub fn unchecked(result: &Measurement) -> Vec<Finding> {
     let lengths = [
         InputKind::Spacing,
@@ -394,7 +395,7 @@ pub fn unchecked(result: &Measurement) -> Vec<Finding> {
         .filter_map(|kind| {
             let concerned = QuantityName::SCALARS
                 .into_iter()
-                .find(|name| share_of(result, name, kind) > MATTERS)?;
+                .find(|name| share_of(result, name, kind) > ROUNDING)?;
             let quantity = crate::sentences::name(&format!("quantity.{concerned}"));
             let finding = Finding::new(
                 (Kind::UncheckedDimension, Severity::Noted),

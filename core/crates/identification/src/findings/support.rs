@@ -88,24 +88,34 @@ pub fn is_supported(system: &System, name: &QuantityName) -> bool {
 }
 
 /// Quantities that were left out because no swing shows them.
-pub fn unsupported(left_out: &[QuantityName]) -> Vec<Finding> {
-    left_out
-        .iter()
-        .map(|name| {
-            let key = match name {
-                QuantityName::KYaw => "not_shown_yaw",
-                QuantityName::KRoll => "not_shown_roll",
-                _ => "not_shown_pitch",
-            };
-            let quantity = crate::sentences::name(&format!("quantity.{name}"));
-            Finding::new(
-                (Kind::NotIdentifiable, Severity::Refused),
-                key,
-                [("quantity", quantity)],
-            )
-            .of_channel(name.as_str())
-        })
-        .collect()
+pub fn unsupported(session: &Session, left_out: &[QuantityName]) -> Vec<Finding> {
+    let shows = |name: &&QuantityName| !(is_unweighed(session) && **name == QuantityName::CmDepth);
+    let told = left_out.iter().filter(shows).map(|name| {
+        let key = match name {
+            QuantityName::KYaw => "not_shown_yaw",
+            QuantityName::KRoll => "not_shown_roll",
+            _ => "not_shown_pitch",
+        };
+        not_shown(name, key)
+    });
+    told.collect()
+}
+
+/// An incline shows mass times depth.
+fn is_unweighed(session: &Session) -> bool {
+    !session.inclines.is_empty() && session.body.mass_kg.is_none()
+}
+
+/// Inclines of a hull whose mass nobody stated are not used.
+pub fn incline_without_mass(session: &Session) -> Option<Finding> {
+    let name = QuantityName::CmDepth;
+    is_unweighed(session).then(|| not_shown(&name, "incline_without_mass"))
+}
+
+fn not_shown(name: &QuantityName, key: &str) -> Finding {
+    let quantity = crate::sentences::name(&format!("quantity.{name}"));
+    let what = (Kind::NotIdentifiable, Severity::Refused);
+    Finding::new(what, key, [("quantity", quantity)]).of_channel(name.as_str())
 }
 
 /// A quantity that a swing shows and that is not stated all the same: how uncertain it would be; none

@@ -237,6 +237,98 @@ fn a_heeled_hull_shows_its_pitch_gyradius_in_yaw() {
     }
 }
 
+/// A swing on lines of 2.2 m, 1.8 m apart, by typed periods, s: yaw, sway, and both of pitch.
+fn swung(id: &str, [yaw, sway, slow, fast]: [f64; 4], turned: &str) -> String {
+    let period = |name: &str, value: f64| format!("{name} = {{ value = {value}, u = 0.002 }}");
+    let periods = [
+        period("yaw", yaw),
+        period("sway", sway),
+        period("pitch_in_phase", slow),
+        period("pitch_out_of_phase", fast),
+    ]
+    .join(", ");
+    format!(
+        "[[swing]]\nid = \"{id}\"\nperiods_s = {{ {periods} }}\n[swing.suspension]\n\
+         kind = \"bifilar\"\norientation = \"athwartships\"\n\
+         line_length = {{ value = 2.2, u = 0.003 }}\nspacing = {{ value = 1.8, u = 0.001 }}\n\
+         hull_pitch_deg = {{ value = 0.0, u = 0.2 }}\n{turned}"
+    )
+}
+
+/// The depth is that of the level hanging, 0.402 m, whichever comes first. Heeled by 30° the centre
+/// lies 0.300 m below its points; periods by (5), the heeled tensor and the double pendulum of
+/// surge and pitch.
+#[test]
+fn a_heeled_hanging_is_not_the_level_one() {
+    let heeled = [3.557_042, 2.975_986, 4.426_542, 2.796_359];
+    let heeled = swung(
+        "heeled",
+        heeled,
+        "hull_roll_deg = { value = 30.0, u = 0.3 }\n",
+    );
+    let level = swung("level", [3.493_807, 2.975_986, 4.099_266, 2.655_762], "");
+    for both in [format!("{heeled}{level}"), format!("{level}{heeled}")] {
+        let result = measured(&format!("{HEAD}{both}"), "");
+        let (value, u) = scalar(&result, "cm_depth_m");
+        assert!((value - 0.402).abs() < u && u < 0.005, "{value} ± {u}");
+    }
+}
+
+/// An incline shows mass times depth.
+#[test]
+fn an_incline_without_a_mass_tells_no_depth() {
+    let period = TAU * 1.1 / 0.9 * (2.2 / GRAVITY).sqrt();
+    let text = |body: &str| {
+        format!(
+            "{body}[[swing]]\nid = \"y\"\nperiods_s = {{ yaw = {{ value = {period:?}, u = 0.002 }} }}\n\
+             [swing.suspension]\nkind = \"bifilar\"\norientation = \"athwartships\"\n\
+             line_length = {{ value = 2.2, u = 0.003 }}\nspacing = {{ value = 1.8, u = 0.001 }}\n\
+             [[incline]]\nend = \"bow\"\nmass = {{ value = 20.0, u = 0.05 }}\n\
+             arm = {{ value = 2.5, u = 0.005 }}\ndepth = {{ value = 0.0, u = 0.002 }}\n\
+             angle_deg = {{ value = 11.0, u = 0.05 }}\n"
+        )
+    };
+    let weighed = HEAD.replace("[body]\n", "[body]\nmass = { value = 622.7, u = 0.5 }\n");
+    // (20): tan φ = m L/(M l2).
+    let expected = 20.0 * 2.5 / (622.7 * 11f64.to_radians().tan());
+    let (value, u) = scalar(&measured(&text(&weighed), ""), "cm_depth_m");
+    assert!((value - expected).abs() < u, "{value} ± {u}, {expected}");
+    let unweighed = measured(&text(HEAD), "");
+    assert!(!unweighed.quantities.contains_key("cm_depth_m"));
+    let told = unweighed
+        .findings
+        .iter()
+        .find(|one| one.message.english.contains("states no mass"));
+    assert!(told.is_some(), "{:?}", unweighed.findings);
+}
+
+/// Zero is an amplitude, the one at which a period is that of small swings: of a hull that a phone
+/// beside its middle plane makes lopsided too. k = (T/2π) d √(g/l), eq. (5); the phone moves it by
+/// less than its uncertainty.
+#[test]
+fn an_amplitude_of_zero_needs_no_correction() {
+    let gyradius = 1.056_f64;
+    let period = TAU * gyradius / 0.9 * (3.477 / GRAVITY).sqrt();
+    let head = HEAD.replace("[body]\n", "[body]\nmass = { value = 622.7, u = 0.5 }\n");
+    let k = |amplitude: &str| {
+        let text = format!(
+            "{head}[[attachment]]\nname = \"phone\"\nmass = {{ value = 0.2, u = 0.002 }}\n\
+             position = {{ value = [1.5, 0.1, -0.1], u = 0.01 }}\n\
+             [[swing]]\nid = \"y\"\nperiods_s = {{ yaw = {{ value = {period:?}, u = 0.002 }} }}\n\
+             {amplitude}[swing.suspension]\nkind = \"bifilar\"\norientation = \"athwartships\"\n\
+             line_length = {{ value = 3.477, u = 0.003 }}\nspacing = {{ value = 1.8, u = 0.001 }}\n"
+        );
+        scalar(&measured(&text, ""), "k_yaw_m")
+    };
+    let (at_zero, u) = k("amplitude_deg = { yaw = 0 }\n");
+    let (unstated, _) = k("");
+    assert!((at_zero - unstated).abs() < 1e-6, "{at_zero} {unstated}");
+    assert!(
+        (at_zero - gyradius).abs() < u && u < 0.002,
+        "{at_zero} ± {u}"
+    );
+}
+
 /// Two swings in one hanging have one reading of the spacing, whose error stays; two hangings have
 /// two, and the mean of them is better by √2, whatever digits they have.
 #[test]
