@@ -14,7 +14,7 @@ STEP := tests/step $(LOGS)
 # Cargo's library of the Python package.
 MODULE := target/debug/lib_core.$(if $(filter Darwin,$(shell uname)),dylib,so)
 
-.PHONY: help demo check test graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind fuzz plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test test-core test-above graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind fuzz plan-check hidden peers blind-tools doc skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -52,11 +52,8 @@ test:
 	@$(MAKE) --no-print-directory lint
 	@$(MAKE) --no-print-directory doc
 	@$(MAKE) --no-print-directory test-cached
-	@$(MAKE) --no-print-directory test-rust
-	@$(MAKE) --no-print-directory test-vectors
-	@tests/side-by-side test-targets test-faces
-	@$(MAKE) --no-print-directory test-blind
-	@$(MAKE) --no-print-directory test-hidden
+	@$(MAKE) --no-print-directory blind-tools
+	@tests/side-by-side test-core test-above
 	@$(MAKE) --no-print-directory skips
 
 lint: package
@@ -77,6 +74,19 @@ test-cached: package
 test-rust:
 	@$(STEP) rust tests/run-rust --workspace
 	@$(STEP) doctest cargo test --doc --workspace
+
+# The core's own tests, and sessions drawn by generators that share nothing with it. One after the other, as what is above runs
+# at the same time: on two cores neither waits for the other.
+test-core:
+	@$(MAKE) --no-print-directory test-rust
+	@$(MAKE) --no-print-directory test-vectors
+	@$(MAKE) --no-print-directory test-blind
+	@$(MAKE) --no-print-directory test-hidden
+
+# All that stands on the core, and the builds for phones.
+test-above:
+	@$(MAKE) --no-print-directory test-faces
+	@$(MAKE) --no-print-directory test-targets
 
 # The expected values themselves, computed anew at 30 digits by code that shares nothing with the core.
 test-vectors: blind-tools
