@@ -183,7 +183,7 @@ impl<'a> System<'a> {
                     .sum(),
             ),
             Observed::Incline(i) => {
-                let depth = self.layout.depth_of_inclines()?;
+                let depth = self.layout.level_or_first_depth()?;
                 Some(incline_angle_deg(
                     &self.layout,
                     x,

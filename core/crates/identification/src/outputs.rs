@@ -36,9 +36,7 @@ struct Hull<'a> {
 
 impl Hull<'_> {
     fn at(&self, x: &[f64]) -> Option<RigidBody> {
-        let depth = self
-            .level_depth
-            .or(self.system.layout.swings.first().map(|s| s.log_depth))?;
+        let depth = self.system.layout.level_or_first_depth()?;
         hull_alone(self.session, &self.system.layout, x, depth).ok()
     }
 

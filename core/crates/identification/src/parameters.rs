@@ -215,8 +215,8 @@ impl Layout {
         self.swings.iter().find(level).map(|s| s.log_depth)
     }
 
-    /// That of the hanging in which weights were put on: the level one; without one, the first.
-    pub fn depth_of_inclines(&self) -> Option<usize> {
+    /// The same; without a level hanging, that of the first, in which weights are put on then.
+    pub fn level_or_first_depth(&self) -> Option<usize> {
         self.level_depth()
             .or(self.swings.first().map(|s| s.log_depth))
     }

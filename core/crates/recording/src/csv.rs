@@ -90,10 +90,8 @@ fn axes_of(table: &Table) -> Result<(Vec<RawSeries>, Vec<usize>)> {
 
 /// A column by its name, in upper or lower case; two of one name are refused.
 fn known_once(table: &Table, name: &str) -> Result<Option<usize>> {
-    let mut names = table.header().iter().enumerate();
-    let mut having = names
-        .by_ref()
-        .filter(|(_, column)| column.eq_ignore_ascii_case(name));
+    let names = table.header().iter().enumerate();
+    let mut having = names.filter(|(_, column)| column.eq_ignore_ascii_case(name));
     let first = having.next().map(|(column, _)| column);
     match having.next() {
         None => Ok(first),

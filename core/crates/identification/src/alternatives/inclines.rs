@@ -31,7 +31,7 @@ pub fn routes(system: &System, solution: &Solution) -> Vec<RouteCalculation> {
 
 /// How much deeper the hull's own centre lies than that of everything that hangs, m.
 fn hull_above_hanging_m(system: &System, solution: &Solution) -> Option<f64> {
-    let depth = system.layout.depth_of_inclines()?;
+    let depth = system.layout.level_or_first_depth()?;
     let hull = hull_alone(system.session, &system.layout, &solution.x, depth).ok()?;
     Some(-hull.cm_m.z - solution.x[depth].exp())
 }

@@ -380,12 +380,7 @@ fn rms(simulated: &Simulated, samples: &Samples) -> f64 {
         sum += (0..stream.t_s.len())
             .map(|i| residual(simulated, stream, i).norm_squared())
             .sum::<f64>();
-        let axes = stream
-            .noise
-            .iter()
-            .filter(|noise| noise.is_finite())
-            .count();
-        count += axes * stream.t_s.len();
+        count += stream.axes() * stream.t_s.len();
     }
     (sum / count.max(1) as f64).sqrt()
 }

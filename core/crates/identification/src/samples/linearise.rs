@@ -136,14 +136,7 @@ pub fn chi2(misfits: &[Vec3], samples: &Samples, horizon_s: f64) -> f64 {
 
 /// How many readings blocks up to `horizon_s` hold.
 pub fn readings(samples: &Samples, horizon_s: f64) -> usize {
-    let axes = |stream: &Stream| {
-        stream
-            .noise
-            .iter()
-            .filter(|noise| noise.is_finite())
-            .count()
-    };
-    let of = |stream: &Stream| axes(stream) * within(stream, horizon_s).count();
+    let of = |stream: &Stream| stream.axes() * within(stream, horizon_s).count();
     samples.streams.iter().map(of).sum()
 }
 

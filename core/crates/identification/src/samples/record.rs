@@ -7,8 +7,7 @@ use gyradius_base::frames::Vec3;
 
 /// Samples are averaged over blocks this long, as a share of the fastest period found, before they
 /// enter the normal equations; the motion is averaged over the same instants (`nodes`), so nothing is
-/// shifted, and no
-/// more than (2π/16)²/24 = 0.6 % of the information of the fastest motion is lost.
+/// shifted, and no more than (2π/16)²/24 = 0.6 % of the information of the fastest motion is lost.
 pub(crate) const BLOCK_OF_PERIOD: f64 = 1.0 / 16.0;
 
 /// The free span is known to a fraction of a second; so much is left out at its ends, s.
@@ -121,6 +120,11 @@ impl Stream {
             noise,
             blocks,
         })
+    }
+
+    /// How many of its axes measured something.
+    pub fn axes(&self) -> usize {
+        self.noise.iter().filter(|noise| noise.is_finite()).count()
     }
 
     /// Noise of the reading along an axis.

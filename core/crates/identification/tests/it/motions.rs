@@ -238,7 +238,7 @@ fn a_heeled_hull_shows_its_pitch_gyradius_in_yaw() {
 }
 
 /// A swing on lines of 2.2 m, 1.8 m apart, by typed periods, s: yaw, sway, and both of pitch.
-fn swung(id: &str, [yaw, sway, slow, fast]: [f64; 4], turned: &str) -> String {
+fn typed_swing(id: &str, [yaw, sway, slow, fast]: [f64; 4], turned: &str) -> String {
     let period = |name: &str, value: f64| format!("{name} = {{ value = {value}, u = 0.002 }}");
     let periods = [
         period("yaw", yaw),
@@ -261,12 +261,12 @@ fn swung(id: &str, [yaw, sway, slow, fast]: [f64; 4], turned: &str) -> String {
 #[test]
 fn a_heeled_hanging_is_not_the_level_one() {
     let heeled = [3.557_042, 2.975_986, 4.426_542, 2.796_359];
-    let heeled = swung(
+    let heeled = typed_swing(
         "heeled",
         heeled,
         "hull_roll_deg = { value = 30.0, u = 0.3 }\n",
     );
-    let level = swung("level", [3.493_807, 2.975_986, 4.099_266, 2.655_762], "");
+    let level = typed_swing("level", [3.493_807, 2.975_986, 4.099_266, 2.655_762], "");
     for both in [format!("{heeled}{level}"), format!("{level}{heeled}")] {
         let result = measured(&format!("{HEAD}{both}"), "");
         let (value, u) = scalar(&result, "cm_depth_m");

@@ -22,8 +22,11 @@ fn commented(table: &Table) -> Option<String> {
     let mark = table.comment_mark()?;
     let width = table.header().len();
     let mut rows = table.lines_below().filter(|(_, line)| {
+        if width <= 1 || !line.starts_with(mark) {
+            return false;
+        }
         let cells = cells(line, table.separator());
-        line.starts_with(mark) && width > 1 && cells.len() == width && is_row(&cells[1..])
+        cells.len() == width && is_row(&cells[1..])
     });
     let (first, _) = rows.next()?;
     let count = 1 + rows.count();
