@@ -217,6 +217,8 @@ pub enum RepairKind {
     OtherClock,
     /// Columns, files or sensors of an export that the import did not use.
     NotImported,
+    /// What a recorder writes where it has no reading: dropped for that sensor.
+    NoReading,
 }
 
 /// One kind of damage of one sensor: how often, where, what was done.

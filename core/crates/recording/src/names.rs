@@ -58,6 +58,7 @@ pub(crate) const REPAIR_KINDS: &[(&str, RepairKind)] = &[
     ("stamp_step", RepairKind::StampStep),
     ("other_clock", RepairKind::OtherClock),
     ("not_imported", RepairKind::NotImported),
+    ("no_reading", RepairKind::NoReading),
 ];
 
 impl Excitation {

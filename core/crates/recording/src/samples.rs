@@ -337,6 +337,9 @@ pub enum RepairKind {
     OtherClock,
     /// Columns, files or sensors of an export that the import did not use.
     NotImported,
+    /// What a recorder writes where it has no reading (−999): a value that comes time and again, far
+    /// from all others. The row is dropped for that sensor.
+    NoReading,
 }
 
 /// One kind of damage of one sensor: how often, where first and last, what was done.

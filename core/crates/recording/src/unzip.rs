@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read};
 
+use flate2::read::MultiGzDecoder;
 use zip::ZipArchive;
 use zip::read::ZipFile;
 use zip::result::ZipError;
@@ -79,6 +80,28 @@ pub(crate) fn unzip_within(
     Ok(files)
 }
 
+/// Whether bytes are those of a file compressed by itself (RFC 1952).
+pub(crate) fn is_gzip(bytes: &[u8]) -> bool {
+    bytes.starts_with(&[0x1f, 0x8b])
+}
+
+/// A file that was compressed by itself, `name.csv.gz`, within the limits of a member.
+pub(crate) fn gunzip(name: &str, bytes: &[u8]) -> Result<Vec<u8>> {
+    let by_ratio = allowed_by_ratio(bytes.len() as u64, LIMITS);
+    let limit = LIMITS.member_bytes.min(by_ratio);
+    let mut content = Vec::new();
+    let unpacked = MultiGzDecoder::new(bytes);
+    let read = unpacked.take(limit + 1).read_to_end(&mut content);
+    if content.len() as u64 > limit {
+        return Err(beyond(name, name, limit == by_ratio, LIMITS));
+    }
+    read.map_err(|e| Error::Unreadable {
+        file: name.to_owned(),
+        reason: e.to_string(),
+    })?;
+    Ok(content)
+}
+
 /// The plain name of a member; none for folders and for the shadow files that macOS adds.
 fn checked_name<R: Read>(archive: &str, member: &ZipFile<'_, R>) -> Result<Option<String>> {
     let name = member.name().map_err(|e| not_a_zip(archive, &e))?;
@@ -121,18 +144,19 @@ fn checked_content<R: Read>(
             "it unpacks to far more than its size or {} MiB in all",
             limits.total_bytes >> 20
         )
-    } else if limit == by_ratio {
-        format!(
-            "`{name}` unpacks to more than {} times its size",
-            limits.ratio
-        )
     } else {
-        format!(
-            "`{name}` unpacks to more than {} bytes",
-            limits.member_bytes
-        )
+        return Err(beyond(archive, name, limit == by_ratio, limits));
     };
     Err(unsafe_archive(archive, reason))
+}
+
+/// A file that unpacks to more than it may, by its ratio or by its size.
+fn beyond(archive: &str, name: &str, by_ratio: bool, limits: Limits) -> Error {
+    let most = match by_ratio {
+        true => format!("{} times its size", limits.ratio),
+        false => format!("{} bytes", limits.member_bytes),
+    };
+    unsafe_archive(archive, format!("`{name}` unpacks to more than {most}"))
 }
 
 fn allowed_by_ratio(compressed_bytes: u64, limits: Limits) -> u64 {

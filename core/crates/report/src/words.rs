@@ -125,6 +125,7 @@ pub(super) fn repair(kind: RepairKind, language: Language) -> String {
         RepairKind::StampStep => "stamp_step",
         RepairKind::OtherClock => "other_clock",
         RepairKind::NotImported => "not_imported",
+        RepairKind::NoReading => "no_reading",
     };
     say(language, key, [])
 }

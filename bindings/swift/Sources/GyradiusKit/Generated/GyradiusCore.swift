@@ -15807,6 +15807,10 @@ public enum RepairKind: Equatable, Hashable {
      * Columns, files or sensors of an export that the import did not use.
      */
     case notImported
+    /**
+     * What a recorder writes where it has no reading: dropped for that sensor.
+     */
+    case noReading
 
 
 
@@ -15855,6 +15859,8 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         case 13: return .otherClock
         
         case 14: return .notImported
+        
+        case 15: return .noReading
         
         default: throw UniffiInternalError.unexpectedEnumCase
         }
@@ -15918,6 +15924,10 @@ public struct FfiConverterTypeRepairKind: FfiConverterRustBuffer {
         
         case .notImported:
             writeInt(&buf, Int32(14))
+        
+        
+        case .noReading:
+            writeInt(&buf, Int32(15))
         
         }
     }

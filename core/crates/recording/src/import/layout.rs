@@ -130,6 +130,7 @@ fn of_text(text: &str) -> Option<Layout> {
     layout.separator = separator;
     let count = cells(content[row].text, separator).len();
     layout.place_header(&lines, &content[..row], content[row], count);
+    layout.name_rows(content[row], count);
     layout.preamble = before(&lines, layout.header_at);
     Some(layout)
 }
@@ -137,9 +138,10 @@ fn of_text(text: &str) -> Option<Layout> {
 impl Layout {
     fn place_header(&mut self, lines: &[Line], above: &[Line], row: Line, count: usize) {
         let split = |line: &Line| trimmed(cells(line.text, self.separator));
+        let numbers_rows = is_numbered(row, self.separator);
         let is_header = |names: &Vec<String>| match self.separator {
             // Words of a sentence are no columns.
-            b' ' => names.len() == count,
+            b' ' => names.len() == count || (numbers_rows && names.len() + 1 == count),
             _ => names.len() >= 2 || count == 1,
         };
         let text: Vec<(Line, Vec<String>)> = above
@@ -176,6 +178,26 @@ impl Layout {
             }
         }
     }
+}
+
+impl Layout {
+    /// R writes the names of its rows before the first column, and none above them.
+    fn name_rows(&mut self, row: Line, count: usize) {
+        if self.named && self.header.len() + 1 == count && is_numbered(row, self.separator) {
+            self.header.insert(0, String::new());
+            if !self.units.is_empty() {
+                self.units.insert(0, String::new());
+            }
+        }
+    }
+}
+
+/// Whether a row begins with its number, as text: `"1" 0.00 …`.
+fn is_numbered(row: Line, separator: u8) -> bool {
+    let cells = cells(row.text, separator);
+    let first = cells.first().map(|cell| cell.trim().trim_matches('"'));
+    let is_number = first.is_some_and(|cell| !cell.is_empty() && cell.parse::<u32>().is_ok());
+    row.text.starts_with('"') && is_number
 }
 
 fn split_comment(line: &Line, separator: u8) -> Vec<String> {

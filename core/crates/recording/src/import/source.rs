@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::{json, sqlite, trials, workbook};
 use crate::recorder::NamedTables;
 use crate::store::Store;
+use crate::unzip::{gunzip, is_gzip};
 use gyradius_base::{Error, Result};
 
 /// The files of one folder, in an archive or loose.
@@ -62,6 +63,14 @@ pub(super) fn sources(inputs: &[Input]) -> Result<Vec<Source>> {
                 continue;
             }
         };
+        let unpacked;
+        let (name, bytes) = match is_gzip(bytes) {
+            true => {
+                unpacked = (plain_name(name), gunzip(name, bytes)?);
+                (&unpacked.0, &unpacked.1)
+            }
+            false => (name, bytes),
+        };
         if let Some(tables) = tables_inside(bytes, name) {
             sources.push(Source::archived(name, tables?));
             continue;
@@ -89,6 +98,15 @@ pub(super) fn sources(inputs: &[Input]) -> Result<Vec<Source>> {
         sources[place].files.push((name.clone(), bytes.clone()));
     }
     Ok(sources)
+}
+
+/// The name of a file without what says that it was compressed.
+fn plain_name(name: &str) -> String {
+    let ending = name.len().saturating_sub(".gz".len());
+    match name.get(ending..) {
+        Some(end) if end.eq_ignore_ascii_case(".gz") => name[..ending].to_owned(),
+        _ => name.to_owned(),
+    }
 }
 
 /// An archive by folders: some programs put several recordings into one.

@@ -124,6 +124,7 @@ pub(super) fn left_out(raw: &RawSeries, fates: &Fates) -> Vec<Repair> {
         RepairKind::BackwardStamp,
         RepairKind::NotANumber,
         RepairKind::Saturation,
+        RepairKind::NoReading,
         RepairKind::SecondSwing,
         RepairKind::StampStep,
     ];
@@ -146,6 +147,10 @@ fn left_out_as(kind: RepairKind, raw: &RawSeries, fates: &Fates) -> Option<Repai
             format!("{} a value that is not a number", plural(n, "has", "have"))
         }
         RepairKind::Saturation => format!("{} at the sensor's limit", plural(n, "is", "are")),
+        RepairKind::NoReading => format!(
+            "{} what a recorder writes where it has no reading, far from all others",
+            plural(n, "has", "have")
+        ),
         RepairKind::StampStep => {
             format!("{} beyond a step of the clock", plural(n, "lies", "lie"))
         }

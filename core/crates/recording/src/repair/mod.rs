@@ -4,6 +4,7 @@
 //! listed. Stamps are used as they stand, but for those that packets share, which are spread. The
 //! file itself is never changed.
 
+mod absent;
 mod findings;
 mod saturation;
 mod series;
@@ -18,6 +19,9 @@ use super::domain::MOST;
 use super::samples::{Repair, RepairKind};
 use gyradius_base::{Error, Result};
 use series::Fates;
+
+/// A clock that is set back, once or twice, makes two or three stretches.
+const MOST_PIECES: usize = 4;
 
 /// What is left of a series, with the list of what is not.
 #[derive(Debug, Clone, Default)]
@@ -50,6 +54,9 @@ pub(crate) fn repair_file(
 ) -> Result<Vec<Repaired>> {
     for raw in &series {
         refuse_reversed(raw, file)?;
+        if sampling == Sampling::Regular {
+            refuse_shuffled(raw, file)?;
+        }
     }
     let mut series = series;
     let shared: Vec<usize> = match sampling {
@@ -92,6 +99,9 @@ fn repair(raw: RawSeries, window: &stamps::Window, shared: usize, sampling: Samp
             }
         }
     }
+    if sampling == Sampling::Regular {
+        absent::judge(&raw, &mut fates);
+    }
     saturation::judge(&raw, &mut fates);
     repairs.extend(findings::left_out(&raw, &fates));
     repairs.extend(findings::shared_stamps(&raw, shared));
@@ -113,6 +123,23 @@ fn repair(raw: RawSeries, window: &stamps::Window, shared: usize, sampling: Samp
         channels,
         repairs,
         at_limit_s,
+    }
+}
+
+/// Many stretches that have each their own time are one recording whose rows are out of order: to keep
+/// the longest would be to keep a small part.
+fn refuse_shuffled(raw: &RawSeries, file: &str) -> Result<()> {
+    match stamps::pieces_out_of_order(&raw.t_s) {
+        0..MOST_PIECES => Ok(()),
+        pieces => Err(Error::Malformed {
+            file: file.to_owned(),
+            line: None,
+            expected: "rows in the order of time; sort them by it".to_owned(),
+            found: format!(
+                "{pieces} pieces of the {}, each with its own time, in another order",
+                raw.sensor.name()
+            ),
+        }),
     }
 }
 

@@ -22,6 +22,25 @@ const CHEAP_INTERVALS: f64 = 1e4;
 /// the stamps are those of packets: of packets of two, half do.
 const SHARED: f64 = 0.4;
 
+/// One stamp in so many may be jitter nearer to the next than half the interval.
+const CROWDED: usize = 100;
+
+/// In how many stretches the stamps rise where, put in order, they are as regular as within one (two
+/// recordings of the same time would lie between each other's stamps) and none is most of the record.
+/// Else 0.
+pub(super) fn pieces_out_of_order(t_s: &[f64]) -> usize {
+    let mut finite: Vec<f64> = t_s.iter().copied().filter(|t| t.is_finite()).collect();
+    let pieces = stretches(&finite, &mut vec![]);
+    let longest = pieces.iter().map(Range::len).max().unwrap_or_default();
+    let near = 0.5 * median_interval_s(&finite).unwrap_or_default();
+    finite.sort_by(f64::total_cmp);
+    let crowded = finite.windows(2).filter(|pair| pair[1] - pair[0] < near);
+    match CROWDED * crowded.count() < finite.len() && 2 * longest < finite.len() {
+        true => pieces.len(),
+        false => 0,
+    }
+}
+
 /// Rows that one table keeps.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Window {

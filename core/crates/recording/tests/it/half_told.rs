@@ -497,3 +497,38 @@ fn a_small_table_beside_known_ones_is_passed_over() {
     assert_rates(&imported);
     assert_told(&imported, &["`Results.csv` is not used"]);
 }
+
+/// R's `write.table` names its rows, and its header has no name for them.
+#[test]
+fn names_of_rows_are_no_time() {
+    let row = |i: usize| format!("\"{}\" {}\n", i + 1, rates(i).replace(',', " "));
+    let text = format!("\"t\" \"gx\" \"gy\" \"gz\"\n{}", rows(row));
+    let imported = one(
+        "r.txt",
+        &text,
+        &["t=t:s", "gx=gx:rad/s", "gy=gy:rad/s", "gz=gz:rad/s"],
+    );
+    let gyroscope = recording(&imported).gyroscope.as_ref().unwrap();
+    assert_eq!(gyroscope.t_s[ROWS - 1], t(ROWS - 1));
+    assert_eq!(gyroscope.axes[2][7], rate(2, 7));
+}
+
+/// A table that was compressed by itself is the table.
+#[test]
+fn a_compressed_table_is_unpacked() {
+    use std::io::Write;
+    let text = format!("{GYROSCOPE}{}", rows(|i| rates(i) + "\n"));
+    let mut packed = flate2::write::GzEncoder::new(vec![], flate2::Compression::default());
+    packed.write_all(text.as_bytes()).unwrap();
+    let packed = packed.finish().unwrap();
+    let import = |bytes: Vec<u8>| {
+        let inputs = [("Gyroscope.csv.gz".to_owned(), bytes)];
+        import_files(&inputs, &ImportOptions::default())
+    };
+    let found = import(packed.clone()).unwrap();
+    let plain = one("Gyroscope.csv", &text, &[]);
+    assert_eq!(recording(&found.recordings[0]), recording(&plain));
+    // Cut short it is an error, not half a swing.
+    let error = import(packed[..packed.len() / 2].to_vec()).unwrap_err();
+    assert!(error.to_string().contains("Gyroscope.csv.gz"), "{error}");
+}
