@@ -9,15 +9,19 @@ use super::names::{Input, InputKind};
 use crate::modes::NamedMode;
 use gyradius_base::error::Result;
 use gyradius_base::parallel::in_parallel;
-use gyradius_recording::{ModeName, Quantity, Session, Swing};
+use gyradius_recording::{ModeName, Quantity, Session, SuspensionKind, Swing};
 
 use super::estimate::{Observation, Observed, Solution, System};
+use super::findings::{Finding, of_amplitude};
+use super::measure::{estimate, work_of};
 use super::measurement::{ModeResult, SwingResult};
 use super::observe::{Evidence, hints_contradicted, parasites};
 use super::parameters::Layout;
-use super::samples::{FittedSwing, Statement};
+use super::routes::finite_amplitude::yaw_period_at_amplitude_s;
+use super::routes::yaw::yaw_gyradius_m;
+use super::samples::{FittedSwing, Moves, Statement};
 use super::swing_work::{SwingWork, WEAKEST_DB};
-use super::theory::upright;
+use super::theory::{swing_lines, upright};
 
 /// A swing contradicts the others where leaving it out takes more off χ²: chance takes 30 of some
 /// ten figures once in a thousand times (χ² of 10 degrees of freedom).
@@ -36,6 +40,10 @@ const OTHER_YAWS: [f64; 5] = [0.0, -0.25, -0.12, 0.12, 0.25];
 /// A line in the spectrum this near to a simulated period is that mode, relative.
 const SAME_LINE: f64 = 0.02;
 
+/// What may move as a fit begins: the body, or what was stated too within its uncertainty.
+const AS_STATED: [Moves; 2] = [Moves::Body, Moves::All];
+const ALL_WAYS: [Moves; 3] = [Moves::Body, Moves::All, Moves::Opened];
+
 /// What is fitted, and the swings' evidence.
 struct Samples<'a> {
     session: &'a Session,
@@ -52,7 +60,7 @@ pub fn by_samples(
     works: &mut [SwingWork],
     inclines: &[Option<Quantity>],
     by_periods: Result<Solution>,
-) -> Result<Solution> {
+) -> (Result<Solution>, Vec<Finding>) {
     let (session, layout) = (system.session, system.layout.clone());
     let x = by_periods
         .as_ref()
@@ -64,12 +72,12 @@ pub fn by_samples(
         evidence,
     };
     let mut fits = samples.fitted(system, &x, inclines);
-    if fits.iter().all(Option::is_none) {
-        return by_periods;
+    let is_simulated = fits.iter().any(Option::is_some);
+    let (x, together) = match is_simulated {
+        true => samples.together(system, &mut fits, inclines),
+        false => None,
     }
-    let (x, together) = samples
-        .together(system, &mut fits, inclines)
-        .unwrap_or((x, false));
+    .unwrap_or((x, false));
     let found: Vec<Option<Found>> = fits
         .iter()
         .map(|fit| fit.as_ref().and_then(Found::of))
@@ -79,6 +87,15 @@ pub fn by_samples(
         .zip(&found)
         .filter(|(_, found)| found.is_none())
         .for_each(|(said, _)| said.clear());
+    drop(fits);
+    let (any, told) = as_one_motion(system, works, &|i| found[i].is_none());
+    let by_periods = match any {
+        true => estimate(system, session, works, inclines),
+        false => by_periods,
+    };
+    if !is_simulated {
+        return (by_periods, told);
+    }
     let is_other =
         |o: &Observation| !matches!(o.what, Observed::Period(i, _) if found[i].is_some());
     system.periods.retain(is_other);
@@ -94,7 +111,42 @@ pub fn by_samples(
             .extend(periods(i, &found.modes, &session.swings[i]));
         works[i].take_modes(found, &session.swings[i]);
     }
-    system.solve(&x)
+    (system.solve(&x), told)
+}
+
+/// Yaw on lines that no simulation explains, dry friction or drag say, or of which only one sensor
+/// tells: as one motion in one angle, where that describes it. Whether there is any, and what is not
+/// plausible in it; a swing that is refused is no motion any more.
+fn as_one_motion(
+    system: &System,
+    works: &mut [SwingWork],
+    is_wanted: &dyn Fn(usize) -> bool,
+) -> (bool, Vec<Finding>) {
+    let session = system.session;
+    let (mut any, mut told) = (false, vec![]);
+    for (i, work) in works.iter_mut().enumerate() {
+        let swing = &session.swings[i];
+        let hung_on_lines = matches!(
+            swing.suspension.kind,
+            SuspensionKind::Bifilar | SuspensionKind::Trifilar
+        );
+        if !(hung_on_lines && is_wanted(i)) {
+            continue;
+        }
+        let evidence = work.evidence.clone();
+        let Some(found) = evidence.and_then(Evidence::with_yaw_motion) else {
+            continue;
+        };
+        let law = system.hardness_of_lines(i, &found);
+        let finding = law.and_then(|law| of_amplitude(&swing.id, &found, (ModeName::Yaw, law)));
+        *work = work_of(found, Some(swing));
+        if finding.as_ref().is_some_and(Finding::refuses) {
+            work.refuse();
+        }
+        told.extend(finding);
+        any = true;
+    }
+    (any, told)
 }
 
 /// The simulation nearest to each swing that a phone recorded on two lines, from parameters of the
@@ -139,12 +191,17 @@ fn statements(fits: &Fits, together: bool) -> Vec<Vec<Statement>> {
 impl<'a> Samples<'a> {
     /// The swings fitted, each as well as what the others say allows.
     fn fitted(&self, system: &mut System, x: &[f64], inclines: &[Option<Quantity>]) -> Fits<'a> {
-        let mut fits = self.each(system, x, &|i| self.is_level(i), &self.about(x));
+        let mut fits = self.each(
+            system,
+            x,
+            &|i| self.is_level(i),
+            (&self.about(x), &AS_STATED),
+        );
         let level = statements(&fits, false).concat();
         let x = system
             .agreed(&statements(&fits, false), inclines)
             .unwrap_or_else(|| x.to_vec());
-        let tilted = self.each(system, &x, &|i| !self.is_level(i), &level);
+        let tilted = self.each(system, &x, &|i| !self.is_level(i), (&level, &AS_STATED));
         fits.iter_mut()
             .zip(tilted)
             .filter(|(_, tilted)| tilted.is_some())
@@ -177,12 +234,18 @@ impl<'a> Samples<'a> {
             < LEVEL_DEG
     }
 
-    fn fit(&self, i: usize, starts: &[Vec<f64>], known: &[Statement]) -> Option<FittedSwing<'a>> {
+    fn fit(
+        &self,
+        i: usize,
+        starts: &[Vec<f64>],
+        (known, tried): (&[Statement], &[Moves]),
+    ) -> Option<FittedSwing<'a>> {
         FittedSwing::of(
             (self.session, self.layout, i),
             starts,
             known,
             self.evidence[i]?,
+            tried,
         )
     }
 
@@ -192,13 +255,13 @@ impl<'a> Samples<'a> {
         system: &System,
         x: &[f64],
         wanted: &(dyn Fn(usize) -> bool + Sync),
-        known: &[Statement],
+        beside: (&[Statement], &[Moves]),
     ) -> Fits<'a> {
         let one = |i: usize| {
             if !wanted(i) || self.evidence[i].is_none() {
                 return None;
             }
-            self.fit(i, &self.starts(system, x, i), known)
+            self.fit(i, &self.starts(system, x, i), beside)
         };
         in_parallel(self.evidence.len(), one)
     }
@@ -296,7 +359,7 @@ impl<'a> Samples<'a> {
         let again = in_parallel(suspects.len(), |k| {
             let (i, _, x, known) = &suspects[k];
             let before = fits[*i].as_ref()?;
-            let fit = self.fit(*i, &self.starts_beside(x, before), known)?;
+            let fit = self.fit(*i, &self.starts_beside(x, before), (known, &AS_STATED))?;
             let misfit: f64 = known.iter().map(|s| s.misfit(before.x()).powi(2)).sum();
             let gain = before.cost() + misfit - fit.cost();
             (gain > CONTRADICTION).then_some((gain, *i, fit))
@@ -324,14 +387,16 @@ impl<'a> Samples<'a> {
         ]
     }
 
-    /// What a swing misses from its own start, it may find from what the others say.
+    /// What a swing misses from its own start, it may find from what the others say, or with lines of
+    /// another length than was stated.
     fn fill(&self, system: &System, fits: &mut Fits<'a>, inclines: &[Option<Quantity>]) {
         let said = statements(fits, false);
         let Some(agreed) = system.agreed(&said, inclines) else {
             return;
         };
         let known = said.concat();
-        let found = self.each(system, &agreed, &|i| fits[i].is_none(), &known);
+        let beside = (&known[..], &ALL_WAYS[..]);
+        let found = self.each(system, &agreed, &|i| fits[i].is_none(), beside);
         fits.iter_mut()
             .zip(found)
             .filter(|(fit, _)| fit.is_none())
@@ -408,6 +473,18 @@ fn periods(i: usize, modes: &[ModeResult], stated: &Swing) -> Vec<Observation> {
 }
 
 impl System<'_> {
+    /// κ of the stated lines: by how much the period of a yaw grows to its first amplitude, over A²/16.
+    fn hardness_of_lines(&self, i: usize, evidence: &Evidence) -> Option<f64> {
+        let motion = evidence.one_motion()?;
+        let x = self.layout.start();
+        let lines = swing_lines(&x, &self.session.swings[i], &self.layout.swings[i]).ok()?;
+        let (small_s, gravity) = (motion.period_s.value, x[self.layout.gravity]);
+        let k_m = yaw_gyradius_m(small_s, &lines, gravity).ok()?;
+        let amplitude = motion.amplitude_rad;
+        let large_s = yaw_period_at_amplitude_s(k_m, &lines, gravity, amplitude).ok()?;
+        Some((large_s / small_s - 1.0) * 16.0 / amplitude.powi(2))
+    }
+
     /// Parameters from the periods of one swing alone.
     fn by_one_swing(&self, i: usize) -> Option<Vec<f64>> {
         let mut alone = self.with(self.layout.clone());

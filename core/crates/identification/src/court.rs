@@ -10,33 +10,68 @@ use gyradius_base::message::{Argument, Message, spaced};
 use gyradius_recording::{ModeName, Quantity};
 
 use super::alternatives::RouteCalculation;
-use super::estimate::{Observed, Solution, System};
+use super::estimate::{Derived, Observed, Solution, System};
 use super::measurement::Claim;
 use super::names::{InputKind, QuantityName, RouteMethod, Subject};
-use super::parameters::Role;
 use super::routes::ratio::line_length_m;
 use super::sentences::{inputs, message, name, origins};
+use super::suspects::{same_figures, set_free};
 
 /// A difference this large speaks up: chance does that once in 370 for a normal error.
 pub const FLAG_SIGMA: f64 = 3.0;
-/// Stated figures that can be tested, with the relative width to which they are opened.
+/// Stated figures that are held against the rest.
 const TESTABLE: [InputKind; 4] = [
     InputKind::LineLength,
     InputKind::Spacing,
     InputKind::TopSpacing,
     InputKind::Gravity,
 ];
-const OPENED_RELATIVE_U: f64 = 0.3;
-/// An implied figure less certain than this says nothing about a tape.
-const MOST_IMPLIED_RELATIVE_U: f64 = 0.05;
+/// Figures of which it is told where nothing tests them.
+const TO_BE_TESTED: [InputKind; 5] = [
+    InputKind::Spacing,
+    InputKind::TopSpacing,
+    InputKind::LineLength,
+    InputKind::AxisHeight,
+    InputKind::PhoneClock,
+];
+/// An implied figure less certain than this part of what a slip may be says nothing about a slip.
+const SAYS_NOTHING: f64 = 1.0 / 6.0;
+
+/// The consistency tests of a session.
+pub struct Sitting {
+    /// Comparisons, the worst first.
+    pub claims: Vec<Claim>,
+    /// Stated figures, and by how much each could be wrong without being flagged.
+    pub hidden: Vec<Hidden>,
+}
+
+/// Readings of one stated figure (parameters), and by how much it could be wrong without being flagged,
+/// its own unit.
+pub struct Hidden {
+    /// The readings.
+    pub readings: Vec<usize>,
+    /// The error.
+    pub error: f64,
+}
 
 /// Every sitting of the court.
-pub fn sit(system: &System, solution: &Solution, routes: &[RouteCalculation]) -> Vec<Claim> {
+pub fn sit(system: &System, solution: &Solution, routes: &[RouteCalculation]) -> Sitting {
     let mut claims = sway_against_tape(system);
-    claims.extend(stated_against_the_rest(system, solution));
+    let (stated, mut hidden) = stated_against_the_rest(system, solution);
+    // A tape that was misread once may have been typed for several swings.
+    let together = same_figures(&system.layout).into_iter();
+    let together = together.filter(|group| {
+        let kind = system.layout.parameters[group[0]].name.kind;
+        TO_BE_TESTED.contains(&kind)
+    });
+    hidden.extend(together.filter_map(|group| {
+        let implied = Implied::of(system, solution, &group)?;
+        Some(implied.hidden(group))
+    }));
+    claims.extend(stated);
     claims.extend(route_against_route(routes));
     claims.sort_by(|a, b| b.sigma.total_cmp(&a.sigma));
-    claims
+    Sitting { claims, hidden }
 }
 
 /// Each sway period against the length of the lines, eq. (7) turned round: l = g T² / 4π².
@@ -68,12 +103,30 @@ fn sway_against_tape(system: &System) -> Vec<Claim> {
         .collect()
 }
 
-/// Each stated dimension freed, and the session solved without it.
-fn stated_against_the_rest(system: &System, solution: &Solution) -> Vec<Claim> {
-    let each = (0..system.layout.parameters.len()).filter_map(|i| one_stated(system, solution, i));
+/// Each stated dimension freed, and the session solved without it; and what of an error that leaves
+/// hidden.
+fn stated_against_the_rest(system: &System, solution: &Solution) -> (Vec<Claim>, Vec<Hidden>) {
+    let parameters = system.layout.parameters.iter().enumerate();
+    let is_asked = |(i, kind): (usize, InputKind)| match kind {
+        // What all swings share of it.
+        InputKind::PhoneClock => i == system.layout.clock,
+        _ => TESTABLE.contains(&kind) || TO_BE_TESTED.contains(&kind),
+    };
+    let asked = parameters.filter(|(i, p)| is_asked((*i, p.name.kind)));
     // Of figures that were stated alike for several swings the worst is told.
-    let mut worst: Vec<Claim> = Vec::new();
-    for claim in each {
+    let (mut worst, mut hidden): (Vec<Claim>, _) = (vec![], vec![]);
+    for (i, parameter) in asked {
+        let kind = parameter.name.kind;
+        let Some(implied) = Implied::of(system, solution, &[i]) else {
+            continue;
+        };
+        if TO_BE_TESTED.contains(&kind) {
+            hidden.push(implied.hidden(vec![i]));
+        }
+        if !TESTABLE.contains(&kind) || !implied.says_something() {
+            continue;
+        }
+        let claim = implied.claim(kind);
         let is_alike = |known: &&mut Claim| {
             (known.claim == claim.claim)
                 && (known.stated, known.stated_u) == (claim.stated, claim.stated_u)
@@ -84,32 +137,52 @@ fn stated_against_the_rest(system: &System, solution: &Solution) -> Vec<Claim> {
             None => worst.push(claim),
         }
     }
-    worst
+    (worst, hidden)
 }
 
-fn one_stated(system: &System, solution: &Solution, i: usize) -> Option<Claim> {
-    let stated = &system.layout.parameters[i];
-    if stated.role != Role::Stated || !TESTABLE.contains(&stated.name.kind) {
-        return None;
+/// A stated figure set free within what a slip may be, as the rest of the session has it then.
+struct Implied<'a> {
+    stated: Quantity,
+    width: f64,
+    opened: System<'a>,
+    freed: Solution,
+    derived: Derived,
+}
+
+impl<'a> Implied<'a> {
+    fn of(system: &System<'a>, solution: &Solution, group: &[usize]) -> Option<Self> {
+        let first = *group.first()?;
+        let (width, opened) = set_free(system, group)?;
+        let freed = opened.solve(&solution.x).ok()?;
+        let derived = freed.derive(&opened.layout, |x| Some(x[first]))?;
+        Some(Self {
+            stated: system.layout.parameters[first].prior,
+            width,
+            opened,
+            freed,
+            derived,
+        })
     }
-    let mut layout = system.layout.clone();
-    layout.parameters[i].prior.u = OPENED_RELATIVE_U * stated.prior.value;
-    layout.parameters[i].role = Role::Unknown;
-    let opened = system.with(layout);
-    let freed = opened.solve(&solution.x).ok()?;
-    let derived = freed.derive(&opened.layout, |x| Some(x[i]))?;
-    if derived.u > MOST_IMPLIED_RELATIVE_U * stated.prior.value {
-        return None;
+
+    fn hidden(&self, readings: Vec<usize>) -> Hidden {
+        let error = FLAG_SIGMA * self.derived.u.hypot(self.stated.u);
+        Hidden {
+            readings,
+            error: error.min(self.width),
+        }
     }
-    let budget = super::outputs::budget(&opened, &freed, &derived);
-    let largest = budget.iter().take(2).map(|line| &line.input);
-    let implied = Quantity::new(derived.value, derived.u);
-    Some(claim(
-        stated.name.kind,
-        stated.prior,
-        implied,
-        message("by_all", [("inputs", inputs(largest))]),
-    ))
+
+    fn says_something(&self) -> bool {
+        self.derived.u <= SAYS_NOTHING * self.width
+    }
+
+    fn claim(&self, kind: InputKind) -> Claim {
+        let budget = super::outputs::budget(&self.opened, &self.freed, &self.derived);
+        let largest = budget.iter().take(2).map(|line| &line.input);
+        let by = message("by_all", [("inputs", inputs(largest))]);
+        let implied = Quantity::new(self.derived.value, self.derived.u);
+        claim(kind, self.stated, implied, by)
+    }
 }
 
 fn claim(kind: InputKind, stated: Quantity, implied: Quantity, by: Message) -> Claim {

@@ -19,19 +19,20 @@ use gyradius_base::message::{Argument, Message, advice_and_said, text_and_said};
 use gyradius_base::named;
 use gyradius_recording::AssumedU;
 
-pub(super) use amplitude::of_amplitude;
+pub(super) use amplitude::{PENDULUM, of_amplitude};
 pub(super) use dimensions::{of_dimensions, of_size, unchecked};
 pub(super) use recording::{
     LEAST_DESCRIBED, NOISE_MISMATCH, clear_of_limit, of_list, of_recording, of_residual,
 };
 pub use support::NEAR_IN_PHASE;
 pub(super) use support::{
-    duplicates, incline_without_mass, is_supported, near_resonance, not_one_motion, phone_mass,
+    duplicates, incline_without_mass, is_supported, near_resonance, not_one_motion, phone,
     phone_moved, undetermined, unsupported,
 };
 
 pub(super) use unused::not_used;
 
+use super::estimate::Solution;
 use super::sentences::message;
 
 named! {
@@ -144,6 +145,20 @@ impl Finding {
         Self::new((kind, severity), "contradiction", arguments)
             .with("chi2", chi2)
             .with("dof", dof)
+    }
+
+    /// Stated figures and swings that cannot all be right, and no one of them explains it.
+    pub(super) fn unexplained_contradiction(solution: &Solution) -> Self {
+        let (kind, severity) = (FindingKind::Contradiction, Severity::Widened);
+        let numbers = [
+            ("chi2", solution.chi2),
+            ("dof", solution.dof),
+            ("factor", solution.birge),
+        ];
+        let arguments = numbers.map(|(name, value)| (name, Argument::Number(value, 1)));
+        let found = Self::new((kind, severity), "contradiction_unnamed", arguments);
+        let with = |found: Self, (name, value)| found.with(name, value);
+        numbers.into_iter().fold(found, with)
     }
 
     /// A finding whose sentences have the keys `finding.KEY` and `advice.KEY`, with the same

@@ -25,9 +25,9 @@ use super::by_samples::by_samples;
 use super::court::{self, FLAG_SIGMA};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
-    Finding, duplicates, incline_without_mass, near_resonance, not_one_motion, not_used,
-    of_amplitude, of_dimensions, of_list, of_recording, of_residual, of_size, phone_mass,
-    phone_moved, unchecked,
+    Finding, PENDULUM, duplicates, incline_without_mass, near_resonance, not_one_motion, not_used,
+    of_amplitude, of_dimensions, of_list, of_recording, of_residual, of_size, phone, phone_moved,
+    unchecked,
 };
 use super::measurement::{
     AmplitudePoint, Claim, Measurement, ModeResult, MotionResult, SwingResult, TrendResult,
@@ -62,6 +62,10 @@ const TYPED_PERIOD_U_RELATIVE: f64 = 1e-6;
 /// of the misfit: strong motions that are no damped lines leave such traces beside them.
 const DOUBTFUL_DB: f64 = -40.0;
 const DOUBTFUL_MISFIT: f64 = 1.5;
+
+/// Frequencies of sidebands over that of their mode: up to a little more than its third multiple, which
+/// a limit of the sensor makes.
+const SIDEBANDS: f64 = 3.5;
 
 /// A roll gyradius of which weak priors decide less than this share is measured.
 const ROLL_WEAK_SHARE: f64 = 0.05;
@@ -163,7 +167,8 @@ fn plausibility(
             let evidence = work.evidence.as_ref();
             let mut found = of_recording(&swing.id, recording, evidence, gravity_m_s2);
             if stated.suspension.kind != SuspensionKind::Free {
-                found.extend(evidence.and_then(|evidence| of_amplitude(&swing.id, evidence)));
+                let law = (ModeName::Compound, PENDULUM);
+                found.extend(evidence.and_then(|one| of_amplitude(&swing.id, one, law)));
             }
             found
         }
@@ -220,7 +225,8 @@ pub fn analyse_watched(
         SOLVED_SHARE,
         "fitting the simulation to the samples",
     )?;
-    let solved = by_samples(&mut system, &mut works, &inclines, estimated);
+    let (solved, told) = by_samples(&mut system, &mut works, &inclines, estimated);
+    told.into_iter().for_each(|one| result.find(one));
     let has_failed = solved.is_err();
     match solved {
         Ok(solution) => {
@@ -232,8 +238,8 @@ pub fn analyse_watched(
             };
             let beats: Vec<_> = works.iter().map(counted).collect();
             let routes = routes(&system, &solution, &beats);
-            conclude(&system, &solution, &routes, &mut result);
-            beyond_the_data((&system, &solution), &works, &mut result);
+            let hidden = conclude(&system, &solution, &routes, &mut result);
+            beyond_the_data((&system, &solution), &hidden, &works, &mut result);
             judge(options, &mut result);
         }
         Err(error) => result.warn(message("no_joint_estimate", [("reason", plain(error))])),
@@ -301,6 +307,8 @@ pub fn estimate(
     works: &mut [SwingWork],
     inclines: &[Option<Quantity>],
 ) -> Result<Solution> {
+    works.iter_mut().for_each(SwingWork::uncorrect);
+    system.observe(observations(session, works, &[]), inclines);
     if system.observations.is_empty() {
         let is_free = |swing: &Swing| swing.suspension.kind == SuspensionKind::Free;
         let reason = match !session.swings.is_empty() && session.swings.iter().all(is_free) {
@@ -323,6 +331,7 @@ pub fn estimate(
             );
             for (correction, mode) in found.iter_mut().zip(&works[i].result.modes) {
                 *correction = beside_record(*correction, mode);
+                *correction = correction.and(unnamed_beside(mode, &works[i], swing));
             }
             // The motion itself is followed to small amplitude already.
             let motion = works[i].evidence.as_ref().and_then(Evidence::one_motion);
@@ -337,6 +346,32 @@ pub fn estimate(
     }
     system.observe(observations(session, works, &corrections), inclines);
     system.solve(&first.x)
+}
+
+/// Relative doubt of a period by motions that nothing explains, where shapes name those of a hull. They
+/// are wrong readings of its own: samples that are missing, a limit, a clock. Of relative size r, they
+/// are the sidebands of a phase that scatters by r; one that is pulled back once in a period, evenly in
+/// between, runs ahead by √12 r, and the period is wrong by √12 r / 2π. What is faster than the third
+/// multiple, or slower by as much, is no sideband.
+fn unnamed_beside(mode: &ModeResult, work: &SwingWork, swing: &Swing) -> f64 {
+    let has_shapes = |evidence: &Evidence| {
+        let map = evidence.map;
+        map.gyroscope.is_some() && evidence.up.is_some() && !map.gravity_free
+    };
+    let is_bifilar = swing.suspension.kind == SuspensionKind::Bifilar;
+    let is_read = is_bifilar && work.evidence.as_ref().is_some_and(has_shapes);
+    if mode.mode == ModeName::Other || !is_read {
+        return 0.0;
+    }
+    let is_beside = |other: &&ModeResult| {
+        let ratio = mode.period_observed_s / other.period_observed_s;
+        other.mode == ModeName::Other && ratio.ln().abs() < SIDEBANDS.ln()
+    };
+    let beside = work.result.modes.iter().filter(is_beside);
+    let squares: f64 = beside
+        .map(|other| 10f64.powf((other.relative_db - mode.relative_db) / 10.0))
+        .sum();
+    (12.0 * squares).sqrt() / TAU
 }
 
 /// A law brings a period to small amplitude, and the record itself does, by how it changes while the
@@ -385,12 +420,13 @@ fn apply(result: &mut SwingResult, corrections: &[Correction]) {
     }
 }
 
+/// Quantities, routes and contradictions; errors in stated figures that would not show.
 fn conclude(
     system: &System,
     solution: &Solution,
     calculations: &[RouteCalculation],
     result: &mut Measurement,
-) {
+) -> Vec<court::Hidden> {
     let spread = Spread::of(system, solution);
     write_averaged(system, &spread, result);
     for calculation in calculations {
@@ -400,7 +436,8 @@ fn conclude(
             .or_default();
         known.push(calculation.route());
     }
-    result.consistency = court::sit(system, solution, calculations);
+    let court::Sitting { claims, hidden } = court::sit(system, solution, calculations);
+    result.consistency = claims;
     worst_of_each(&result.consistency)
         .into_iter()
         .for_each(|said| result.warn(said));
@@ -412,21 +449,15 @@ fn conclude(
             suspects,
         ));
     } else if solution.birge > 1.0 {
-        let arguments = [
-            ("chi2", solution.chi2),
-            ("dof", solution.dof),
-            ("factor", solution.birge),
-        ];
-        result.warn(message(
-            "widened",
-            arguments.map(|(name, value)| (name, Argument::Number(value, 1))),
-        ));
+        result.find(Finding::unexplained_contradiction(solution));
     }
+    hidden
 }
 
 /// What the result shows of the session: sizes, resonances, what rides along, what nothing tests.
 fn beyond_the_data(
     (system, solution): (&System, &Solution),
+    hidden: &[court::Hidden],
     works: &[SwingWork],
     result: &mut Measurement,
 ) {
@@ -435,9 +466,9 @@ fn beyond_the_data(
     found.extend(works.iter().filter_map(|w| of_residual(&w.result)));
     found.extend(not_one_motion(session, works));
     found.extend(near_resonance(system, solution, works, result));
-    found.extend(phone_mass(session, works, result));
+    found.extend(phone(session, works, result));
     found.extend(incline_without_mass(session));
-    found.extend(unchecked(result));
+    found.extend(unchecked((system, solution), hidden, result));
     found.into_iter().for_each(|one| result.find(one));
 }
 
@@ -479,10 +510,10 @@ fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork 
     let worked = match data {
         LoadedData::Recording(recording) => {
             observe_recording(&swing.id, recording, gravity_m_s2, &hanging, Some(swing))
-                .map(|e| work(e, Some(swing)))
+                .map(|e| work_of(e, Some(swing)))
         }
         LoadedData::Track(track) => {
-            observe_track(&swing.id, track, &hanging, swing).map(|e| work(e, Some(swing)))
+            observe_track(&swing.id, track, &hanging, swing).map(|e| work_of(e, Some(swing)))
         }
         LoadedData::Periods(list) => work_list(swing, list, &hanging),
         LoadedData::Typed => Ok(work_typed(swing)),
@@ -495,10 +526,12 @@ fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork 
         .warned(vec![Message::in_english(error.to_string())]),
         evidence: None,
         periods: vec![],
+        uncorrected: None,
     })
 }
 
-fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
+/// What is used of a swing's evidence.
+pub(super) fn work_of(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
     let mut warnings = evidence.warnings.clone();
     warnings.extend(hints_contradicted(&evidence.named, swing));
     let parasitic = parasites(&evidence.named, swing, &mut warnings);
@@ -545,6 +578,7 @@ fn work(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         result,
         evidence: Some(evidence),
         periods,
+        uncorrected: None,
     }
 }
 
@@ -694,6 +728,7 @@ fn work_typed(swing: &Swing) -> SwingWork {
             result: SwingResult::default(),
             evidence: None,
             periods: vec![],
+            uncorrected: None,
         };
     };
     let modes: Vec<ModeResult> = typed
@@ -720,6 +755,7 @@ fn work_typed(swing: &Swing) -> SwingWork {
         },
         evidence: None,
         periods,
+        uncorrected: None,
     }
 }
 
@@ -759,6 +795,7 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
         result,
         evidence: None,
         periods,
+        uncorrected: None,
     })
 }
 
@@ -932,7 +969,7 @@ pub fn measure_recording(recording: &Recording, _options: &MeasureOptions) -> Re
         &Hanging::default(),
         None,
     )?;
-    let mut work = work(evidence, None);
+    let mut work = work_of(evidence, None);
     work.result.modes = hung_somehow(&work);
     let mut result = Measurement {
         format: FORMAT.into(),

@@ -17,7 +17,7 @@ use super::breaks::{Free, free_part};
 use super::channels::Channels;
 use super::findings::clear_of_limit;
 use super::one_motion::{OneMotion, Turn};
-use super::samples::inside;
+use super::samples::{WHITE, inside};
 use super::sentences::{message, motion};
 use super::words::mode_text;
 
@@ -127,6 +127,38 @@ impl Evidence {
         self.found.tones.clear();
         self.motion = Some(motion);
         self
+    }
+
+    /// Yaw as one motion, where the strongest turn is yaw and one motion explains it as a simulation
+    /// has to.
+    pub fn with_yaw_motion(self) -> Option<Self> {
+        let is_yaw =
+            |mode: usize| self.named[mode].name == ModeName::Yaw || self.turns_about_vertical(mode);
+        let strongest = (0..self.named.len())
+            .max_by(|a, b| size(&self.named[*a]).total_cmp(&size(&self.named[*b])))?;
+        if !is_yaw(strongest) {
+            return None;
+        }
+        let yaws: Vec<bool> = (0..self.named.len()).map(is_yaw).collect();
+        let mut found = self.with_motion(false);
+        let is_explained =
+            |motion: &&OneMotion| yaws[motion.mode()] && motion.rms_over_noise.powi(2) <= WHITE;
+        found.one_motion().filter(is_explained)?;
+        // There is one yaw; it is the first.
+        let others = found.named.iter_mut();
+        let others = others.filter(|one| one.name == ModeName::Yaw);
+        others.for_each(|other| other.name = ModeName::Other);
+        found.named.first_mut()?.name = ModeName::Yaw;
+        Some(found)
+    }
+
+    /// Whether a mode turns more about the vertical than across it.
+    fn turns_about_vertical(&self, mode: usize) -> bool {
+        let Some(up) = self.up else { return false };
+        let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
+        let motion = PhoneMotion::of(&self.found.modes[mode], self.map, gravity, Some(up));
+        let split = motion.rotation_split(&up);
+        split.is_some_and(|(about, across)| about > across)
     }
 
     /// The channels that tell how fast it turns: the axes of a gyroscope that were recorded, or a

@@ -8,7 +8,7 @@ use gyradius_recording::SwingData;
 
 use super::estimate::{Observed, Solution, System};
 use super::names::{Input, InputKind};
-use super::parameters::{Layout, Reading, Role, SwingIndex};
+use super::parameters::{Layout, Parameter, Reading, Role, SwingIndex};
 
 /// Stated figures that may be wrong, with the width to which they are opened: a length that was
 /// misread, gravity by a wrong altitude or sensor, a clock of a cheap logger, a protractor.
@@ -49,6 +49,11 @@ impl Opened {
     }
 }
 
+/// By how much a stated figure may be wrong, its own unit; none of one that is no suspect.
+pub(super) fn slip(stated: &Parameter) -> Option<f64> {
+    Some(Opened::of(stated.name.kind)?.width(stated.prior.value))
+}
+
 /// A session with one suspect set free.
 pub(super) struct Freed<'a> {
     /// What was set free; readings that share a slip have the ids of all their swings.
@@ -87,21 +92,29 @@ fn freed<'a>(
     })
 }
 
-/// Readings of one figure set free as one unknown.
-fn figure<'a>(system: &System<'a>, start: &Solution, group: &[usize]) -> Option<Freed<'a>> {
+/// By how much readings of one stated figure may be wrong, and the session with them set free as one
+/// unknown; none of what is no suspect.
+pub(super) fn set_free<'a>(system: &System<'a>, group: &[usize]) -> Option<(f64, System<'a>)> {
     let (first, others) = group.split_first()?;
     let parameter = &system.layout.parameters[*first];
-    let opened = Opened::of(parameter.name.kind).filter(|_| parameter.role == Role::Stated)?;
-    let (stated, width) = (parameter.prior.value, opened.width(parameter.prior.value));
+    let width = slip(parameter).filter(|_| parameter.role == Role::Stated)?;
     let mut layout = system.layout.clone();
     layout.parameters[*first].role = Role::Unknown;
     layout.parameters[*first].prior.u = width;
     others.iter().for_each(|other| layout.tie(*other, *first));
+    Some((width, system.with(layout)))
+}
+
+/// Readings of one figure set free as one unknown.
+fn figure<'a>(system: &System<'a>, start: &Solution, group: &[usize]) -> Option<Freed<'a>> {
+    let (first, others) = group.split_first()?;
+    let parameter = &system.layout.parameters[*first];
+    let (stated, (width, opened)) = (parameter.prior.value, set_free(system, group)?);
     let suspect = match others {
         [] => parameter.name.clone(),
         _ => Input::of(parameter.name.kind, &read_for(system, group).join(", ")),
     };
-    let mut found = freed(suspect, system.with(layout), start, &|solution| {
+    let mut found = freed(suspect, opened, start, &|solution| {
         (solution.x[*first] - stated).abs() / width
     })?;
     // Who looks for one of the readings finds it where the slip puts it.
@@ -142,7 +155,7 @@ fn readings(swing: &SwingIndex) -> [Option<usize>; 6] {
 }
 
 /// Readings of one kind with the same figure, two or more together.
-fn same_figures(layout: &Layout) -> Vec<Vec<usize>> {
+pub(super) fn same_figures(layout: &Layout) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for i in layout.swings.iter().flat_map(readings).flatten() {
         let is_same = |group: &&mut Vec<usize>| {
@@ -160,7 +173,7 @@ fn same_figures(layout: &Layout) -> Vec<Vec<usize>> {
 }
 
 /// The ids of the swings that readings are of.
-fn read_for<'a>(system: &System<'a>, group: &[usize]) -> Vec<&'a str> {
+pub(super) fn read_for<'a>(system: &System<'a>, group: &[usize]) -> Vec<&'a str> {
     let swings = system.session.swings.iter().zip(&system.layout.swings);
     let is_its = |index: &SwingIndex| readings(index).iter().flatten().any(|i| group.contains(i));
     swings

@@ -2,7 +2,7 @@
 
 use gyradius_recording::Quantity;
 
-use super::measurement::SwingResult;
+use super::measurement::{ModeResult, SwingResult};
 use super::observe::Evidence;
 
 /// Modes weaker than this beside the strongest of their swing are reported but not used: a stronger
@@ -16,14 +16,25 @@ pub struct SwingWork {
     pub evidence: Option<Evidence>,
     /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
     pub(super) periods: Vec<(usize, Quantity)>,
+    /// Its modes as the record has them, before corrections.
+    pub(super) uncorrected: Option<Vec<ModeResult>>,
 }
 
 impl SwingWork {
+    /// Corrections begin from the modes as the record has them, however often they are made.
+    pub(super) fn uncorrect(&mut self) {
+        match &self.uncorrected {
+            Some(modes) => self.result.modes.clone_from(modes),
+            None => self.uncorrected = Some(self.result.modes.clone()),
+        }
+    }
+
     /// Takes its figures out of the estimate and out of the result; the pictures keep what was
     /// found.
     pub(super) fn refuse(&mut self) {
         self.periods.clear();
         self.result.modes.clear();
+        self.uncorrected = None;
         self.result.motion = None;
         self.evidence = None;
     }

@@ -63,6 +63,14 @@ impl Correction {
         }
     }
 
+    /// The same correction, less certain by another doubt of the period, relative.
+    pub fn and(self, u_relative: f64) -> Self {
+        Correction {
+            u_relative: self.u_relative.hypot(u_relative),
+            ..self
+        }
+    }
+
     /// One that leaves nothing open.
     pub fn known(small_over_observed: f64) -> Self {
         Correction {

@@ -35,7 +35,6 @@ inertia-agree = beides stimmt überein
 inertia-contradict = beides widerspricht sich
 inertia-no_gravity = Weder Schwerkraft noch Breitengrad sind angegeben: es gilt die Normalfallbeschleunigung mit u = 0,015 m/s²
 inertia-no_joint_estimate = Keine gemeinsame Schätzung: { $reason }
-inertia-widened = Die Messung widerspricht sich (χ² = { $chi2 } bei { $dof } Freiheitsgraden): alle Unsicherheiten sind auf das { $factor }-Fache erweitert
 inertia-no_verdict = Kein Urteil über { $quantity }: { $reason }
 inertia-no_verdict_undetermined = Kein Urteil über { $quantity }: die Schwingungen bestimmen es nicht
 inertia-no_single_period = Der Eintrag bei { $at_s } s ({ $period_s } s) ist keine einzelne Periode dieser Bewegung: weggelassen
@@ -178,12 +177,18 @@ inertia-finding-sensors_disagree = Gedämpfte Schwingungen erklären die Aufzeic
 inertia-advice-sensors_disagree = Prüfen, ob das Gyroskop in rad/s ist, rechtshändig, in den Achsen des Beschleunigungssensors und nach dessen Uhr; die Kritik sucht nach Ursachen.
 inertia-finding-not_described = Die gefundenen Schwingungen machen { $percent } % der Bewegung aus: Sie ist nicht darunter
 inertia-advice-not_described = Länger aufzeichnen, mit kleineren Ausschlägen.
-inertia-finding-unchecked = Nichts in der Messung prüft { $name }; davon hängt ab: { $quantity }
+inertia-finding-unchecked = Nichts in der Messung zeigte einen Fehler von { $error } in { $name }{ $of }, der { $quantity } um { $in_u } Standardunsicherheiten verschöbe
 inertia-advice-unchecked = Zweimal messen oder den Rumpf auch an einer anderen Aufhängung schwingen lassen.
 inertia-finding-near_resonance = Gieren ({ $yaw_s } s) und die gleichphasige Eigenform ({ $slow_s } s) liegen { $percent } % auseinander: Sie tauschen Energie aus (Kane und Tseng), und keine Periode ist frei von der anderen
 inertia-advice-near_resonance = Die Länge der Leinen ändern; `plan` sagt, auf welche.
 inertia-finding-phone_mass = Kein Anbauteil ist so leicht wie ein Telefon: Hängt das aufzeichnende ({ $mass_kg } kg, { $lever_m } m von der Gierachse) am Rumpf, so ist dessen Trägheitsradius im Gieren ohne es um { $shift_mm } mm anders ({ $in_u } Standardunsicherheiten)
 inertia-advice-phone_mass = Das Telefon mit Masse und Lage als Anbauteil angeben.
+inertia-finding-phone_mass_unknown = Kein Anbauteil ist so leicht wie ein Telefon, und die Masse des Körpers ist nicht angegeben: Um wie viel das Telefon, das aufgezeichnet hat (etwa { $mass_kg } kg, { $lever_m } m von der Gierachse), die Trägheitsradien ändert, ist unbekannt
+inertia-advice-phone_mass_unknown = Die Masse des Körpers angeben, und das Telefon als Anbauteil mit Masse und Lage.
+inertia-finding-phone_place = { $name } liegt nach Angabe { $stated_m } m von der Gierachse; der Beschleunigungssensor des Telefons spürt das Gieren bei { $lever_m } m. Ist { $name } das Telefon, so ist der Gierträgheitsradius des Rumpfs um { $shift_mm } mm ({ $in_u } Standardunsicherheiten) anders, und die anderen Trägheitsradien ebenso
+inertia-advice-phone_place = Die Lage des Telefons noch einmal messen, in Metern von der Mitte der Aufhängepunkte. Ist sie richtig, die Einheiten von Gyroskop und Beschleunigungssensor und die Uhr ansehen; ist das Telefon noch kein Anbauteil, es als eines angeben.
+inertia-finding-contradiction_unnamed = Die Sitzung widerspricht sich (χ² = { $chi2 } bei { $dof } Freiheitsgraden), und keine einzelne falsche Angabe erklärt es: Alle Unsicherheiten sind um { $factor } erweitert
+inertia-advice-contradiction_unnamed = Die angegebenen Maße noch einmal messen, und noch einmal schwingen lassen.
 inertia-finding-duplicate = Die Messwerte sind die von { $first }: Dieselbe Bewegung zählt nicht zweimal
 inertia-advice-duplicate = Eine von beiden aus der Messung nehmen.
 inertia-finding-not_shown_yaw = { $quantity } wird nicht angegeben: Keine Schwingung zeigt Gieren

@@ -35,7 +35,6 @@ inertia-agree = they agree
 inertia-contradict = they contradict each other
 inertia-no_gravity = neither gravity nor latitude is stated: standard gravity with u = 0.015 m/s² is used
 inertia-no_joint_estimate = no joint estimate: { $reason }
-inertia-widened = the session contradicts itself (χ² = { $chi2 } with { $dof } degrees of freedom): all uncertainties are widened by { $factor }
 inertia-no_verdict = no verdict on { $quantity }: { $reason }
 inertia-no_verdict_undetermined = no verdict on { $quantity }: the swings do not determine it
 inertia-no_single_period = the entry at { $at_s } s ({ $period_s } s) is no single period of this motion: left out
@@ -178,12 +177,18 @@ inertia-finding-sensors_disagree = damped oscillations explain the record, and t
 inertia-advice-sensors_disagree = See whether the gyroscope is in rad/s, right-handed, in the axes of the accelerometer and by its clock; the criticism looks for causes.
 inertia-finding-not_described = the oscillations that were found make up { $percent } % of what moves: the motion is not among them
 inertia-advice-not_described = Record for longer, with smaller swings.
-inertia-finding-unchecked = nothing in the session tests { $name }, on which { $quantity } depends
+inertia-finding-unchecked = nothing in the session would show an error of { $error } in { $name }{ $of }, which would move { $quantity } by { $in_u } of its standard uncertainties
 inertia-advice-unchecked = Measure it twice, or swing the hull on another suspension too.
 inertia-finding-near_resonance = yaw ({ $yaw_s } s) and the in-phase mode ({ $slow_s } s) are { $percent } % apart: they trade energy (Kane and Tseng), and neither period is free of the other
 inertia-advice-near_resonance = Change the length of the lines; `plan` says to what.
 inertia-finding-phone_mass = no attachment is as light as a phone: if the one that recorded ({ $mass_kg } kg, { $lever_m } m from the axis of yaw) hangs on the hull, the hull's yaw gyradius without it differs by { $shift_mm } mm ({ $in_u } standard uncertainties)
 inertia-advice-phone_mass = State the phone as an attachment with its mass and position.
+inertia-finding-phone_mass_unknown = no attachment is as light as a phone, and the body's mass is not stated: by how much the phone that recorded (about { $mass_kg } kg, { $lever_m } m from the axis of yaw) moves the gyradii is unknown
+inertia-advice-phone_mass_unknown = State the body's mass, and the phone as an attachment with its mass and position.
+inertia-finding-phone_place = { $name } is stated { $stated_m } m from the axis of yaw; the accelerometer of the phone feels the yaw at { $lever_m } m. If { $name } is the phone, the hull's yaw gyradius differs by { $shift_mm } mm ({ $in_u } standard uncertainties), and the other gyradii alike
+inertia-advice-phone_place = Measure the phone's place again, in metres from the middle of the suspension points. Where it is right, look at the units of gyroscope and accelerometer and at the clock; where the phone is no attachment yet, state it as one.
+inertia-finding-contradiction_unnamed = the session contradicts itself (χ² = { $chi2 } with { $dof } degrees of freedom), and no single wrong figure explains it: all uncertainties are widened by { $factor }
+inertia-advice-contradiction_unnamed = Measure the stated dimensions again, and swing once more.
 inertia-finding-duplicate = its samples are those of { $first }: the same motion is not counted twice
 inertia-advice-duplicate = Take one of the two out of the session.
 inertia-finding-not_shown_yaw = { $quantity } is not stated: no swing shows yaw

@@ -10,37 +10,36 @@ use crate::chance::SURE;
 use crate::observe::Evidence;
 use crate::one_motion::OneMotion;
 
+/// κ of a body on a fixed axis, which gravity alone brings back: the period grows by A²/16 of itself.
+pub const PENDULUM: f64 = 1.0;
 /// Half of what gravity makes of an amplitude: no spring or drag that leaves a swing to measure takes
-/// more of it.
-const LEAST_SHARE: f64 = 0.5;
-/// As much more than gravity makes of it.
-const MOST_SHARE: f64 = 1.5;
+/// more of it, or adds more.
+const SHARE: f64 = 0.5;
 /// Nobody swings a body by less to measure it, degrees: read as rad it would be 11°.
 const LEAST_SWING_DEG: f64 = 0.2;
 
-/// What a period does with the amplitude: on a fixed axis, where gravity alone brings it back, the
-/// period grows by A²/16 of itself, κ = 1.
-pub fn of_amplitude(id: &str, evidence: &Evidence) -> Option<Finding> {
+/// What a period does with the amplitude, where it grows by κ A²/16 of itself by the law of its
+/// suspension.
+pub fn of_amplitude(
+    id: &str,
+    evidence: &Evidence,
+    (name, law): (ModeName, f64),
+) -> Option<Finding> {
     let motion = evidence.motion.as_ref()?;
     let place = if motion.is_described {
         0
     } else {
         motion.mode()
     };
-    if evidence.named.get(place)?.name != ModeName::Compound {
+    if evidence.named.get(place)?.name != name {
         return None;
     }
     let found = match evidence.single {
         Some(ChannelQuantity::Angle) => None,
-        _ => too_harmonic(motion).filter(|_| motion.is_described),
+        _ => too_harmonic(motion, law).filter(|_| motion.is_described),
     };
-    let found = found.or_else(|| against_law(motion))?;
+    let found = found.or_else(|| against_law(motion, law))?;
     Some(found.of_swing(id))
-}
-
-/// By what part of itself the period of a pendulum is longer at the first amplitude than at none.
-fn growth(motion: &OneMotion) -> f64 {
-    motion.amplitude_rad.powi(2) / 16.0
 }
 
 /// κ is surely no less and no more than this.
@@ -51,10 +50,13 @@ fn bounds(motion: &OneMotion) -> [f64; 2] {
 
 /// Where the period surely does otherwise than the law, and by more than it is uncertain, something
 /// else than gravity is at work.
-fn against_law(motion: &OneMotion) -> Option<Finding> {
-    let ([least, most], law) = (bounds(motion), growth(motion));
-    let is_law = most > LEAST_SHARE && least < MOST_SHARE;
-    let growth = motion.hardness.value * law;
+fn against_law(motion: &OneMotion, law: f64) -> Option<Finding> {
+    let [least, most] = bounds(motion);
+    let within = SHARE * law.abs().max(PENDULUM);
+    let is_law = most > law - within && least < law + within;
+    // By what part of itself the period is longer at the first amplitude than at none.
+    let [growth, law] =
+        [motion.hardness.value, law].map(|kappa| kappa * motion.amplitude_rad.powi(2) / 16.0);
     let matters = (growth - law).abs() * motion.period_s.value > SURE * motion.period_s.u;
     (!is_law && matters).then(|| {
         let arguments = [
@@ -70,11 +72,11 @@ fn against_law(motion: &OneMotion) -> Option<Finding> {
 
 /// Where the period surely grows by less than half of that, as little as a spring's, the amplitude is
 /// not what the gyroscope says.
-fn too_harmonic(motion: &OneMotion) -> Option<Finding> {
+fn too_harmonic(motion: &OneMotion, law: f64) -> Option<Finding> {
     let angle = motion.amplitude_rad;
     let is_swing = (LEAST_SWING_DEG..=PI).contains(&angle);
     let [least, most] = bounds(motion);
-    let is_spring = most < LEAST_SHARE && least > -LEAST_SHARE;
+    let is_spring = most < SHARE * law && least > -SHARE * law;
     (is_swing && is_spring).then(|| {
         let refused = (Kind::UnitSuspect, Severity::Refused);
         let arguments = [

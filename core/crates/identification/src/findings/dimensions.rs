@@ -1,11 +1,17 @@
 //! Lengths against each other, against the hull, and what nothing tests.
 
+use std::collections::BTreeMap;
+
 use gyradius_base::message::Argument;
 use gyradius_recording::{Attachment, ModeName, Quantity, Session, Swing, SwingData};
 
 use super::{Finding, FindingKind as Kind, Severity};
+use crate::court::Hidden;
+use crate::estimate::{Solution, System};
 use crate::measurement::{Measurement, SwingResult};
-use crate::names::{InputKind, QuantityName, Subject};
+use crate::names::{InputKind, QuantityName};
+use crate::outputs::hull_scalar;
+use crate::suspects::read_for;
 
 /// A spacing of so many line lengths, or lines of so many spacings, are no suspension that anybody
 /// hangs up: one of the two is in another unit.
@@ -13,8 +19,9 @@ const MOST_RATIO: f64 = 20.0;
 const MOST_RATIO_OF_LINES: f64 = 300.0;
 /// Points of suspension may lie a little beyond the hull's ends, on a frame.
 const BEYOND_ENDS: f64 = 1.2;
-/// Less than this share of a quantity's variance is rounding.
-const ROUNDING: f64 = 1e-9;
+/// A stated figure that is tested as well as it was read hides an error of some four uncertainties of
+/// the result; one that hides more than this is not tested.
+const MOVES_MUCH: f64 = 10.0;
 
 /// Gravity at sea level is 9.780 at the equator and 9.832 at the poles; 10 km up it is 0.031 less.
 const GRAVITY_ON_EARTH_M_S2: [f64; 2] = [9.74, 9.84];
@@ -376,50 +383,150 @@ pub fn of_size(session: &Session, result: &mut Measurement) -> Vec<Finding> {
     found
 }
 
-/// Dimensions that a quantity depends on and that no consistency test reached: a slip in one of them
-/// moves it, however small a share of its uncertainty that dimension has.
-pub fn unchecked(result: &Measurement) -> Vec<Finding> {
-    let lengths = [
-        InputKind::Spacing,
-        InputKind::TopSpacing,
-        InputKind::LineLength,
-        InputKind::AxisHeight,
-    ];
-    let is_tested = |kind: InputKind| {
-        let tested = |c: &crate::measurement::Claim| c.claim == Subject::Stated(kind);
-        result.consistency.iter().any(tested)
-    };
-    lengths
-        .into_iter()
-        .filter(|kind| !is_tested(*kind))
-        .filter_map(|kind| {
-            let concerned = QuantityName::SCALARS
-                .into_iter()
-                .find(|name| share_of(result, name, kind) > ROUNDING)?;
-            let quantity = crate::sentences::name(&format!("quantity.{concerned}"));
-            let finding = Finding::new(
-                (Kind::UncheckedDimension, Severity::Noted),
-                "unchecked",
-                [
-                    ("name", Argument::Texts(vec![kind.in_words()])),
-                    ("quantity", quantity),
-                ],
-            );
-            Some(finding.of_channel(kind.name()))
+/// Stated figures of which the session would not show an error that moves a quantity by more than
+/// [`MOVES_MUCH`] of its uncertainties, however small a share of them the figure has.
+pub fn unchecked(
+    (system, solution): (&System, &Solution),
+    hidden: &[Hidden],
+    result: &Measurement,
+) -> Vec<Finding> {
+    let names = QuantityName::SCALARS.into_iter();
+    let stated = names.filter(|name| result.quantities.contains_key(name));
+    let slopes: Vec<(QuantityName, Slopes)> = stated
+        .filter_map(|name| {
+            let slopes = Slopes::of(system, solution, &name)?;
+            Some((name, slopes))
         })
-        .collect()
+        .collect();
+    let mut by_kind: Vec<Moved> = Vec::new();
+    for Hidden { readings, error } in hidden {
+        let moved = slopes.iter().map(|(name, slopes)| {
+            let slope: f64 = readings.iter().map(|i| slopes.by(*i)).sum();
+            (name, (slope * error).abs())
+        });
+        let most = moved
+            .filter(|(_, in_u)| *in_u >= MOVES_MUCH)
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((quantity, in_u)) = most else {
+            continue;
+        };
+        let one = Moved {
+            kind: system.layout.parameters[readings[0]].name.kind,
+            readings: readings.clone(),
+            error: *error,
+            in_u,
+            quantity,
+        };
+        match by_kind.iter_mut().find(|known| known.kind == one.kind) {
+            Some(known) => known.join(one),
+            None => by_kind.push(one),
+        }
+    }
+    by_kind.iter().map(|one| one.told(system)).collect()
 }
 
-fn share_of(result: &Measurement, name: &QuantityName, kind: InputKind) -> f64 {
-    let Some(lines) = result.budget.get(name) else {
-        return 0.0;
-    };
-    let square = |line: &crate::measurement::BudgetLine| line.u_contribution.powi(2);
-    let all: f64 = lines.iter().map(square).sum();
-    let own: f64 = lines
-        .iter()
-        .filter(|line| line.input.kind == kind)
-        .map(square)
-        .sum();
-    own / all.max(f64::MIN_POSITIVE)
+/// What an error that would not show moves.
+struct Moved<'a> {
+    kind: InputKind,
+    /// Of which parameters.
+    readings: Vec<usize>,
+    error: f64,
+    /// What it moves most, in its standard uncertainties.
+    in_u: f64,
+    quantity: &'a QuantityName,
+}
+
+impl Moved<'_> {
+    /// Readings of one kind are told at once, with the error that does most.
+    fn join(&mut self, other: Self) {
+        let mut readings = std::mem::take(&mut self.readings);
+        readings.extend(&other.readings);
+        readings.sort_unstable();
+        readings.dedup();
+        if other.in_u > self.in_u {
+            *self = other;
+        }
+        self.readings = readings;
+    }
+
+    fn told(&self, system: &System) -> Finding {
+        let swings = read_for(system, &self.readings).join(", ");
+        let of = match swings.is_empty() {
+            true => swings,
+            false => format!(" ({swings})"),
+        };
+        let error = match self.kind {
+            InputKind::PhoneClock => format!("{:.1} %", 100.0 * self.error),
+            _ => format!("{:.1} mm", 1e3 * self.error),
+        };
+        let quantity = crate::sentences::name(&format!("quantity.{}", self.quantity));
+        let finding = Finding::new(
+            (Kind::UncheckedDimension, Severity::Noted),
+            "unchecked",
+            [
+                ("name", Argument::Texts(vec![self.kind.in_words()])),
+                ("of", Argument::Plain(of)),
+                ("error", Argument::Figure(error)),
+                ("quantity", quantity),
+                ("in_u", Argument::Number(self.in_u, 0)),
+            ],
+        );
+        finding
+            .of_channel(self.kind.name())
+            .with("hidden_error", self.error)
+            .with("in_u", self.in_u)
+    }
+}
+
+/// Changes of a quantity, in its standard uncertainties, by one unit of each stated figure.
+struct Slopes<'a> {
+    system: &'a System<'a>,
+    solution: &'a Solution,
+    name: QuantityName,
+    u: f64,
+    of_free: BTreeMap<usize, f64>,
+}
+
+impl<'a> Slopes<'a> {
+    fn of(system: &'a System, solution: &'a Solution, name: &QuantityName) -> Option<Self> {
+        let of_hull = |x: &[f64]| hull_scalar(system, name, x);
+        let derived = solution.derive(&system.layout, of_hull)?;
+        let mut changes = derived.by_row;
+        for group in system.correlated(&solution.free) {
+            group.by_reading(&mut changes)?;
+        }
+        let u = derived.u.max(f64::MIN_POSITIVE);
+        let of_priors = solution
+            .free
+            .iter()
+            .zip(&changes[system.observations.len()..]);
+        let by_unit = of_priors.map(|(i, change)| {
+            let stated = system.layout.parameters[*i].prior;
+            (*i, change / (stated.u * u))
+        });
+        Some(Self {
+            system,
+            solution,
+            name: name.clone(),
+            u,
+            of_free: by_unit.collect(),
+        })
+    }
+
+    fn by(&self, parameter: usize) -> f64 {
+        let of_free = self.of_free.get(&parameter).copied();
+        of_free.or_else(|| self.by_exact(parameter)).unwrap_or(0.0)
+    }
+
+    /// The same of a figure that is stated as exact: the session solved with another.
+    fn by_exact(&self, parameter: usize) -> Option<f64> {
+        let step = self.system.layout.parameters[parameter].step;
+        let other = |sign: f64| {
+            let mut start = self.solution.x.clone();
+            start[parameter] += sign * step;
+            let solution = self.system.solve(&start).ok()?;
+            hull_scalar(self.system, &self.name, &solution.x)
+        };
+        Some((other(1.0)? - other(-1.0)?) / (2.0 * step * self.u))
+    }
 }

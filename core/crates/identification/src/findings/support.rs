@@ -6,8 +6,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 use gyradius_base::message::Argument;
 use gyradius_recording::{
-    LoadedData, LoadedSwing, ModeName, Orientation, Quantity, Session, SuspensionKind, Swing,
-    SwingData,
+    Attachment, LoadedData, LoadedSwing, ModeName, Orientation, Quantity, Session, SuspensionKind,
+    Swing, SwingData,
 };
 use num_complex::Complex64;
 
@@ -17,6 +17,7 @@ use crate::measurement::Measurement;
 use crate::modes::{PhoneMotion, in_phase};
 use crate::names::QuantityName;
 use crate::observe::Evidence;
+use crate::one_motion::OneMotion;
 use crate::swing_work::SwingWork;
 
 /// Yaw and the in-phase mode this near to each other act on each other (the paper saw it at 2 %,
@@ -28,6 +29,10 @@ const LEAST_TILT_DEG: f64 = 5.0;
 const PHONE_KG: f64 = 0.2;
 /// Heavier than a phone with its case and tape, kg.
 const HEAVIER_THAN_PHONE_KG: f64 = 0.6;
+/// A phone's accelerometer lies anywhere in it: half its length, m.
+const PHONE_REACH_M: f64 = 0.08;
+/// Scales of phones' accelerometers by their data sheets: ±3 %.
+const SENSOR_SCALE: f64 = 0.03;
 /// So many samples tell whether the noise is the same.
 const MOST_COMPARED: usize = 2000;
 /// So many rows in a row are not alike by chance, where a sensor moves.
@@ -152,7 +157,12 @@ pub fn not_one_motion(session: &Session, works: &[SwingWork]) -> Vec<Finding> {
         let has_both = map.gyroscope.is_some() && map.accelerometer.is_some() && !map.gravity_free;
         let is_explained = evidence.found.rms_over_noise < EXPLAINED;
         let is_read = swing.suspension.kind == SuspensionKind::Bifilar && evidence.up.is_some();
+        // The simulation has linear damping alone; where another law is known, that is why.
+        let is_damped_otherwise = evidence
+            .one_motion()
+            .is_some_and(OneMotion::is_damped_otherwise);
         if work.result.simulated
+            || is_damped_otherwise
             || work.periods.is_empty()
             || !(has_both && is_explained && is_read)
         {
@@ -290,19 +300,35 @@ pub fn phone_moved(id: &str, stated_deg: f64, phone_deg: f64) -> Finding {
     .with("phone_deg", phone_deg)
 }
 
-/// A phone recorded, and nothing as light as a phone is taken off the hull: what that does to the
-/// yaw gyradius, the phone being where its accelerometer feels the yaw.
-pub fn phone_mass(session: &Session, works: &[SwingWork], result: &Measurement) -> Option<Finding> {
-    let is_phone =
-        |swing: &gyradius_recording::Swing| matches!(swing.data, SwingData::Recording(_));
-    let is_light = |a: &gyradius_recording::Attachment| a.mass_kg.value < HEAVIER_THAN_PHONE_KG;
-    if !session.swings.iter().any(is_phone) || session.attachments.iter().any(is_light) {
+/// The phone that recorded, against what is said to ride along: its mass is missing, or it lies
+/// elsewhere than its accelerometer feels the yaw.
+pub fn phone(session: &Session, works: &[SwingWork], result: &Measurement) -> Option<Finding> {
+    let is_phone = |swing: &Swing| matches!(swing.data, SwingData::Recording(_));
+    let is_light = |a: &&Attachment| a.mass_kg.value < HEAVIER_THAN_PHONE_KG;
+    if !session.swings.iter().any(is_phone) {
         return None;
     }
-    let mass_kg = session.body.mass_kg?.value;
-    let yaw = result.quantities.get(&QuantityName::KYaw)?;
-    let (k, u) = (yaw.value.scalar()?, yaw.u.scalar()?);
+    let light: Vec<&Attachment> = session.attachments.iter().filter(is_light).collect();
+    match light.is_empty() {
+        true => phone_mass(session, works, result),
+        false => phone_place(session, &light, works, result),
+    }
+}
+
+/// What the mass of a phone that is not taken off does to the yaw gyradius, the phone being where its
+/// accelerometer feels the yaw.
+fn phone_mass(session: &Session, works: &[SwingWork], result: &Measurement) -> Option<Finding> {
+    let (k, u) = yaw_gyradius(result)?;
     let lever_m = works.iter().find_map(lever_m)?;
+    let Some(mass_kg) = session.body.mass_kg else {
+        let arguments = [
+            ("mass_kg", Argument::Number(PHONE_KG, 1)),
+            ("lever_m", Argument::Number(lever_m, 2)),
+        ];
+        let noted = (Kind::PhoneMassMissing, Severity::Noted);
+        return Some(Finding::new(noted, "phone_mass_unknown", arguments).with("lever_m", lever_m));
+    };
+    let mass_kg = mass_kg.value;
     // Two bodies about their common centre; the phone's own gyradius is nothing beside it.
     let hull_kg = mass_kg - PHONE_KG;
     let moment = mass_kg * k * k - mass_kg / hull_kg * PHONE_KG * lever_m * lever_m;
@@ -328,6 +354,68 @@ pub fn phone_mass(session: &Session, works: &[SwingWork], result: &Measurement) 
             .with("lever_m", lever_m)
             .with("k_yaw_shift_m", shift),
     )
+}
+
+/// Level yaw turns about the vertical through the middle of the suspension points: where none of the
+/// light bodies that ride along lies as far from it as the phone feels it, the phone's place is
+/// wrong, and the hull's inertia with it.
+fn phone_place(
+    session: &Session,
+    light: &[&Attachment],
+    works: &[SwingWork],
+    result: &Measurement,
+) -> Option<Finding> {
+    let mass_kg = session.body.mass_kg?.value;
+    let (k, u) = yaw_gyradius(result)?;
+    let is_level = |swing: &Swing| {
+        let angles = [
+            swing.suspension.hull_pitch_deg,
+            swing.suspension.hull_roll_deg,
+        ];
+        let mut stated = angles.into_iter().flatten();
+        stated.all(|angle| angle.value.abs() < LEAST_TILT_DEG)
+    };
+    let level = works.iter().zip(&session.swings);
+    let mut level = level.filter(|(_, swing)| is_level(swing));
+    let lever_m = level.find_map(|(work, _)| lever_m(work))?;
+    let from_axis_m = |one: &Attachment| one.position_m[0].hypot(one.position_m[1]);
+    let apart = |one: &Attachment| from_axis_m(one) - lever_m;
+    let nearest = light
+        .iter()
+        .min_by(|a, b| apart(a).abs().total_cmp(&apart(b).abs()))?;
+    let stated_m = from_axis_m(nearest);
+    // What is taken off at the one distance and lies at the other, about the common centre.
+    let riding_kg: f64 = session.attachments.iter().map(|a| a.mass_kg.value).sum();
+    let hull_kg = Some(mass_kg - riding_kg).filter(|kg| *kg > 0.0)?;
+    let square = (stated_m * stated_m - lever_m * lever_m) * mass_kg / hull_kg;
+    let moment = nearest.mass_kg.value * square;
+    let is = (k * k + moment / hull_kg).max(0.0).sqrt();
+    let shift = is - k;
+    let within = PHONE_REACH_M.hypot(SENSOR_SCALE * lever_m);
+    if (stated_m - lever_m).abs() < within || shift.abs() < WORTH_A_WORD * u {
+        return None;
+    }
+    let arguments = [
+        ("name", Argument::Plain(nearest.name.clone())),
+        ("stated_m", Argument::Number(stated_m, 2)),
+        ("lever_m", Argument::Number(lever_m, 2)),
+        ("shift_mm", Argument::Number(1e3 * shift, 1)),
+        ("in_u", Argument::Number(shift.abs() / u, 1)),
+    ];
+    let warned = (Kind::Contradiction, Severity::Warned);
+    let found = Finding::new(warned, "phone_place", arguments).of_channel("attachment");
+    let numbers = [
+        ("stated_m", stated_m),
+        ("lever_m", lever_m),
+        ("k_yaw_shift_m", shift),
+    ];
+    let with = |found: Finding, (name, value)| found.with(name, value);
+    Some(numbers.into_iter().fold(found, with))
+}
+
+fn yaw_gyradius(result: &Measurement) -> Option<(f64, f64)> {
+    let yaw = result.quantities.get(&QuantityName::KYaw)?;
+    Some((yaw.value.scalar()?, yaw.u.scalar()?))
 }
 
 /// Distance of the phone from the axis of yaw, m: acceleration over angular acceleration.

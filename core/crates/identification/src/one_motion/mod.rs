@@ -113,6 +113,12 @@ impl OneMotion {
         (self.hardness.value - PENDULUM).abs() > SURE * self.hardness.u
     }
 
+    /// Whether drag or dry friction surely damps it.
+    pub fn is_damped_otherwise(&self) -> bool {
+        let is_sure = |(value, u): (f64, Option<f64>)| u.is_some_and(|u| value > SURE * u);
+        is_sure(self.drag_per_rad) || is_sure(self.friction_rad_s2)
+    }
+
     /// Place of the mode that it is among those of the spectrum.
     pub fn mode(&self) -> usize {
         self.fitted.readings.mode

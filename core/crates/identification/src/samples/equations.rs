@@ -10,7 +10,9 @@ use nalgebra::{DMatrix, Matrix6};
 use super::linearise::{Linearised, chi2, readings};
 use super::model::{Statement, SwingModel};
 use super::scene::{OWN, Own, PLACE};
+use crate::names::InputKind;
 use crate::parameters::{Layout, Role};
+use crate::suspects::slip;
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::Vec3;
 use gyradius_estimation::{
@@ -66,7 +68,10 @@ pub enum Moves {
     Own,
     /// And the body's, the stated dimensions held: a short record says little of them.
     Body,
+    /// All that may move.
     All,
+    /// The same, the length of the lines within what a slip of the tape may be.
+    Opened,
 }
 
 /// The session's parameters, and what belongs to each swing.
@@ -157,9 +162,15 @@ impl<'a> Equations<'a> {
     fn parameters(&self, moves: Moves) -> (Vec<Parameter>, Vec<f64>) {
         let of_session = self.free.iter().map(|i| {
             let (known, at) = (&self.fitting.layout().parameters[*i], self.start.x[*i]);
-            let prior = Parameter::FREE.with_prior(known.prior.value, known.prior.u);
+            let u = match moves {
+                Moves::Opened if known.name.kind == InputKind::LineLength => {
+                    slip(known).unwrap_or(known.prior.u)
+                }
+                _ => known.prior.u,
+            };
+            let prior = Parameter::FREE.with_prior(known.prior.value, u);
             let may_move = match moves {
-                Moves::All => true,
+                Moves::All | Moves::Opened => true,
                 Moves::Body => known.role == Role::Unknown,
                 Moves::Own => false,
             };

@@ -193,7 +193,11 @@ impl SwingModel<'_> {
         {
             point = fitting.optimised(point, early, horizon, Enough::Nearly)?.0;
         }
-        let there = fitting.optimised(point, Moves::All, whole_s, Enough::Converged)?;
+        let last = match early {
+            Moves::Opened => Moves::Opened,
+            _ => Moves::All,
+        };
+        let there = fitting.optimised(point, last, whole_s, Enough::Converged)?;
         fitting.all_finished(there)?.pop().ok_or_else(no_start)
     }
 

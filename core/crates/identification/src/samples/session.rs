@@ -13,7 +13,7 @@ use gyradius_base::error::Result;
 use gyradius_recording::Session;
 
 /// A fit explains a record where what it leaves is white to this factor of variance …
-const WHITE: f64 = 1.5;
+pub const WHITE: f64 = 1.5;
 /// … and the hull hangs as it was said to: a fit that tilts it by more of its stated uncertainties
 /// has lost its way …
 const MOST_PITCH_PULL: f64 = 5.0;
@@ -83,16 +83,18 @@ impl<'a, 'k> Beginning<'a, 'k> {
 impl<'a> FittedSwing<'a> {
     /// Fits swing `i` from the best of several sets of the session's parameters, beside what is
     /// `known` of them; `None` where it is no bifilar swing with a phone on it, and where the
-    /// simulation does not explain the record: then the lines in its spectrum stand.
+    /// simulation does not explain the record: then the lines in its spectrum stand. `tried` is what may
+    /// move over the short horizons, until one of them explains it.
     pub fn of(
         swing: (&'a Session, &'a Layout, usize),
         starts: &[Vec<f64>],
         known: &[Statement],
         evidence: &Evidence,
+        tried: &[Moves],
     ) -> Option<Self> {
         let begun = Beginning::of(swing, starts, known, evidence)?;
-        [Moves::Body, Moves::All]
-            .into_iter()
+        let tried = tried.iter().copied();
+        tried
             .filter_map(|early| begun.fitted(early))
             .find(Self::explains)
     }

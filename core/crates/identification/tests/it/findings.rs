@@ -8,11 +8,11 @@
 use std::f64::consts::{PI, TAU};
 
 use gyradius_identification::{
-    FindingKind, MeasureOptions, Measurement, QuantityName, Severity, measure,
+    Finding, FindingKind, MeasureOptions, Measurement, QuantityName, Severity, measure,
 };
 use gyradius_recording::{
-    LoadedData, LoadedSession, LoadedSwing, SwingData, read_period_list, read_recording,
-    read_session,
+    LoadedData, LoadedSession, LoadedSwing, RepairKind, SwingData, read_period_list,
+    read_recording, read_session,
 };
 use gyradius_test_support::fresh;
 use rand_distr::{Distribution, StandardNormal};
@@ -497,4 +497,139 @@ fn exchanged_axes_are_told() {
     let turned = format!("t,gx,gy,gz,ax,ay,az\n{rest}");
     let result = measured(&recorded(&[&turned], 2.0 * HALF_SPACING_M));
     assert_refused(&result, FindingKind::SensorsDisagree);
+}
+
+/// A recorder that writes −999 where it has no reading: those rows are left out, and told.
+#[test]
+fn what_is_no_reading_is_left_out() {
+    let csv = SWING.csv("sentinels");
+    let lost = |(i, line): (usize, &str)| match i % 97 {
+        13 => {
+            let cells: Vec<&str> = line.split(',').collect();
+            format!("{},-999,-999,-999\n", cells[..4].join(","))
+        }
+        _ => format!("{line}\n"),
+    };
+    let with: String = csv.lines().enumerate().map(lost).collect();
+    let result = measured(&recorded(&[&with], 2.0 * HALF_SPACING_M));
+    assert_near(&result, &QuantityName::KYaw, GYRADIUS_M, 3.0);
+    let told = result.swings[0]
+        .repairs
+        .iter()
+        .find(|repair| repair.kind == RepairKind::NoReading);
+    assert_eq!(told.map(|repair| repair.count), Some(62));
+}
+
+/// Rows of a file in another order than that of time are no two recordings.
+#[test]
+fn rows_out_of_order_are_refused() {
+    let csv = SWING.csv("shuffled");
+    let lines: Vec<&str> = csv.lines().collect();
+    let (head, rows) = lines.split_first().unwrap();
+    let blocks: Vec<&[&str]> = rows.chunks(50).collect();
+    // 7 has no factor in common with the 120 blocks.
+    let order = (0..blocks.len()).map(|i| blocks[7 * i % blocks.len()].join("\n"));
+    let text = format!("{head}\n{}\n", order.collect::<Vec<_>>().join("\n"));
+    let error = read_recording(text.as_bytes(), "s.csv").unwrap_err();
+    assert!(
+        error.to_string().contains("in the order of time"),
+        "{error}"
+    );
+}
+
+/// Rows that were lost, under stamps that count those that came: no clock tells of it, the swing does
+/// as it starts anew at every loss. 2 % of the time is missing, and so much longer is the period.
+#[test]
+fn losses_under_counted_stamps_are_in_the_uncertainty() {
+    let swing = Yaw {
+        amplitude_rad: 0.12,
+        ..SWING
+    };
+    let csv = swing.csv("lossy");
+    let mut lines = csv.lines();
+    let head = lines.next().unwrap();
+    let kept = lines.enumerate().filter(|(i, _)| i % 400 >= 8);
+    let counted = kept.enumerate().map(|(i, (_, line))| {
+        let (_, cells) = line.split_once(',').unwrap();
+        format!("{:.5},{cells}\n", i as f64 / swing.rate_hz)
+    });
+    let text: String = counted.collect();
+    let result = measured(&recorded(
+        &[&format!("{head}\n{text}")],
+        2.0 * HALF_SPACING_M,
+    ));
+    assert_near(&result, &QuantityName::KYaw, GYRADIUS_M, 3.0);
+    let mut told = result.findings.iter();
+    assert!(told.any(|one| one.severity == Severity::Warned));
+}
+
+/// A phone typed at 0.03 m for 0.2 m from the axis: its own accelerometer feels the yaw where it is.
+#[test]
+fn a_phone_that_is_elsewhere_is_told() {
+    let csv = SWING.csv("elsewhere");
+    let session = |at_m: f64| {
+        let head = HEAD.replace(
+            "length_overall",
+            "mass = { value = 3.0, u = 0.002 }\nlength_overall",
+        );
+        let text = format!(
+            "{head}[[attachment]]\nname = \"phone\"\nmass = 0.2\nposition = [{at_m:?}, 0.0, 0.0]\n\
+             [[swing]]\nid = \"s\"\nrecording = \"s.csv\"\n{}",
+            suspension(2.0 * HALF_SPACING_M)
+        );
+        measured(&loaded(&text, &[&csv]))
+    };
+    let (right, wrong) = (session(0.2), session(0.03));
+    assert!(of_kind(&right, FindingKind::Contradiction).is_empty());
+    let told = wrong
+        .findings
+        .iter()
+        .find(|one| one.kind == FindingKind::Contradiction)
+        .unwrap();
+    assert_eq!(told.severity, Severity::Warned);
+    assert!((told.numbers["lever_m"] - LEVER_M).abs() < 0.01, "{told:?}");
+    // The gyradii of the two sessions differ by what is told.
+    let k = |result: &Measurement| figure(result, &QuantityName::KYaw).unwrap().0;
+    let shift = told.numbers["k_yaw_shift_m"];
+    let is = k(&right) - k(&wrong);
+    assert!((shift / is - 1.0).abs() < 0.15, "{shift} {is}");
+}
+
+/// Yaw alone tests neither its dimensions nor the clock: it is said what could be wrong unseen.
+#[test]
+fn what_yaw_alone_does_not_test_is_told() {
+    let csv = SWING.csv("untested");
+    let result = measured(&recorded(&[&csv], 2.0 * HALF_SPACING_M));
+    let untested = result.findings.iter();
+    let untested = untested.filter(|one| one.kind == FindingKind::UncheckedDimension);
+    let names: Vec<_> = untested.filter_map(|one| one.channel.as_deref()).collect();
+    assert_eq!(names, ["phone_clock", "line_length", "spacing"]);
+    // What one tape says of two swings is no test, nor is it one to state it as exact.
+    let other = SWING.csv("untested again");
+    let twice = recorded(&[&csv, &other], 2.0 * HALF_SPACING_M);
+    let text = format!(
+        "{HEAD}[[swing]]\nid = \"s\"\nrecording = \"s.csv\"\n{}",
+        suspension(2.0 * HALF_SPACING_M).replace("u = 0.0005", "u = 0.0")
+    );
+    for session in [twice, loaded(&text, &[&csv])] {
+        let result = measured(&session);
+        let of_spacing = |one: &&Finding| {
+            one.kind == FindingKind::UncheckedDimension && one.channel.as_deref() == Some("spacing")
+        };
+        let told = result.findings.iter().find(of_spacing).unwrap();
+        // A slip of 30 % of it moves the gyradius by as much.
+        let (k, u) = figure(&result, &QuantityName::KYaw).unwrap();
+        let expected = 0.3 * k / u;
+        assert!(
+            (told.numbers["in_u"] / expected - 1.0).abs() < 0.1,
+            "{told:?}"
+        );
+    }
+    // Four modes of two hangings test lines and clock; a slip that both spacings share is as good as
+    // another yaw gyradius.
+    let result = measured(&typed(1.0, true));
+    let told = result.findings.iter();
+    let told = told.filter(|one| one.numbers.contains_key("hidden_error"));
+    let names: Vec<_> = told.filter_map(|one| one.channel.as_deref()).collect();
+    assert_eq!(names, ["spacing"]);
 }

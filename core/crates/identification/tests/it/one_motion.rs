@@ -5,7 +5,8 @@
 use std::f64::consts::{PI, TAU};
 
 use gyradius_identification::{
-    MeasureOptions, Measurement, ModeResult, measure, measure_recording,
+    FindingKind, MeasureOptions, Measurement, ModeResult, QuantityName, Severity, measure,
+    measure_recording,
 };
 use gyradius_recording::{LoadedData, LoadedSession, LoadedSwing, read_recording, read_session};
 use gyradius_test_support::fresh;
@@ -87,20 +88,24 @@ impl Motion {
             gravity = { value = 9.80665, u = 0.0 }\n[[swing]]\nid = \"s\"\nrecording = \"s.csv\"\n\
             excited = [\"pitch\"]\n[swing.suspension]\nkind = \"compound\"\n\
             orientation = \"athwartships\"\naxis_height = { value = 0.5, u = 0.001 }\n";
-        let session = read_session(text, "session.toml").unwrap();
-        let csv = self.table(column, seed);
-        let loaded = LoadedSession {
-            session,
-            source: "one motion".into(),
-            data: vec![LoadedSwing {
-                id: "s".into(),
-                data: LoadedData::Recording(read_recording(csv.as_bytes(), "s.csv").unwrap()),
-            }],
-            inclines: vec![],
-            assumed: vec![],
-        };
-        measure(&loaded, &MeasureOptions::default()).unwrap()
+        of_text(text, &self.table(column, seed))
     }
+}
+
+/// A session of one recording.
+fn of_text(text: &str, csv: &str) -> Measurement {
+    let session = read_session(text, "session.toml").unwrap();
+    let loaded = LoadedSession {
+        session,
+        source: "one motion".into(),
+        data: vec![LoadedSwing {
+            id: "s".into(),
+            data: LoadedData::Recording(read_recording(csv.as_bytes(), "s.csv").unwrap()),
+        }],
+        inclines: vec![],
+        assumed: vec![],
+    };
+    measure(&loaded, &MeasureOptions::default()).unwrap()
 }
 
 fn only_mode(result: &Measurement) -> &ModeResult {
@@ -287,4 +292,96 @@ fn an_axis_across_the_phone_is_found() {
     let recording = read_recording(text.as_bytes(), "s.csv").unwrap();
     let analysis = measure_recording(&recording, &MeasureOptions::default()).unwrap();
     check("across", &analysis.measurement, 1.6, 1e-4);
+}
+
+const LINES_M: f64 = 1.2;
+const HALF_SPACING_M: f64 = 0.2;
+const GYRADIUS_M: f64 = 0.29;
+const GRAVITY: f64 = 9.80665;
+
+/// Yaw on two parallel lines, which lift the body as it turns, with friction in it: the rate by Runge
+/// and Kutta's rule, steps of 2 ms. θ'' (k² + z'²) = −z' z'' θ'² − g z' − k² (2αθ' + c sgn θ').
+fn yaw_table(angle_rad: f64, friction_rad_s2: f64, factor: f64, seed: &str) -> String {
+    const STEP_S: f64 = 2e-3;
+    let square = HALF_SPACING_M * HALF_SPACING_M;
+    let acceleration = |angle: f64, rate: f64| {
+        let height = (LINES_M.powi(2) - 2.0 * square * (1.0 - angle.cos())).sqrt();
+        let lift = square * angle.sin() / height;
+        let bend = square * angle.cos() / height + lift * lift / height;
+        // sgn by a steep slope, as the body comes to rest.
+        let friction = friction_rad_s2 * (rate / 1e-3).tanh();
+        let lost = GYRADIUS_M.powi(2) * (0.01 * rate + friction);
+        (-lost - lift * bend * rate * rate - GRAVITY * lift) / (GYRADIUS_M.powi(2) + lift * lift)
+    };
+    let mut draws = fresh(seed);
+    let mut noise = || -> f64 {
+        let draw: f64 = StandardNormal.sample(&mut draws);
+        1e-3 * draw
+    };
+    let mut text = String::from("t,gx,gy,gz\n");
+    let (mut angle, mut rate) = (angle_rad, 0.0);
+    for i in 0..30_000 {
+        if i % 5 == 0 {
+            let t = STEP_S * f64::from(i);
+            let row = [noise(), noise(), rate + noise()].map(|read| factor * read);
+            text += &format!("{t:.3},{},{},{}\n", row[0], row[1], row[2]);
+        }
+        let slope = |da: f64, dr: f64| (rate + dr, acceleration(angle + da, rate + dr));
+        let half = 0.5 * STEP_S;
+        let a = slope(0.0, 0.0);
+        let b = slope(half * a.0, half * a.1);
+        let c = slope(half * b.0, half * b.1);
+        let d = slope(STEP_S * c.0, STEP_S * c.1);
+        angle += STEP_S * (a.0 + 2.0 * (b.0 + c.0) + d.0) / 6.0;
+        rate += STEP_S * (a.1 + 2.0 * (b.1 + c.1) + d.1) / 6.0;
+    }
+    text
+}
+
+fn on_lines(csv: &str) -> Measurement {
+    let text = format!(
+        "format = \"gyradius-session/1\"\n[body]\n[site]\n\
+         gravity = {{ value = {GRAVITY}, u = 0.0 }}\n[[swing]]\nid = \"s\"\nrecording = \"s.csv\"\n\
+         excited = [\"yaw\"]\n[swing.suspension]\nkind = \"bifilar\"\n\
+         orientation = \"athwartships\"\nline_length = {{ value = {LINES_M}, u = 0.001 }}\n\
+         spacing = {{ value = {:?}, u = 0.0005 }}\n",
+        2.0 * HALF_SPACING_M
+    );
+    of_text(&text, csv)
+}
+
+/// Dry friction bends the decay, and the hull comes to rest in the record: damped oscillations make
+/// two lines of it that no suspension has.
+#[test]
+fn yaw_with_dry_friction_is_one_motion() {
+    for (angle_rad, friction) in [(0.3, 0.0), (0.3, 0.006), (0.12, 0.006), (0.9, 0.01)] {
+        let csv = yaw_table(
+            angle_rad,
+            friction,
+            1.0,
+            &format!("yaw {angle_rad} {friction}"),
+        );
+        let result = on_lines(&csv);
+        let k_yaw = result.quantities.get(&QuantityName::KYaw).unwrap();
+        let (k, u) = (k_yaw.value.scalar().unwrap(), k_yaw.u.scalar().unwrap());
+        let off = (k - GYRADIUS_M).abs();
+        let name = format!("{angle_rad} rad, {friction} rad/s²: {k} ± {u}");
+        assert!(off < 3.0 * u && u < 0.004 * GYRADIUS_M, "{name}");
+    }
+}
+
+/// One degree written in deg/s reads as 57°, and its period does not grow as that of two lines does.
+#[test]
+fn yaw_in_degrees_per_second_is_seen_in_the_motion_itself() {
+    let units = |result: &Measurement| -> Vec<Severity> {
+        let found = result.findings.iter();
+        let found = found.filter(|one| one.kind == FindingKind::UnitSuspect);
+        found.map(|one| one.severity).collect()
+    };
+    let degrees = 180.0 / PI;
+    let wrong = on_lines(&yaw_table(1.0 / degrees, 0.0, degrees, "yaw in degrees"));
+    assert_eq!(units(&wrong), [Severity::Refused], "{:?}", wrong.findings);
+    assert!(wrong.quantities.is_empty());
+    let right = on_lines(&yaw_table(57.0 / degrees, 0.0, 1.0, "yaw by much"));
+    assert_eq!(units(&right), []);
 }

@@ -218,7 +218,7 @@ fn verdict_text(headline: &Headline, verdict: &Verdict, out: &Markup) -> String 
     let judged = out.tell("judged", named);
     match verdict.verdict {
         Decision::Pass | Decision::Fail => judged,
-        Decision::Undecided => format!("{judged} {}", out.say("within_guard_band")),
+        Decision::Undecided => format!("{judged} {}", out.say("neither_way")),
     }
 }
 
