@@ -19,7 +19,7 @@ use super::observe::{Evidence, hints_contradicted, parasites};
 use super::parameters::Layout;
 use super::routes::finite_amplitude::yaw_period_at_amplitude_s;
 use super::routes::yaw::yaw_gyradius_m;
-use super::samples::{FittedSwing, Moves, Statement};
+use super::samples::{FittedSwing, Statement, Ways};
 use super::swing_work::{SwingWork, WEAKEST_DB};
 use super::theory::{swing_lines, upright};
 
@@ -39,10 +39,6 @@ const LOST: f64 = 3.0;
 const OTHER_YAWS: [f64; 5] = [0.0, -0.25, -0.12, 0.12, 0.25];
 /// A line in the spectrum this near to a simulated period is that mode, relative.
 const SAME_LINE: f64 = 0.02;
-
-/// What may move as a fit begins: the body, or what was stated too within its uncertainty.
-const AS_STATED: [Moves; 2] = [Moves::Body, Moves::All];
-const ALL_WAYS: [Moves; 3] = [Moves::Body, Moves::All, Moves::Opened];
 
 /// What is fitted, and the swings' evidence.
 struct Samples<'a> {
@@ -195,13 +191,13 @@ impl<'a> Samples<'a> {
             system,
             x,
             &|i| self.is_level(i),
-            (&self.about(x), &AS_STATED),
+            (&self.about(x), Ways::FIRST),
         );
         let level = statements(&fits, false).concat();
         let x = system
             .agreed(&statements(&fits, false), inclines)
             .unwrap_or_else(|| x.to_vec());
-        let tilted = self.each(system, &x, &|i| !self.is_level(i), (&level, &AS_STATED));
+        let tilted = self.each(system, &x, &|i| !self.is_level(i), (&level, Ways::FIRST));
         fits.iter_mut()
             .zip(tilted)
             .filter(|(_, tilted)| tilted.is_some())
@@ -238,14 +234,14 @@ impl<'a> Samples<'a> {
         &self,
         i: usize,
         starts: &[Vec<f64>],
-        (known, tried): (&[Statement], &[Moves]),
+        (known, ways): (&[Statement], Ways),
     ) -> Option<FittedSwing<'a>> {
         FittedSwing::of(
             (self.session, self.layout, i),
             starts,
             known,
             self.evidence[i]?,
-            tried,
+            ways,
         )
     }
 
@@ -255,7 +251,7 @@ impl<'a> Samples<'a> {
         system: &System,
         x: &[f64],
         wanted: &(dyn Fn(usize) -> bool + Sync),
-        beside: (&[Statement], &[Moves]),
+        beside: (&[Statement], Ways),
     ) -> Fits<'a> {
         let one = |i: usize| {
             if !wanted(i) || self.evidence[i].is_none() {
@@ -359,7 +355,7 @@ impl<'a> Samples<'a> {
         let again = in_parallel(suspects.len(), |k| {
             let (i, _, x, known) = &suspects[k];
             let before = fits[*i].as_ref()?;
-            let fit = self.fit(*i, &self.starts_beside(x, before), (known, &AS_STATED))?;
+            let fit = self.fit(*i, &self.starts_beside(x, before), (known, Ways::FIRST))?;
             let misfit: f64 = known.iter().map(|s| s.misfit(before.x()).powi(2)).sum();
             let gain = before.cost() + misfit - fit.cost();
             (gain > CONTRADICTION).then_some((gain, *i, fit))
@@ -387,15 +383,14 @@ impl<'a> Samples<'a> {
         ]
     }
 
-    /// What a swing misses from its own start, it may find from what the others say, or with lines of
-    /// another length than was stated.
+    /// What a swing misses from its own start, it may find from what the others say, or in other ways.
     fn fill(&self, system: &System, fits: &mut Fits<'a>, inclines: &[Option<Quantity>]) {
         let said = statements(fits, false);
         let Some(agreed) = system.agreed(&said, inclines) else {
             return;
         };
         let known = said.concat();
-        let beside = (&known[..], &ALL_WAYS[..]);
+        let beside = (&known[..], Ways::ALL);
         let found = self.each(system, &agreed, &|i| fits[i].is_none(), beside);
         fits.iter_mut()
             .zip(found)

@@ -152,6 +152,30 @@ impl Evidence {
         Some(found)
     }
 
+    /// The line that joins the suspension points, in phone axes, either way: pitch and roll of a body on
+    /// two lines turn about it, and a sway goes along it. Of the largest of these motions; none where
+    /// there is none.
+    pub fn along_suspension(&self) -> Option<Vec3> {
+        use ModeName::*;
+        let up = self.up?;
+        let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
+        let tells = |name| {
+            matches!(
+                name,
+                Sway | PitchInPhase | PitchOutOfPhase | RollInPhase | RollOutOfPhase
+            )
+        };
+        let telling = (0..self.named.len()).filter(|mode| tells(self.named[*mode].name));
+        let largest =
+            telling.max_by(|a, b| size(&self.named[*a]).total_cmp(&size(&self.named[*b])))?;
+        let motion = PhoneMotion::of(&self.found.modes[largest], self.map, gravity, Some(up));
+        let along = match self.named[largest].name {
+            Sway => motion.acceleration_m_s2?,
+            _ => motion.rotation_rad?,
+        };
+        PhoneMotion::principal_direction(&along, &up)
+    }
+
     /// Whether a mode turns more about the vertical than across it.
     fn turns_about_vertical(&self, mode: usize) -> bool {
         let Some(up) = self.up else { return false };

@@ -9,10 +9,10 @@ use super::linearise::{Linearised, Simulated};
 use super::model::{Statement, SwingModel};
 use super::record::{Samples, Stream};
 use super::scene::{OWN, Own, SwingSetup, TURN};
-use crate::theory::{swing_body, swing_rig};
+use crate::theory::{axis, swing_body, swing_rig};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::{Mat3, Rotation, Vec3};
-use gyradius_mechanics::small_modes;
+use gyradius_mechanics::{SuspensionAxis, small_modes};
 
 /// Horizons in periods of the slowest mode. A phase known over one horizon stays within a quarter
 /// of a cycle over the next; the session's parameters move from the second on.
@@ -45,6 +45,15 @@ pub struct Fit {
     pub inflation: f64,
 }
 
+/// Headings of the phone that a fit begins with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Headings {
+    /// The two by which the suspension lies where motions show it; any two where none does.
+    Shown,
+    /// All round.
+    All,
+}
+
 /// A swing over its first horizon, from one set of the session's parameters.
 pub struct Begun {
     point: Point,
@@ -53,7 +62,12 @@ pub struct Begun {
 
 /// Begins with a swing, from rest and from several sets of the session's parameters, which are
 /// held; the best first. A set that is no body that can be simulated is left out.
-pub fn begun(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement]) -> Vec<Begun> {
+pub fn begun(
+    model: &SwingModel,
+    starts: &[Vec<f64>],
+    known: &[Statement],
+    headings: Headings,
+) -> Vec<Begun> {
     let fitting = Fitting {
         models: vec![model],
         known,
@@ -61,7 +75,8 @@ pub fn begun(model: &SwingModel, starts: &[Vec<f64>], known: &[Statement]) -> Ve
     let whole_s = model.samples.duration_s;
     let one = |x: &Vec<f64>| -> Result<Begun> {
         let slowest_s = model.slowest_s(x)?;
-        let point = model.first(&fitting, x, (HORIZONS[0] * slowest_s).min(whole_s))?;
+        let horizon_s = (HORIZONS[0] * slowest_s).min(whole_s);
+        let point = model.first(&fitting, x, horizon_s, headings)?;
         Ok(Begun { point, slowest_s })
     };
     let mut begun: Vec<Begun> = starts.iter().flat_map(one).collect();
@@ -202,8 +217,15 @@ impl SwingModel<'_> {
     }
 
     /// The best start over the headings that the phone may have.
-    fn first(&self, fitting: &Fitting, x: &[f64], horizon_s: f64) -> Result<Point> {
-        let tried = self.headings().into_iter().map(|nominal| -> Result<Point> {
+    fn first(
+        &self,
+        fitting: &Fitting,
+        x: &[f64],
+        horizon_s: f64,
+        headings: Headings,
+    ) -> Result<Point> {
+        let headings = self.headings(headings).into_iter();
+        let tried = headings.map(|nominal| -> Result<Point> {
             let start = Point::new(x, vec![Own::at_rest(nominal)]);
             Ok(fitting
                 .optimised(start, Moves::Own, horizon_s, Enough::Nearly)?
@@ -238,21 +260,41 @@ impl SwingModel<'_> {
         best.owns.into_iter().next().ok_or_else(no_start)
     }
 
-    /// `hanging_from_phone` for the vertical seen, with headings all round.
-    fn headings(&self) -> Vec<Rotation> {
+    /// `hanging_from_phone` for the vertical seen, with headings by the suspension that motions show or
+    /// all round.
+    fn headings(&self, headings: Headings) -> Vec<Rotation> {
         let up = self.samples.up;
-        let level = |v: Vec3| (v - up * up.dot(&v)).try_normalize(0.5);
-        let Some(start) = level(Vec3::x()).or_else(|| level(Vec3::y())) else {
-            return vec![];
+        let shown = self.samples.along_suspension;
+        let ahead = match (headings, shown) {
+            (Headings::Shown, Some(along)) => {
+                let ahead = match axis(self.setup.swing.suspension.orientation) {
+                    SuspensionAxis::ForeAndAft => along,
+                    SuspensionAxis::Athwartships => along.cross(&up),
+                };
+                vec![ahead, -ahead]
+            }
+            _ => {
+                let level = |v: Vec3| (v - up * up.dot(&v)).try_normalize(0.5);
+                let Some(start) = level(Vec3::x()).or_else(|| level(Vec3::y())) else {
+                    return vec![];
+                };
+                let turn = |eighth: i32| up * (FRAC_PI_4 * f64::from(eighth));
+                let turned = |eighth| Rotation::from_scaled_axis(turn(eighth)) * start;
+                // Yaw alone looks the same from everywhere: the phone's place goes with its heading.
+                let eighths = match headings {
+                    Headings::Shown => [0, 2].as_slice(),
+                    Headings::All => &[0, 1, 2, 3, 4, 5, 6, 7],
+                };
+                eighths.iter().copied().map(turned).collect()
+            }
         };
         // Columns: x, y and z of the hanging axes in phone axes.
-        let turned = |eighth: i32| {
-            let ahead = Rotation::from_scaled_axis(up * (FRAC_PI_4 * f64::from(eighth))) * start;
+        let with = |ahead: Vec3| {
             let phone_from_hanging = Mat3::from_columns(&[ahead, up.cross(&ahead), up]);
             let matrix = nalgebra::Rotation3::from_matrix_unchecked(phone_from_hanging.transpose());
             Rotation::from_rotation_matrix(&matrix)
         };
-        (0..8).map(turned).collect()
+        ahead.into_iter().map(with).collect()
     }
 
     /// Information and gradient of the priors, session's free parameters first.

@@ -23,10 +23,9 @@ mod scene;
 mod session;
 mod turn;
 
-pub use equations::Moves;
 pub use expected::expected_statements;
 pub use model::Statement;
 pub(crate) use record::{BLOCK_OF_PERIOD, blocks, inside};
 pub use record::{Recorded, Samples, Sensor, Stream, Turning};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup, place};
-pub use session::{FittedSwing, WHITE};
+pub use session::{FittedSwing, WHITE, Ways};

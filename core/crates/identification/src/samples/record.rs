@@ -203,6 +203,8 @@ pub struct Samples {
     pub duration_s: f64,
     /// The vertical in phone axes.
     pub up: Vec3,
+    /// The line that joins the suspension points in phone axes, either way, where motions show it.
+    pub along_suspension: Option<Vec3>,
 }
 
 impl Samples {
@@ -229,6 +231,7 @@ impl Samples {
             start_s,
             duration_s,
             up,
+            along_suspension: evidence.along_suspension(),
         })
     }
 
@@ -258,6 +261,7 @@ impl Samples {
             start_s: 0.0,
             duration_s,
             up: Vec3::z(),
+            along_suspension: None,
         })
     }
 }

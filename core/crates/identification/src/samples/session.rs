@@ -1,7 +1,7 @@
 //! The fits of a session's swings.
 
 use super::equations::Moves;
-use super::fit::{Begun, Fit, begun, fit, fit_together};
+use super::fit::{Begun, Fit, Headings, begun, fit, fit_together};
 use super::model::{Statement, SwingModel};
 use super::modes::fitted_modes;
 use super::record::Samples;
@@ -19,6 +19,26 @@ pub const WHITE: f64 = 1.5;
 const MOST_PITCH_PULL: f64 = 5.0;
 /// … instead of white, it may leave so much less than lines in the spectrum do.
 const FAR_BETTER: f64 = 1.5;
+
+/// How a fit is begun, and what may move over the short horizons.
+#[derive(Debug, Clone, Copy)]
+pub struct Ways {
+    headings: Headings,
+    moves: &'static [Moves],
+}
+
+impl Ways {
+    /// With the suspension as motions show it and as it was stated.
+    pub const FIRST: Self = Self {
+        headings: Headings::Shown,
+        moves: &[Moves::Body, Moves::All],
+    };
+    /// From any heading, at last with lines of another length than was stated.
+    pub const ALL: Self = Self {
+        headings: Headings::All,
+        moves: &[Moves::Body, Moves::All, Moves::Opened],
+    };
+}
 
 /// A swing whose samples the simulation explains.
 pub struct FittedSwing<'a> {
@@ -42,6 +62,7 @@ impl<'a, 'k> Beginning<'a, 'k> {
         starts: &[Vec<f64>],
         known: &'k [Statement],
         evidence: &Evidence,
+        headings: Headings,
     ) -> Option<Self> {
         let setup = SwingSetup {
             layout,
@@ -58,7 +79,7 @@ impl<'a, 'k> Beginning<'a, 'k> {
             setup,
             samples: Samples::of(evidence, fastest_s)?,
         };
-        let begun = begun(&model, starts, known);
+        let begun = begun(&model, starts, known, headings);
         Some(Self {
             model,
             begun,
@@ -83,20 +104,18 @@ impl<'a, 'k> Beginning<'a, 'k> {
 impl<'a> FittedSwing<'a> {
     /// Fits swing `i` from the best of several sets of the session's parameters, beside what is
     /// `known` of them; `None` where it is no bifilar swing with a phone on it, and where the
-    /// simulation does not explain the record: then the lines in its spectrum stand. `tried` is what may
-    /// move over the short horizons, until one of them explains it.
+    /// simulation does not explain the record: then the lines in its spectrum stand. `ways` are tried until
+    /// one of them explains it.
     pub fn of(
         swing: (&'a Session, &'a Layout, usize),
         starts: &[Vec<f64>],
         known: &[Statement],
         evidence: &Evidence,
-        tried: &[Moves],
+        ways: Ways,
     ) -> Option<Self> {
-        let begun = Beginning::of(swing, starts, known, evidence)?;
-        let tried = tried.iter().copied();
-        tried
-            .filter_map(|early| begun.fitted(early))
-            .find(Self::explains)
+        let begun = Beginning::of(swing, starts, known, evidence, ways.headings)?;
+        let fits = ways.moves.iter().filter_map(|early| begun.fitted(*early));
+        fits.into_iter().find(Self::explains)
     }
 
     /// The fit nearest to the samples, whether it explains them or not; `None` where there is none.
@@ -105,7 +124,7 @@ impl<'a> FittedSwing<'a> {
         starts: &[Vec<f64>],
         evidence: &Evidence,
     ) -> Option<Self> {
-        let begun = Beginning::of(swing, starts, &[], evidence)?;
+        let begun = Beginning::of(swing, starts, &[], evidence, Headings::All)?;
         let held = begun.fitted(Moves::Body);
         if held.as_ref().is_some_and(Self::explains) {
             return held;
