@@ -124,7 +124,7 @@ fn not_shown(name: &QuantityName, key: &str) -> Finding {
 }
 
 /// A quantity that a swing shows and that is not stated all the same: how uncertain it would be; none
-/// where what rides along leaves no body.
+/// where what rides along leaves no body. Beyond all numbers the session says nothing of it.
 pub fn undetermined(name: &QuantityName, figure: Option<Quantity>) -> Finding {
     let quantity = (
         "quantity",
@@ -133,6 +133,7 @@ pub fn undetermined(name: &QuantityName, figure: Option<Quantity>) -> Finding {
     let what = (Kind::NotIdentifiable, Severity::Refused);
     let found = match figure {
         None => Finding::new(what, "no_hull_left", [quantity]),
+        Some(figure) if !figure.u.is_finite() => Finding::new(what, "says_nothing", [quantity]),
         Some(figure) => {
             let places = if *name == QuantityName::Psi { 1 } else { 3 };
             let arguments = [
