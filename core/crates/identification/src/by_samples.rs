@@ -129,7 +129,7 @@ fn as_one_motion(
         if !(hung_on_lines && is_wanted(i)) {
             continue;
         }
-        let evidence = work.evidence.clone();
+        let evidence = work.evidence.as_ref();
         let Some(found) = evidence.and_then(Evidence::with_yaw_motion) else {
             continue;
         };

@@ -106,21 +106,23 @@ impl Correlated {
     /// Changes by one standard uncertainty of each independent row made changes by one of each
     /// reading.
     pub fn by_reading(&self, by_row: &mut [f64]) -> Option<()> {
-        let own = DVector::from_iterator(self.rows.len(), self.rows.iter().map(|i| by_row[*i]));
-        let by_reading = self.root.l().transpose().solve_upper_triangular(&own)?;
-        let places = self.rows.iter().zip(by_reading.iter());
+        let changes = self.changes(by_row)?;
+        let places = self.rows.iter().zip(changes.iter());
         places.for_each(|(place, change)| by_row[*place] = *change);
         Some(())
+    }
+
+    fn changes(&self, by_row: &[f64]) -> Option<DVector<f64>> {
+        let own = DVector::from_iterator(self.rows.len(), self.rows.iter().map(|i| by_row[*i]));
+        self.root.l().transpose().solve_upper_triangular(&own)
     }
 
     /// Contributions by independent row made contributions by reading and by shared error: of each
     /// reading what is its own, and of each error all that it does.
     pub fn by_source(&self, by_row: &mut [f64]) -> Vec<(Input, f64)> {
-        if self.by_reading(by_row).is_none() {
+        let Some(by_reading) = self.changes(by_row) else {
             return vec![];
-        }
-        let by_reading =
-            DVector::from_iterator(self.rows.len(), self.rows.iter().map(|i| by_row[*i]));
+        };
         for (k, place) in self.rows.iter().enumerate() {
             let shared: f64 = self.by_error.iter().map(|(_, c)| c[k].powi(2)).sum();
             by_row[*place] = by_reading[k] * (1.0 - shared).max(0.0).sqrt();

@@ -19,7 +19,7 @@ use gyradius_base::message::{Argument, Message, advice_and_said, text_and_said};
 use gyradius_base::named;
 use gyradius_recording::AssumedU;
 
-pub(super) use amplitude::{PENDULUM, of_amplitude};
+pub(super) use amplitude::of_amplitude;
 pub(super) use dimensions::{of_dimensions, of_size, unchecked};
 pub(super) use recording::{
     LEAST_DESCRIBED, NOISE_MISMATCH, clear_of_limit, of_list, of_recording, of_residual,
@@ -130,8 +130,7 @@ impl Finding {
             "default_u",
             arguments,
         );
-        let with = |found: Self, one: &AssumedU| found.with(&one.path, one.u);
-        Some(assumed.iter().fold(found, with))
+        Some(found.with_all(assumed.iter().map(|one| (one.path.as_str(), one.u))))
     }
 
     /// Stated figures that cannot all be right: any one of `suspects` could be the wrong one.
@@ -156,9 +155,7 @@ impl Finding {
             ("factor", solution.birge),
         ];
         let arguments = numbers.map(|(name, value)| (name, Argument::Number(value, 1)));
-        let found = Self::new((kind, severity), "contradiction_unnamed", arguments);
-        let with = |found: Self, (name, value)| found.with(name, value);
-        numbers.into_iter().fold(found, with)
+        Self::new((kind, severity), "contradiction_unnamed", arguments).with_all(numbers)
     }
 
     /// A finding whose sentences have the keys `finding.KEY` and `advice.KEY`, with the same
@@ -197,6 +194,11 @@ impl Finding {
     fn with(mut self, name: &str, value: f64) -> Self {
         self.numbers.insert(name.to_owned(), value);
         self
+    }
+
+    fn with_all<'a>(self, numbers: impl IntoIterator<Item = (&'a str, f64)>) -> Self {
+        let with = |found: Self, (name, value)| found.with(name, value);
+        numbers.into_iter().fold(self, with)
     }
 
     /// Whether the figures concerned are not stated.

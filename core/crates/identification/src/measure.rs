@@ -22,10 +22,10 @@ use gyradius_signal::{
 use super::alternatives::{RouteCalculation, routes};
 use super::beats;
 use super::by_samples::by_samples;
-use super::court::{self, FLAG_SIGMA};
+use super::consistency::{ConsistencyTests, FLAG_SIGMA, Hidden, consistency_tests};
 use super::estimate::{Observation, Observed, Solution, System};
 use super::findings::{
-    Finding, PENDULUM, duplicates, incline_without_mass, near_resonance, not_one_motion, not_used,
+    Finding, duplicates, incline_without_mass, near_resonance, not_one_motion, not_used,
     of_amplitude, of_dimensions, of_list, of_recording, of_residual, of_size, phone, phone_moved,
     unchecked,
 };
@@ -37,6 +37,7 @@ use super::observe::{
     Evidence, NEAR_SWAY, hints_contradicted, names_by_period, observe_recording, observe_track,
     parasites,
 };
+use super::one_motion::PENDULUM;
 use super::outputs::write_averaged;
 use super::parameters::{Layout, effective_gravity, period_key};
 use super::routes::guard::{Limit, verdict};
@@ -354,12 +355,8 @@ pub fn estimate(
 /// between, runs ahead by √12 r, and the period is wrong by √12 r / 2π. What is faster than the third
 /// multiple, or slower by as much, is no sideband.
 fn unnamed_beside(mode: &ModeResult, work: &SwingWork, swing: &Swing) -> f64 {
-    let has_shapes = |evidence: &Evidence| {
-        let map = evidence.map;
-        map.gyroscope.is_some() && evidence.up.is_some() && !map.gravity_free
-    };
     let is_bifilar = swing.suspension.kind == SuspensionKind::Bifilar;
-    let is_read = is_bifilar && work.evidence.as_ref().is_some_and(has_shapes);
+    let is_read = is_bifilar && work.evidence.as_ref().is_some_and(Evidence::has_shapes);
     if mode.mode == ModeName::Other || !is_read {
         return 0.0;
     }
@@ -426,7 +423,7 @@ fn conclude(
     solution: &Solution,
     calculations: &[RouteCalculation],
     result: &mut Measurement,
-) -> Vec<court::Hidden> {
+) -> Vec<Hidden> {
     let spread = Spread::of(system, solution);
     write_averaged(system, &spread, result);
     for calculation in calculations {
@@ -436,7 +433,7 @@ fn conclude(
             .or_default();
         known.push(calculation.route());
     }
-    let court::Sitting { claims, hidden } = court::sit(system, solution, calculations);
+    let ConsistencyTests { claims, hidden } = consistency_tests(system, solution, calculations);
     result.consistency = claims;
     worst_of_each(&result.consistency)
         .into_iter()
@@ -457,7 +454,7 @@ fn conclude(
 /// What the result shows of the session: sizes, resonances, what rides along, what nothing tests.
 fn beyond_the_data(
     (system, solution): (&System, &Solution),
-    hidden: &[court::Hidden],
+    hidden: &[Hidden],
     works: &[SwingWork],
     result: &mut Measurement,
 ) {
@@ -492,7 +489,7 @@ fn judge(options: &MeasureOptions, result: &mut Measurement) {
     }
 }
 
-/// The worst contradiction of each claim; the court's full list stands in `consistency`.
+/// The worst contradiction of each claim; all of them stand in `consistency`.
 fn worst_of_each(claims: &[Claim]) -> Vec<Message> {
     let mut about: Vec<&Subject> = Vec::new();
     let mut said = Vec::new();
@@ -518,15 +515,13 @@ fn work_swing(swing: &Swing, data: &LoadedData, gravity_m_s2: f64) -> SwingWork 
         LoadedData::Periods(list) => work_list(swing, list, &hanging),
         LoadedData::Typed => Ok(work_typed(swing)),
     };
-    worked.unwrap_or_else(|error| SwingWork {
-        result: SwingResult {
+    worked.unwrap_or_else(|error| {
+        let result = SwingResult {
             id: swing.id.clone(),
             ..Default::default()
-        }
-        .warned(vec![Message::in_english(error.to_string())]),
-        evidence: None,
-        periods: vec![],
-        uncorrected: None,
+        };
+        let result = result.warned(vec![Message::in_english(error.to_string())]);
+        SwingWork::of(result, None, vec![])
     })
 }
 
@@ -574,12 +569,7 @@ pub(super) fn work_of(evidence: Evidence, swing: Option<&Swing>) -> SwingWork {
         ..Default::default()
     };
     let result = result.warned(warnings);
-    SwingWork {
-        result,
-        evidence: Some(evidence),
-        periods,
-        uncorrected: None,
-    }
+    SwingWork::of(result, Some(evidence), periods)
 }
 
 fn mode_result(
@@ -724,12 +714,7 @@ fn typed_mode(mode: ModeName, period: Quantity, amplitude_rad: Option<f64>) -> M
 
 fn work_typed(swing: &Swing) -> SwingWork {
     let SwingData::PeriodsS(typed) = &swing.data else {
-        return SwingWork {
-            result: SwingResult::default(),
-            evidence: None,
-            periods: vec![],
-            uncorrected: None,
-        };
+        return SwingWork::of(SwingResult::default(), None, vec![]);
     };
     let modes: Vec<ModeResult> = typed
         .iter()
@@ -747,16 +732,12 @@ fn work_typed(swing: &Swing) -> SwingWork {
         .enumerate()
         .map(|(i, q)| (i, floor(*q)))
         .collect();
-    SwingWork {
-        result: SwingResult {
-            id: swing.id.clone(),
-            modes,
-            ..Default::default()
-        },
-        evidence: None,
-        periods,
-        uncorrected: None,
-    }
+    let result = SwingResult {
+        id: swing.id.clone(),
+        modes,
+        ..Default::default()
+    };
+    SwingWork::of(result, None, periods)
 }
 
 fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<SwingWork> {
@@ -791,12 +772,7 @@ fn work_list(swing: &Swing, list: &PeriodList, hanging: &Hanging) -> Result<Swin
         ..Default::default()
     };
     let result = result.warned(found.flagged.iter().map(left_out).collect());
-    Ok(SwingWork {
-        result,
-        evidence: None,
-        periods,
-        uncorrected: None,
-    })
+    Ok(SwingWork::of(result, None, periods))
 }
 
 /// The sway that modulates a list of yaw periods: the two beat at T_m, so 1/T_s = 1/T_y ± 1/T_m, and

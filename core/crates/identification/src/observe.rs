@@ -4,6 +4,7 @@ use super::names::AmplitudeUnit;
 use std::ops::Range;
 
 use crate::modes::{ChannelMap, Hanging, NamedMode, PhoneMotion, name_modes, up_direction};
+use gyradius_base::constants::STANDARD_GRAVITY_M_S2;
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
 use gyradius_base::message::{Argument, Message};
@@ -129,20 +130,24 @@ impl Evidence {
         self
     }
 
+    /// Whether shapes tell what its modes are: both whole sensors, gravity among what they read.
+    pub fn has_shapes(&self) -> bool {
+        let map = self.map;
+        let has_both = map.gyroscope.is_some() && map.accelerometer.is_some();
+        has_both && !map.gravity_free && self.up.is_some()
+    }
+
     /// Yaw as one motion, where the strongest turn is yaw and one motion explains it as a simulation
     /// has to.
-    pub fn with_yaw_motion(self) -> Option<Self> {
+    pub fn with_yaw_motion(&self) -> Option<Self> {
         let is_yaw =
             |mode: usize| self.named[mode].name == ModeName::Yaw || self.turns_about_vertical(mode);
-        let strongest = (0..self.named.len())
-            .max_by(|a, b| size(&self.named[*a]).total_cmp(&size(&self.named[*b])))?;
-        if !is_yaw(strongest) {
+        if !is_yaw(largest(&self.named, |_| true)?) {
             return None;
         }
-        let yaws: Vec<bool> = (0..self.named.len()).map(is_yaw).collect();
-        let mut found = self.with_motion(false);
+        let mut found = self.clone().with_motion(false);
         let is_explained =
-            |motion: &&OneMotion| yaws[motion.mode()] && motion.rms_over_noise.powi(2) <= WHITE;
+            |motion: &&OneMotion| is_yaw(motion.mode()) && motion.rms_over_noise.powi(2) <= WHITE;
         found.one_motion().filter(is_explained)?;
         // There is one yaw; it is the first.
         let others = found.named.iter_mut();
@@ -157,18 +162,14 @@ impl Evidence {
     /// there is none.
     pub fn along_suspension(&self) -> Option<Vec3> {
         use ModeName::*;
-        let up = self.up?;
-        let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
         let tells = |name| {
             matches!(
                 name,
                 Sway | PitchInPhase | PitchOutOfPhase | RollInPhase | RollOutOfPhase
             )
         };
-        let telling = (0..self.named.len()).filter(|mode| tells(self.named[*mode].name));
-        let largest =
-            telling.max_by(|a, b| size(&self.named[*a]).total_cmp(&size(&self.named[*b])))?;
-        let motion = PhoneMotion::of(&self.found.modes[largest], self.map, gravity, Some(up));
+        let largest = largest(&self.named, tells)?;
+        let (up, motion) = self.phone_motion(largest)?;
         let along = match self.named[largest].name {
             Sway => motion.acceleration_m_s2?,
             _ => motion.rotation_rad?,
@@ -178,11 +179,16 @@ impl Evidence {
 
     /// Whether a mode turns more about the vertical than across it.
     fn turns_about_vertical(&self, mode: usize) -> bool {
-        let Some(up) = self.up else { return false };
-        let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
-        let motion = PhoneMotion::of(&self.found.modes[mode], self.map, gravity, Some(up));
-        let split = motion.rotation_split(&up);
+        let motion = self.phone_motion(mode);
+        let split = motion.and_then(|(up, motion)| motion.rotation_split(&up));
         split.is_some_and(|(about, across)| about > across)
+    }
+
+    /// The vertical in phone axes, and the phone's motion in a mode; none where the vertical is unknown.
+    pub fn phone_motion(&self, mode: usize) -> Option<(Vec3, PhoneMotion)> {
+        let (up, mode) = (self.up?, self.found.modes.get(mode)?);
+        let motion = PhoneMotion::of(mode, self.map, STANDARD_GRAVITY_M_S2, Some(up));
+        Some((up, motion))
     }
 
     /// The channels that tell how fast it turns: the axes of a gyroscope that were recorded, or a
@@ -420,8 +426,7 @@ fn name_by_hint(
     vertical_seen: f64,
     [yaw_by_word, no_shapes]: [&str; 2],
 ) -> Option<Message> {
-    let strongest = (0..named.len()).max_by(|a, b| size(&named[*a]).total_cmp(&size(&named[*b])));
-    let Some(strongest) = strongest else {
+    let Some(strongest) = largest(named, |_| true) else {
         return Some(message(no_shapes, []));
     };
     let Some(swing) = swing else {
@@ -496,6 +501,12 @@ pub fn hints_contradicted(named: &[NamedMode], swing: Option<&Swing>) -> Vec<Mes
         ));
     }
     all
+}
+
+/// The largest of the modes with such names.
+fn largest(named: &[NamedMode], is_wanted: impl Fn(ModeName) -> bool) -> Option<usize> {
+    let wanted = (0..named.len()).filter(|mode| is_wanted(named[*mode].name));
+    wanted.max_by(|a, b| size(&named[*a]).total_cmp(&size(&named[*b])))
 }
 
 /// A mode's angle, 0 where unknown.

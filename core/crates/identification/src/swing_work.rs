@@ -17,10 +17,24 @@ pub struct SwingWork {
     /// Undamped observed periods by mode with what they weigh; index into `result.modes`.
     pub(super) periods: Vec<(usize, Quantity)>,
     /// Its modes as the record has them, before corrections.
-    pub(super) uncorrected: Option<Vec<ModeResult>>,
+    uncorrected: Option<Vec<ModeResult>>,
 }
 
 impl SwingWork {
+    /// What was found in a swing, nothing corrected yet.
+    pub(super) fn of(
+        result: SwingResult,
+        evidence: Option<Evidence>,
+        periods: Vec<(usize, Quantity)>,
+    ) -> Self {
+        Self {
+            result,
+            evidence,
+            periods,
+            uncorrected: None,
+        }
+    }
+
     /// Corrections begin from the modes as the record has them, however often they are made.
     pub(super) fn uncorrect(&mut self) {
         match &self.uncorrected {

@@ -89,17 +89,22 @@ pub(crate) fn is_gzip(bytes: &[u8]) -> bool {
 pub(crate) fn gunzip(name: &str, bytes: &[u8]) -> Result<Vec<u8>> {
     let by_ratio = allowed_by_ratio(bytes.len() as u64, LIMITS);
     let limit = LIMITS.member_bytes.min(by_ratio);
+    read_within(name, MultiGzDecoder::new(bytes), limit)?
+        .ok_or_else(|| beyond(name, name, limit == by_ratio, LIMITS))
+}
+
+/// All that there is to read, no further than a limit; `None` where there is more.
+fn read_within(file: &str, from: impl Read, limit: u64) -> Result<Option<Vec<u8>>> {
     let mut content = Vec::new();
-    let unpacked = MultiGzDecoder::new(bytes);
-    let read = unpacked.take(limit + 1).read_to_end(&mut content);
+    let read = from.take(limit + 1).read_to_end(&mut content);
     if content.len() as u64 > limit {
-        return Err(beyond(name, name, limit == by_ratio, LIMITS));
+        return Ok(None);
     }
     read.map_err(|e| Error::Unreadable {
-        file: name.to_owned(),
+        file: file.to_owned(),
         reason: e.to_string(),
     })?;
-    Ok(content)
+    Ok(Some(content))
 }
 
 /// The plain name of a member; none for folders and for the shadow files that macOS adds.
@@ -130,23 +135,16 @@ fn checked_content<R: Read>(
 ) -> Result<Vec<u8>> {
     let by_ratio = allowed_by_ratio(member.compressed_size(), limits);
     let limit = limits.member_bytes.min(left).min(by_ratio);
-    let mut content = Vec::new();
-    let read = member.take(limit + 1).read_to_end(&mut content);
-    if content.len() as u64 <= limit {
-        read.map_err(|e| Error::Unreadable {
-            file: format!("{archive}/{name}"),
-            reason: e.to_string(),
-        })?;
+    if let Some(content) = read_within(&format!("{archive}/{name}"), member, limit)? {
         return Ok(content);
     }
-    let reason = if limit == left {
-        format!(
-            "it unpacks to far more than its size or {} MiB in all",
-            limits.total_bytes >> 20
-        )
-    } else {
+    if limit != left {
         return Err(beyond(archive, name, limit == by_ratio, limits));
-    };
+    }
+    let reason = format!(
+        "it unpacks to far more than its size or {} MiB in all",
+        limits.total_bytes >> 20
+    );
     Err(unsafe_archive(archive, reason))
 }
 

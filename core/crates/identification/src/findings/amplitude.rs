@@ -8,10 +8,8 @@ use super::recording::number;
 use super::{Finding, FindingKind as Kind, Severity};
 use crate::chance::SURE;
 use crate::observe::Evidence;
-use crate::one_motion::OneMotion;
+use crate::one_motion::{OneMotion, PENDULUM};
 
-/// κ of a body on a fixed axis, which gravity alone brings back: the period grows by A²/16 of itself.
-pub const PENDULUM: f64 = 1.0;
 /// Half of what gravity makes of an amplitude: no spring or drag that leaves a swing to measure takes
 /// more of it, or adds more.
 const SHARE: f64 = 0.5;

@@ -6,7 +6,7 @@ use gyradius_base::message::Argument;
 use gyradius_recording::{Attachment, ModeName, Quantity, Session, Swing, SwingData};
 
 use super::{Finding, FindingKind as Kind, Severity};
-use crate::court::Hidden;
+use crate::consistency::Hidden;
 use crate::estimate::{Solution, System};
 use crate::measurement::{Measurement, SwingResult};
 use crate::names::{InputKind, QuantityName};
@@ -392,17 +392,14 @@ pub fn unchecked(
 ) -> Vec<Finding> {
     let names = QuantityName::SCALARS.into_iter();
     let stated = names.filter(|name| result.quantities.contains_key(name));
-    let slopes: Vec<(QuantityName, Slopes)> = stated
-        .filter_map(|name| {
-            let slopes = Slopes::of(system, solution, &name)?;
-            Some((name, slopes))
-        })
+    let slopes: Vec<Slopes> = stated
+        .filter_map(|name| Slopes::of(system, solution, name))
         .collect();
     let mut by_kind: Vec<Moved> = Vec::new();
     for Hidden { readings, error } in hidden {
-        let moved = slopes.iter().map(|(name, slopes)| {
+        let moved = slopes.iter().map(|slopes| {
             let slope: f64 = readings.iter().map(|i| slopes.by(*i)).sum();
-            (name, (slope * error).abs())
+            (&slopes.name, (slope * error).abs())
         });
         let most = moved
             .filter(|(_, in_u)| *in_u >= MOVES_MUCH)
@@ -488,8 +485,8 @@ struct Slopes<'a> {
 }
 
 impl<'a> Slopes<'a> {
-    fn of(system: &'a System, solution: &'a Solution, name: &QuantityName) -> Option<Self> {
-        let of_hull = |x: &[f64]| hull_scalar(system, name, x);
+    fn of(system: &'a System, solution: &'a Solution, name: QuantityName) -> Option<Self> {
+        let of_hull = |x: &[f64]| hull_scalar(system, &name, x);
         let derived = solution.derive(&system.layout, of_hull)?;
         let mut changes = derived.by_row;
         for group in system.correlated(&solution.free) {
@@ -507,7 +504,7 @@ impl<'a> Slopes<'a> {
         Some(Self {
             system,
             solution,
-            name: name.clone(),
+            name,
             u,
             of_free: by_unit.collect(),
         })

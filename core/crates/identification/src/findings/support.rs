@@ -14,7 +14,7 @@ use num_complex::Complex64;
 use super::{Finding, FindingKind as Kind, Severity};
 use crate::estimate::{Observed, Solution, System};
 use crate::measurement::Measurement;
-use crate::modes::{PhoneMotion, in_phase};
+use crate::modes::in_phase;
 use crate::names::QuantityName;
 use crate::observe::Evidence;
 use crate::one_motion::OneMotion;
@@ -154,10 +154,8 @@ pub fn undetermined(name: &QuantityName, figure: Option<Quantity>) -> Finding {
 pub fn not_one_motion(session: &Session, works: &[SwingWork]) -> Vec<Finding> {
     let told = |(work, swing): (&SwingWork, &Swing)| {
         let evidence = work.evidence.as_ref()?;
-        let map = evidence.map;
-        let has_both = map.gyroscope.is_some() && map.accelerometer.is_some() && !map.gravity_free;
         let is_explained = evidence.found.rms_over_noise < EXPLAINED;
-        let is_read = swing.suspension.kind == SuspensionKind::Bifilar && evidence.up.is_some();
+        let is_bifilar = swing.suspension.kind == SuspensionKind::Bifilar;
         // The simulation has linear damping alone; where another law is known, that is why.
         let is_damped_otherwise = evidence
             .one_motion()
@@ -165,7 +163,7 @@ pub fn not_one_motion(session: &Session, works: &[SwingWork]) -> Vec<Finding> {
         if work.result.simulated
             || is_damped_otherwise
             || work.periods.is_empty()
-            || !(has_both && is_explained && is_read)
+            || !(is_explained && is_bifilar && evidence.has_shapes())
         {
             return None;
         }
@@ -410,8 +408,7 @@ fn phone_place(
         ("lever_m", lever_m),
         ("k_yaw_shift_m", shift),
     ];
-    let with = |found: Finding, (name, value)| found.with(name, value);
-    Some(numbers.into_iter().fold(found, with))
+    Some(found.with_all(numbers))
 }
 
 fn yaw_gyradius(result: &Measurement) -> Option<(f64, f64)> {
@@ -422,11 +419,9 @@ fn yaw_gyradius(result: &Measurement) -> Option<(f64, f64)> {
 /// Distance of the phone from the axis of yaw, m: acceleration over angular acceleration.
 fn lever_m(work: &SwingWork) -> Option<f64> {
     let evidence = work.evidence.as_ref()?;
-    let up = evidence.up?;
     let is_yaw = |m: &crate::modes::NamedMode| m.name == ModeName::Yaw;
     let mode = evidence.named.iter().position(is_yaw)?;
-    let gravity = gyradius_base::constants::STANDARD_GRAVITY_M_S2;
-    let motion = PhoneMotion::of(&evidence.found.modes[mode], evidence.map, gravity, Some(up));
+    let (up, motion) = evidence.phone_motion(mode)?;
     let (turn, _) = motion.rotation_split(&up)?;
     let (_, push) = motion.acceleration_split(&up)?;
     let lever = push / (turn * motion.omega_rad_s.powi(2));

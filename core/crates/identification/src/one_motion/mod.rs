@@ -34,9 +34,10 @@ pub use readings::Turn;
 use readings::{Readings, variance};
 use torque::Restoring;
 
-/// κ of a spring, of a pendulum, and the most of two lines.
+/// κ of a spring, of a body on a fixed axis that gravity alone brings back, and the most of two lines.
 const SPRING: f64 = 0.0;
-const PENDULUM: f64 = 1.0;
+/// The period grows by A²/16 of itself.
+pub const PENDULUM: f64 = 1.0;
 const LINES: f64 = 2.0;
 
 /// A swing fitted as one motion.

@@ -104,8 +104,8 @@ impl<'a, 'k> Beginning<'a, 'k> {
 impl<'a> FittedSwing<'a> {
     /// Fits swing `i` from the best of several sets of the session's parameters, beside what is
     /// `known` of them; `None` where it is no bifilar swing with a phone on it, and where the
-    /// simulation does not explain the record: then the lines in its spectrum stand. `ways` are tried until
-    /// one of them explains it.
+    /// simulation does not explain the record: then the lines in its spectrum stand. `ways` are tried
+    /// until one of them explains it.
     pub fn of(
         swing: (&'a Session, &'a Layout, usize),
         starts: &[Vec<f64>],
@@ -114,8 +114,8 @@ impl<'a> FittedSwing<'a> {
         ways: Ways,
     ) -> Option<Self> {
         let begun = Beginning::of(swing, starts, known, evidence, ways.headings)?;
-        let fits = ways.moves.iter().filter_map(|early| begun.fitted(*early));
-        fits.into_iter().find(Self::explains)
+        let mut fits = ways.moves.iter().filter_map(|early| begun.fitted(*early));
+        fits.find(Self::explains)
     }
 
     /// The fit nearest to the samples, whether it explains them or not; `None` where there is none.

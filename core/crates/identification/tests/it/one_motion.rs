@@ -39,6 +39,20 @@ const FREE: Motion = Motion {
     noise: 1e-3,
 };
 
+/// Angle and rate one step later, by Runge and Kutta's rule of order 4.
+fn stepped([angle, rate]: [f64; 2], step_s: f64, pull: impl Fn(f64, f64) -> f64) -> [f64; 2] {
+    let slope = |da: f64, dr: f64| (rate + dr, pull(angle + da, rate + dr));
+    let half = 0.5 * step_s;
+    let a = slope(0.0, 0.0);
+    let b = slope(half * a.0, half * a.1);
+    let c = slope(half * b.0, half * b.1);
+    let d = slope(step_s * c.0, step_s * c.1);
+    [
+        angle + step_s * (a.0 + 2.0 * (b.0 + c.0) + d.0) / 6.0,
+        rate + step_s * (a.1 + 2.0 * (b.1 + c.1) + d.1) / 6.0,
+    ]
+}
+
 impl Motion {
     /// A table of the angle or the rate, with white noise.
     fn table(&self, column: &str, seed: &str) -> String {
@@ -61,15 +75,8 @@ impl Motion {
                 text += &format!("{t:.6},{}\n", value + self.noise * noise);
                 next += 1.0 / self.rate_hz;
             }
-            // Runge and Kutta's rule of order 4; a turn that friction holds is not reached in these.
-            let slope = |da: f64, dr: f64| (rate + dr, pull(angle + da, rate + dr));
-            let half = 0.5 * step_s;
-            let a = slope(0.0, 0.0);
-            let b = slope(half * a.0, half * a.1);
-            let c = slope(half * b.0, half * b.1);
-            let d = slope(step_s * c.0, step_s * c.1);
-            angle += step_s * (a.0 + 2.0 * (b.0 + c.0) + d.0) / 6.0;
-            rate += step_s * (a.1 + 2.0 * (b.1 + c.1) + d.1) / 6.0;
+            // A turn that friction holds is not reached in these.
+            [angle, rate] = stepped([angle, rate], step_s, pull);
             t += step_s;
         }
         text
@@ -326,14 +333,7 @@ fn yaw_table(angle_rad: f64, friction_rad_s2: f64, factor: f64, seed: &str) -> S
             let row = [noise(), noise(), rate + noise()].map(|read| factor * read);
             text += &format!("{t:.3},{},{},{}\n", row[0], row[1], row[2]);
         }
-        let slope = |da: f64, dr: f64| (rate + dr, acceleration(angle + da, rate + dr));
-        let half = 0.5 * STEP_S;
-        let a = slope(0.0, 0.0);
-        let b = slope(half * a.0, half * a.1);
-        let c = slope(half * b.0, half * b.1);
-        let d = slope(STEP_S * c.0, STEP_S * c.1);
-        angle += STEP_S * (a.0 + 2.0 * (b.0 + c.0) + d.0) / 6.0;
-        rate += STEP_S * (a.1 + 2.0 * (b.1 + c.1) + d.1) / 6.0;
+        [angle, rate] = stepped([angle, rate], STEP_S, acceleration);
     }
     text
 }

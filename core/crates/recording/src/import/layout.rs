@@ -130,7 +130,6 @@ fn of_text(text: &str) -> Option<Layout> {
     layout.separator = separator;
     let count = cells(content[row].text, separator).len();
     layout.place_header(&lines, &content[..row], content[row], count);
-    layout.name_rows(content[row], count);
     layout.preamble = before(&lines, layout.header_at);
     Some(layout)
 }
@@ -177,13 +176,8 @@ impl Layout {
                 }
             }
         }
-    }
-}
-
-impl Layout {
-    /// R writes the names of its rows before the first column, and none above them.
-    fn name_rows(&mut self, row: Line, count: usize) {
-        if self.named && self.header.len() + 1 == count && is_numbered(row, self.separator) {
+        // R writes the names of its rows before the first column, and none above them.
+        if numbers_rows && self.named && self.header.len() + 1 == count {
             self.header.insert(0, String::new());
             if !self.units.is_empty() {
                 self.units.insert(0, String::new());

@@ -1,7 +1,7 @@
-//! The consistency court: every stated dimension against what the swings imply, every route against
+//! The consistency tests: every stated dimension against what the swings imply, every route against
 //! every other.
 //!
-//! Sittings are unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is
+//! They are made unasked; what differs by more than [`FLAG_SIGMA`] standard uncertainties is
 //! flagged.
 
 use std::collections::BTreeMap;
@@ -38,7 +38,7 @@ const TO_BE_TESTED: [InputKind; 5] = [
 const SAYS_NOTHING: f64 = 1.0 / 6.0;
 
 /// The consistency tests of a session.
-pub struct Sitting {
+pub struct ConsistencyTests {
     /// Comparisons, the worst first.
     pub claims: Vec<Claim>,
     /// Stated figures, and by how much each could be wrong without being flagged.
@@ -54,8 +54,12 @@ pub struct Hidden {
     pub error: f64,
 }
 
-/// Every sitting of the court.
-pub fn sit(system: &System, solution: &Solution, routes: &[RouteCalculation]) -> Sitting {
+/// Every consistency test of a session.
+pub fn consistency_tests(
+    system: &System,
+    solution: &Solution,
+    routes: &[RouteCalculation],
+) -> ConsistencyTests {
     let mut claims = sway_against_tape(system);
     let (stated, mut hidden) = stated_against_the_rest(system, solution);
     // A tape that was misread once may have been typed for several swings.
@@ -71,7 +75,7 @@ pub fn sit(system: &System, solution: &Solution, routes: &[RouteCalculation]) ->
     claims.extend(stated);
     claims.extend(route_against_route(routes));
     claims.sort_by(|a, b| b.sigma.total_cmp(&a.sigma));
-    Sitting { claims, hidden }
+    ConsistencyTests { claims, hidden }
 }
 
 /// Each sway period against the length of the lines, eq. (7) turned round: l = g T² / 4π².
