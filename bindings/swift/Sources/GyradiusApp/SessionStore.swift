@@ -69,10 +69,15 @@ public struct SessionStore: Sendable {
 
   /// A folder for a new session, with the class limits that it will be judged by.
   public func create(title: String, limits: [String] = []) throws -> URL {
-    let folder = root.appending(path: Self.name(of: now()))
+    let folder = try begin(in: root, title: title)
+    if !limits.isEmpty { try keep(limits: limits, in: folder) }
+    return folder
+  }
+
+  private func begin(in place: URL, title: String) throws -> URL {
+    let folder = place.appending(path: Self.name(of: now()))
     try FileManager.default.createDirectory(at: folder, withIntermediateDirectories: true)
     try write(title, to: folder.appending(path: Self.titleFile))
-    if !limits.isEmpty { try keep(limits: limits, in: folder) }
     return folder
   }
 
@@ -104,18 +109,19 @@ public struct SessionStore: Sendable {
     try FileManager.default.removeItem(at: folder)
   }
 
-  /// Takes in a file from elsewhere, which must be readable as a session or a recording.
+  /// Takes in a file from elsewhere, which must be readable as a session or a recording. It comes to the others once it is
+  /// whole and read: the list never shows half of one, nor what was left when the app was killed meanwhile.
   public func take(_ file: URL) throws -> Listed {
-    let folder = try create(title: file.deletingPathExtension().lastPathComponent)
-    do {
-      let copy = folder.appending(path: Self.importedPrefix + file.lastPathComponent)
-      try FileManager.default.copyItem(at: file, to: copy)
-      try write(try Session.load(path: copy.path, mapping: []).title(), to: folder.appending(path: Self.titleFile))
-      return listed(folder)
-    } catch {
-      try remove(folder)
-      throw error
-    }
+    let arriving = FileManager.default.temporaryDirectory.appending(path: "arriving-\(UUID().uuidString)")
+    defer { try? remove(arriving) }
+    let folder = try begin(in: arriving, title: file.deletingPathExtension().lastPathComponent)
+    let copy = folder.appending(path: Self.importedPrefix + file.lastPathComponent)
+    try FileManager.default.copyItem(at: file, to: copy)
+    try write(try Session.load(path: copy.path, mapping: []).title(), to: folder.appending(path: Self.titleFile))
+    let arrived = root.appending(path: folder.lastPathComponent)
+    try FileManager.default.createDirectory(at: root, withIntermediateDirectories: true)
+    try FileManager.default.moveItem(at: folder, to: arrived)
+    return listed(arrived)
   }
 
   /// What of a session's folder can be measured: an imported file, or what a procedure has gathered.

@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
 import androidx.test.ext.junit.runners.AndroidJUnit4
 import java.io.File
+import java.io.FilterInputStream
 import java.util.zip.ZipFile
 import kotlinx.coroutines.runBlocking
 import org.gyradius.ProcedureEvent
@@ -73,10 +74,22 @@ class SessionsTest {
 
     @Test
     fun `a recording of another app is taken in`() {
-        val rows = (0..400).joinToString("\n") { "${it / 200.0},0.001,0.002,0.0005" }
-        val header = listOf("Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)").joinToString(",") { "\"$it\"" }
-        import(Uri.fromFile(File(park.app.cacheDir, "Gyroscope.csv").apply { writeText("$header\n$rows\n") }))
+        import(Uri.fromFile(File(park.app.cacheDir, "Gyroscope.csv").apply { writeText(recording()) }))
         rule.patient("the recording in the list") { rule.exists("From a file") && rule.exists("Open") }
+    }
+
+    @Test
+    fun `a file is in no list until it is whole`() {
+        val seen = mutableListOf<Int>()
+        val arriving = object : FilterInputStream(recording().byteInputStream()) {
+            override fun read(bytes: ByteArray, from: Int, count: Int): Int {
+                seen += park.sessions().size
+                return super.read(bytes, from, count)
+            }
+        }
+        val listed = runBlocking { park.app.store.import("Gyroscope.csv", arriving) }
+        assertEquals(setOf(0), seen.toSet())
+        assertEquals(listOf(listed.folder), park.sessions())
     }
 
     @Test
@@ -85,6 +98,12 @@ class SessionsTest {
         rule.patient("an error") { rule.texts().any { "notes.csv" in it } }
         assertFalse(rule.exists("Share"))
         assertEquals(emptyList<File>(), park.sessions())
+    }
+
+    private fun recording(): String {
+        val header = listOf("Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)").joinToString(",") { "\"$it\"" }
+        val rows = (0..400).joinToString("\n") { "${it / 200.0},0.001,0.002,0.0005" }
+        return "$header\n$rows\n"
     }
 
     /** A session with one recording, seen in the list. */

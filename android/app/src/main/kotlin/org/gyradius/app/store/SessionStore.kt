@@ -3,6 +3,7 @@ package org.gyradius.app.store
 import java.io.File
 import java.io.IOException
 import java.io.InputStream
+import java.nio.file.Files
 import java.time.Instant
 import java.time.temporal.ChronoUnit
 import kotlinx.coroutines.Dispatchers
@@ -50,6 +51,10 @@ class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Inst
     /** What was made to be shared; the folder that `res/xml/shared_files.xml` lets out. */
     val shared = File(cacheDir, "shared")
 
+    /** Files from elsewhere until they are whole and read: the list never shows half of one, nor what was left when the app
+     * was killed meanwhile. */
+    private val arriving = File(cacheDir, "arriving")
+
     /** The one practice; begun afresh whenever it is not gone on with. */
     val practice = File(filesDir, "practice")
 
@@ -66,11 +71,17 @@ class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Inst
 
     /** A folder for a new session, with the class limits that it will be judged by. */
     fun create(title: String, limits: List<String> = emptyList()): File {
-        val name = clock().truncatedTo(ChronoUnit.MILLIS).toString().replace(':', '-')
-        val folder = File(root, name).apply { mkdirs() }
-        File(folder, TITLE).writeText(title)
+        val folder = begin(root, title)
         if (limits.isNotEmpty()) keepLimits(folder, limits)
         return folder
+    }
+
+    private fun begin(within: File, title: String): File {
+        val name = clock().truncatedTo(ChronoUnit.MILLIS).toString().replace(':', '-')
+        return File(within, name).apply {
+            mkdirs()
+            File(this, TITLE).writeText(title)
+        }
     }
 
     /** Keeps the class limits that a session is judged by; the next session is offered the same. */
@@ -100,13 +111,14 @@ class SessionStore(filesDir: File, cacheDir: File, private val clock: () -> Inst
     /** Takes in a file from elsewhere: what [share] packed goes on here, anything else must be readable as a session or a
      * recording. */
     suspend fun import(name: String, content: InputStream): Listed = withContext(Dispatchers.IO) {
-        val folder = create(name.substringBeforeLast('.'))
+        val folder = begin(arriving, name.substringBeforeLast('.'))
         try {
             val file = File(folder, FILE + plain(name))
             file.outputStream().use { content.copyTo(it) }
             if (isPacked(file)) takeApart(file, folder)
             else loadSession(file).use { File(folder, TITLE).writeText(it.title()) }
-            listed(folder)
+            root.mkdirs()
+            listed(Files.move(folder.toPath(), File(root, folder.name).toPath()).toFile())
         } catch (wrong: Exception) {
             folder.deleteRecursively()
             throw wrong
