@@ -345,6 +345,7 @@ pub fn strengths(
 }
 
 /// What a swing adds to the equations.
+#[derive(Clone)]
 pub struct Part {
     outer: DMatrix<f64>,
     inner: DMatrix<f64>,
@@ -352,6 +353,33 @@ pub struct Part {
 }
 
 impl Part {
+    /// Of so many that are fitted, and so many strengths.
+    pub fn nothing(fitted: usize, strengths: usize) -> Self {
+        Self {
+            outer: DMatrix::zeros(fitted, strengths),
+            inner: DMatrix::zeros(strengths, strengths),
+            score: DVector::zeros(strengths),
+        }
+    }
+
+    /// Adds one row of derivatives by what is fitted and by the strengths, and its residual.
+    pub fn add_row(
+        &mut self,
+        (jacobian, sensitivity): (&DMatrix<f64>, &DMatrix<f64>),
+        residual: &DVector<f64>,
+        row: usize,
+    ) {
+        let by_strengths = sensitivity.row(row);
+        for (l, by_strength) in by_strengths.iter().enumerate() {
+            let add = |to: &mut DMatrix<f64>, from: &DMatrix<f64>| {
+                (0..from.ncols()).for_each(|k| to[(k, l)] += by_strength * from[(row, k)]);
+            };
+            add(&mut self.outer, jacobian);
+            add(&mut self.inner, sensitivity);
+            self.score[l] += by_strength * residual[row];
+        }
+    }
+
     /// From derivatives by what is fitted and by the strengths, and the residual, row by row.
     pub fn of(
         jacobian: &DMatrix<f64>,
@@ -359,7 +387,7 @@ impl Part {
         residual: &DVector<f64>,
     ) -> Self {
         Self {
-            outer: (sensitivity.transpose() * jacobian).transpose(),
+            outer: jacobian.tr_mul(sensitivity),
             inner: sensitivity.tr_mul(sensitivity),
             score: sensitivity.tr_mul(residual),
         }

@@ -67,6 +67,20 @@ pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
     Ok(slips.into_iter().chain(knock).chain(gives).collect())
 }
 
+/// What a swing adds to the equations from each of its blocks on.
+struct Tails {
+    /// Of the blocks, in order.
+    times_s: Vec<f64>,
+    /// One more: from behind the last.
+    parts: Vec<Part>,
+}
+
+impl Tails {
+    fn from(&self, t_s: f64) -> &Part {
+        &self.parts[self.times_s.partition_point(|t| *t < t_s)]
+    }
+}
+
 struct Scan<'a> {
     standing: &'a Standing<'a>,
     times: Vec<Vec<f64>>,
@@ -76,11 +90,16 @@ struct Scan<'a> {
 impl Scan<'_> {
     /// An event's best moment in each swing, by what is known of the response.
     fn best_of_each(&self, event: Event) -> Vec<Seen> {
+        let after = self.whole(event);
         let tried = in_parallel(self.times.len(), |s| {
+            let tails = self.tails(event, s);
+            let lasts = self.after(event, s).map(|later| (later, &after[later]));
+            let lasts: Vec<(usize, &Part)> = lasts.collect();
+            let seen = |t_s: f64| self.seen(event, (s, t_s), &tails, &lasts);
             let duration_s = self.standing.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
             let coarse = (1..COARSE).map(|k| k as f64 * step_s);
-            let roughly = best(coarse.filter_map(|t| self.seen(event, s, t)))?;
+            let roughly = best(coarse.filter_map(seen))?;
             // Twice finer about the best.
             [step_s / 5.0, step_s / 40.0]
                 .into_iter()
@@ -88,7 +107,7 @@ impl Scan<'_> {
                     let half = (FINE / 2) as f64;
                     let from_s = roughly.t_s - half * step_s;
                     let near = (0..FINE).map(|k| from_s + k as f64 * step_s);
-                    best(near.filter_map(|t| self.seen(event, s, t)).chain([roughly]))
+                    best(near.filter_map(seen).chain([roughly]))
                 })
         });
         tried.into_iter().flatten().collect()
@@ -122,10 +141,9 @@ impl Scan<'_> {
     fn later(&self, event: Event, slip: &Seen) -> Option<Vec<(usize, Part)>> {
         let part = |later: usize| match event {
             Event::LineSlip => self.simulated(event, (slip.s, slip.t_s), GIVES_S, later),
-            _ => Some(self.part(later, &self.columns(event, later, f64::NEG_INFINITY))),
+            _ => Some(self.part(later, &self.columns(event, later))),
         };
-        (slip.s + 1..self.times.len())
-            .filter(|later| event == Event::LineSlip || self.has_phone_of(slip.s, *later))
+        self.after(event, slip.s)
             .map(|later| Some((later, part(later)?)))
             .collect()
     }
@@ -184,9 +202,15 @@ impl Scan<'_> {
         Some(self.times[s][loudest])
     }
 
-    fn has_phone_of(&self, s: usize, other: usize) -> bool {
+    /// The swings after one in which an event is still seen.
+    fn after(&self, event: Event, s: usize) -> impl Iterator<Item = usize> {
         let model = &self.standing.model;
-        model.swing(other).mount == model.swing(s).mount
+        let is_seen = move |later: &usize| match event {
+            Event::Slip => model.swing(*later).mount == model.swing(s).mount,
+            Event::LineSlip => true,
+            Event::Knock => false,
+        };
+        (s + 1..self.times.len()).filter(is_seen)
     }
 
     fn part(&self, s: usize, columns: &DMatrix<f64>) -> Part {
@@ -197,23 +221,45 @@ impl Scan<'_> {
         )
     }
 
-    /// The evidence for an event at a moment of a swing.
-    fn seen(&self, event: Event, s: usize, t_s: f64) -> Option<Seen> {
-        let mut equations = Equations::new(self.standing, self.strength_u(event));
-        let last = if event == Event::Slip {
-            self.standing.residuals.len()
-        } else {
-            s + 1
-        };
-        for swing in s..last {
-            let from_s = if swing == s { t_s } else { f64::NEG_INFINITY };
-            if self.has_phone_of(s, swing) {
-                equations.add(
-                    swing,
-                    &self.part(swing, &self.columns(event, swing, from_s)),
-                );
-            }
+    /// What each swing adds where an event was before it.
+    fn whole(&self, event: Event) -> Vec<Part> {
+        in_parallel(self.times.len(), |s| self.part(s, &self.columns(event, s)))
+    }
+
+    /// What a swing adds from each moment on.
+    fn tails(&self, event: Event, s: usize) -> Tails {
+        let columns = self.columns(event, s);
+        let jacobian = &self.standing.fitted.jacobians[s];
+        let residual = &self.standing.residuals[s];
+        let mut from: Vec<(f64, usize)> = self.times[s].iter().copied().zip(0..).collect();
+        from.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut part = Part::nothing(jacobian.ncols(), columns.ncols());
+        let mut parts = vec![part.clone()];
+        for (_, block) in from.iter().rev() {
+            (3 * block..3 * block + 3)
+                .for_each(|row| part.add_row((jacobian, &columns), residual, row));
+            parts.push(part.clone());
         }
+        parts.reverse();
+        Tails {
+            times_s: from.into_iter().map(|(t_s, _)| t_s).collect(),
+            parts,
+        }
+    }
+
+    /// The evidence for an event at a moment of a swing, with what the swings after it add.
+    fn seen(
+        &self,
+        event: Event,
+        (s, t_s): (usize, f64),
+        tails: &Tails,
+        after: &[(usize, &Part)],
+    ) -> Option<Seen> {
+        let mut equations = Equations::new(self.standing, self.strength_u(event));
+        equations.add(s, tails.from(t_s));
+        after
+            .iter()
+            .for_each(|(later, part)| equations.add(*later, part));
         let Solved {
             strength,
             rest,
@@ -229,8 +275,8 @@ impl Scan<'_> {
         })
     }
 
-    /// Derivatives by the phone's pose or by the start of the motion, from a moment on.
-    fn columns(&self, event: Event, swing: usize, from_s: f64) -> DMatrix<f64> {
+    /// Derivatives by the phone's pose or by the start of the motion.
+    fn columns(&self, event: Event, swing: usize) -> DMatrix<f64> {
         let jacobian = &self.standing.fitted.jacobians[swing];
         let free = self.standing.model.base.free.len();
         let own = jacobian.ncols() - OWN;
@@ -239,13 +285,7 @@ impl Scan<'_> {
             Event::Slip => (free + 3..free + 6).chain(free..free + 3).collect(),
             Event::Knock | Event::LineSlip => (own..own + 8).collect(),
         };
-        let mut columns = jacobian.select_columns(&places);
-        for (block, t_s) in self.times[swing].iter().enumerate() {
-            if *t_s < from_s {
-                columns.rows_mut(3 * block, 3).fill(0.0);
-            }
-        }
-        columns
+        jacobian.select_columns(&places)
     }
 
     /// Standard deviations of what is sought before anything is seen. Of a knock the change of
