@@ -31,21 +31,28 @@ const MOST_PRODUCT: f64 = 0.7;
 const FASTEST_PERIOD_S: f64 = 0.4;
 
 impl<'a> Base<'a> {
-    /// Keeps the roll gyradius and the product of inertia, of which level swings say nearly
-    /// nothing, to those of a body: a simulation that lacks something would bend them out of all
-    /// shape.
-    pub fn keep_a_body(&self, x: &mut [f64]) {
+    /// Limits, by place, of the roll gyradius and of the product of inertia, of which level swings
+    /// say nearly nothing: a simulation that lacks something would bend them out of all shape.
+    pub fn body_limits(&self, x: &[f64]) -> [(usize, (f64, f64)); 2] {
         let layout = self.layout();
         let [roll, _, yaw] = layout.log_gyradii;
         let prior = layout.parameters[roll].prior;
-        x[roll] = x[roll].clamp(
+        let (low, high) = (
             prior.value - ROLL_U * prior.u,
             prior.value + ROLL_U * prior.u,
         );
         // I_xx/M and I_zz/M; their product is the square of the largest I_xz/M.
-        let (xx, zz) = ((2.0 * (x[roll] + x[yaw])).exp(), (2.0 * x[yaw]).exp());
+        let roll_share = x[roll].clamp(low, high);
+        let (xx, zz) = ((2.0 * (roll_share + x[yaw])).exp(), (2.0 * x[yaw]).exp());
         let most = MOST_PRODUCT * (xx * zz).sqrt();
-        x[layout.product_xz] = x[layout.product_xz].clamp(-most, most);
+        [(roll, (low, high)), (layout.product_xz, (-most, most))]
+    }
+
+    /// Keeps a body within these.
+    pub fn keep_a_body(&self, x: &mut [f64]) {
+        for (place, (low, high)) in self.body_limits(x) {
+            x[place] = x[place].clamp(low, high);
+        }
     }
 
     /// Fits each swing by itself; what they agree on is where the fit of all begins. None where

@@ -53,13 +53,7 @@ impl<'a> Whole<'a> {
         let Some(two) = self.with_one_more(&one.terms) else {
             return Some(one);
         };
-        let second = learned_force(self.scales, self.coordinate, &[TERMS[two.terms[1]]]);
-        let gained = gain(
-            &one.fitted,
-            &two.fitted,
-            &second,
-            self.found.model.base.swings.len(),
-        )?;
+        let gained = gain(&one.fitted, &two.fitted)?;
         Some(if gained > LEAST_GAIN { two } else { one })
     }
 

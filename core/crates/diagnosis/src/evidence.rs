@@ -1,7 +1,6 @@
 //! What a cause must gain to be taken, and to be kept.
 
 use super::fitting::Fitted;
-use super::point::Cause;
 use super::white::Left;
 
 /// Evidence of e⁷ = 1100 to 1 for a cause: a complete session, looked at for thirty, is then
@@ -43,14 +42,7 @@ pub fn is_missed(lost: f64, without: &Left, with: &Left) -> bool {
     }
 }
 
-/// Logarithm of the evidence of a model with a cause over that without, by Laplace's approximation
-/// of both integrals: the widths of the cause's priors count.
-pub fn gain(without: &Fitted, with: &Fitted, cause: &Cause, swings: usize) -> Option<f64> {
-    let widths: f64 = cause
-        .expanded(swings)
-        .iter()
-        .map(|(p, _)| p.prior.1.ln())
-        .sum();
-    let volumes = without.half_log_determinant()? - with.half_log_determinant()?;
-    Some(0.5 * (without.cost - with.cost) + volumes - widths)
+/// Logarithm of the evidence of a model with a cause over that without.
+pub fn gain(without: &Fitted, with: &Fitted) -> Option<f64> {
+    Some(with.log_evidence? - without.log_evidence?)
 }

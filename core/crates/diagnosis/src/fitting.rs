@@ -1,66 +1,45 @@
-//! Levenberg and Marquardt over all swings of a session at once.
+//! The fit of all swings of a session at once.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use std::cell::{Cell, RefCell};
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix6};
 
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::Vec3;
 use gyradius_base::parallel::in_parallel;
+use gyradius_estimation::{
+    Keep, Normal, Options, Parameter, Problem, Progress, Shape, Slopes, UNSTOPPED, minimise,
+};
 use gyradius_identification::samples::Own;
 
 use super::fitted_swing::HORIZONS_S;
 use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
 
+/// A fit may take new derivatives so often …
 const MOST_STEPS: usize = 20;
+/// … and so often over each part of the recordings but the first, which are few and quick there,
+/// and where the forms of a cause part.
+const EARLY_STEPS: usize = 6;
 /// So many steps with derivatives that are known count as one with new ones.
 const OF_KNOWN: usize = 3;
-/// The most by which a step is held back, shares of the information of each that is fitted …
-const MOST_DAMPING: f64 = 1e8;
-/// … and the least that it comes down to.
-const LEAST_DAMPING: f64 = 1e-9;
-/// … and what it begins with where a step without any leads nowhere.
-const FIRST_DAMPING: f64 = 1e-4;
-/// Shares of the way to where derivatives point that are tried without damping.
-const SHARES: [f64; 3] = [1.0, 0.4, 0.15];
-/// A step that leads uphill is corrected so often at most.
-const CORRECTIONS: usize = 3;
-/// A step that gains less than this share of what the derivatives promised, or more than its
-/// reciprocal, asks for new ones.
-const KEPT: f64 = 0.8;
-/// … near the data (`FAR`) than this share: there they hold a long way, and learn from each step.
-const KEPT_NEAR: f64 = 0.4;
-/// A fit ends where an undamped step promises less of χ² than this, a tenth of a standard
-/// deviation, or than this share of it; or where a step with new derivatives gains no more than
-/// twice that.
+/// A step that gains less than this share of what the derivatives promised asks for new ones.
+const KEPT: f64 = 0.5;
+/// A fit ends where a step promises less of χ² than this, a tenth of a standard deviation …
 const CONVERGED: f64 = 1e-2;
+/// … or than this share of it.
 pub const CONVERGED_SHARE: f64 = 1e-7;
 /// Of a part of the recordings, this much less exactly.
 const NEARLY: f64 = 3e-3;
-/// Steps over each of them but the first, which are few and quick there, and where the forms of a
-/// cause part.
-const EARLY_STEPS: usize = 6;
-/// A step that gains less than this share of what was promised is of no use.
-const OF_NO_USE: f64 = 0.1;
-/// Derivatives are good to about one of χ²: less than that, promised by new ones and not kept, is
-/// not there.
-const UNKEPT: f64 = 1.0;
-/// Derivatives taken within so much of χ² are as good as new ones.
-const NEAR: f64 = 0.1;
-/// Residual over noise beyond which a model is far from the data …
+/// Residual over noise beyond which a model is far from the data.
 pub const FAR: f64 = 2.0;
-/// … and is not worth more than so many steps of no use one after another.
-const PATIENCE: usize = 3;
-/// Two steps that each gain less than this share of what is left beyond noise lead nowhere that the
-/// model cannot follow …
-const SLOW: f64 = 1e-4;
+/// Three steps that together gain less than this share of what is left beyond noise lead nowhere
+/// that the model cannot follow …
+const SLOW: f64 = 3e-4;
 /// … and less than this share where many models are tried side by side: the best is led on.
-const SLOW_OF_MANY: f64 = 1e-3;
+const SLOW_OF_MANY: f64 = 3e-3;
 /// Near the data one of many ends where three steps together gain no more of χ² than this: half of
 /// it is what the evidence lacks, and those close behind the best are led on with it.
 const SETTLED: f64 = 1.0;
-/// Damping rates, 1/s: what hangs makes no motion of itself. What nobody set going had a rate of
-/// any sign, and where it was below zero a fit stopped: a step that is short by all derivatives
-/// made it grow by e to the power of 12 over a recording.
-const PASSIVE: (f64, f64) = (0.0, f64::INFINITY);
 /// Weak priors of a phone's place, m, and turn against where the fits of single swings have it,
 /// rad.
 const PLACE_U_M: f64 = 5.0;
@@ -83,8 +62,10 @@ pub struct Fitted {
     pub gradient: DVector<f64>,
     /// Derivatives of each swing's rows.
     pub jacobians: Vec<DMatrix<f64>>,
-    /// What its last step gained of χ²: much, where the steps were used up on the way.
+    /// What its last step gained of χ² where it ended on the way.
     pub last_gained: f64,
+    /// Logarithm of the evidence; none where it cannot be told.
+    pub log_evidence: Option<f64>,
     /// Whether the derivatives are all there, over short steps: none taken without a cause or to
     /// one side of it alone.
     pub is_fine: bool,
@@ -108,13 +89,6 @@ pub struct Pace {
     pub gained: f64,
     pub steps: usize,
     pub steps_left: usize,
-}
-
-/// Information with so much more of each's own.
-fn damped(matrix: &DMatrix<f64>, by: f64) -> DMatrix<f64> {
-    let mut damped = matrix.clone();
-    (0..damped.nrows()).for_each(|k| damped[(k, k)] *= 1.0 + by);
-    damped
 }
 
 /// Whether a fit that has come so far is hopeless.
@@ -165,36 +139,154 @@ impl Places {
     }
 }
 
-/// χ² at a point, and the rows that it is made of.
+/// What simulated readings leave of the samples at a point.
+#[derive(Clone)]
 struct Misfit {
+    x: Vec<f64>,
     rows: Vec<DVector<f64>>,
-    cost: f64,
 }
 
 impl Misfit {
     fn chi2(&self) -> f64 {
         self.rows.iter().map(DVector::norm_squared).sum()
     }
+}
 
-    fn count(&self) -> usize {
-        self.rows.iter().map(|rows| rows.len()).sum()
+/// The equations of a fit: of the numbers of a point, with places and turns of the phones counted
+/// from where it began.
+struct Equations<'a> {
+    model: &'a Model<'a>,
+    from: &'a Point,
+    /// By small moves ([`Model::moved`]) from the last point that had new ones.
+    slopes: Vec<DMatrix<f64>>,
+    /// Where they were taken; nowhere yet.
+    taken_at: Option<Vec<f64>>,
+    /// How often.
+    taken: &'a Cell<usize>,
+    is_kept: bool,
+    /// Information of the priors.
+    prior: Vec<f64>,
+    /// Where normal equations were made last, with their diagonal.
+    here: Option<(Misfit, DVector<f64>)>,
+    /// Where χ² was asked last.
+    asked: Option<Misfit>,
+}
+
+impl<'a> Equations<'a> {
+    fn about(
+        model: &'a Model<'a>,
+        from: &'a Point,
+        derivatives: Derivatives,
+        taken: &'a Cell<usize>,
+    ) -> Self {
+        let is_kept = matches!(derivatives, Derivatives::Kept(_));
+        let slopes = match derivatives {
+            Derivatives::Taken => vec![],
+            Derivatives::Known(known) | Derivatives::Kept(known) => known,
+        };
+        let prior = model.parameters(from).into_iter();
+        let prior = prior.map(|p| p.prior.map_or(0.0, |(_, u)| u.powi(-2)));
+        Self {
+            model,
+            from,
+            slopes,
+            taken_at: None,
+            taken,
+            is_kept,
+            prior: prior.collect(),
+            here: None,
+            asked: None,
+        }
     }
 
-    /// What a swing's readings did beyond their derivatives along a step from here to another
-    /// misfit.
-    fn beyond(
-        &self,
-        to: &Self,
-        s: usize,
-        jacobian: &DMatrix<f64>,
-        own: &DVector<f64>,
-    ) -> DVector<f64> {
-        &self.rows[s] - &to.rows[s] - jacobian * own
+    fn misfit(&mut self, x: &[f64]) -> Option<Misfit> {
+        let here = self.here.as_ref().map(|(misfit, _)| misfit);
+        let known = self.asked.iter().chain(here).find(|known| known.x == x);
+        if let Some(known) = known {
+            return Some(known.clone());
+        }
+        let rows = self
+            .model
+            .all_rows(&self.model.point_at(self.from, x))
+            .ok()?;
+        Some(Misfit {
+            x: x.to_vec(),
+            rows,
+        })
     }
 
-    fn rms(&self) -> f64 {
-        (self.chi2() / self.count().max(1) as f64).sqrt()
+    fn take(&mut self, x: &[f64]) -> Result<()> {
+        self.slopes = self.model.jacobians(&self.model.point_at(self.from, x))?;
+        self.taken_at = Some(x.to_vec());
+        self.taken.set(self.taken.get() + 1);
+        Ok(())
     }
+
+    /// Derivatives changed by as little as makes them true of a step that was made (C. G. Broyden,
+    /// *Math. Comp.* 19 (1965) 577), everything that is fitted counted in its own standard
+    /// deviation.
+    fn learn(&mut self, to: &Misfit) {
+        let Some((from, diagonal)) = &self.here else {
+            return;
+        };
+        let places = Places::of(self.model);
+        for (s, slopes) in self.slopes.iter_mut().enumerate() {
+            let at = places.of_swing(self.model, s);
+            let mut step = DVector::from_fn(at.len(), |k, _| to.x[at[k]] - from.x[at[k]]);
+            let moves = self.model.mount_moves(self.from, &from.x, s) * step.rows(places.free, 6);
+            step.rows_mut(places.free, 6).copy_from(&moves);
+            let weighed = DVector::from_fn(at.len(), |k, _| diagonal[at[k]] * step[k]);
+            let size = weighed.dot(&step);
+            if size > 0.0 {
+                let beyond = &from.rows[s] - &to.rows[s] - &*slopes * &step;
+                slopes.ger(1.0 / size, &beyond, &weighed, 1.0);
+            }
+        }
+    }
+}
+
+impl Problem for Equations<'_> {
+    fn shape(&self) -> Shape {
+        let places = Places::of(self.model);
+        Shape::new(places.first_own(0), &vec![OWN; places.swings])
+    }
+
+    fn chi2(&mut self, x: &[f64]) -> Option<f64> {
+        let there = self.misfit(x)?;
+        let chi2 = there.chi2();
+        self.asked = Some(there);
+        Some(chi2)
+    }
+
+    fn normal(&mut self, x: &[f64], slopes: Slopes) -> Option<Normal> {
+        let there = self.misfit(x)?;
+        let begins = self.here.is_none();
+        if slopes == Slopes::New && !self.is_kept && (!begins || self.slopes.is_empty()) {
+            self.take(x).ok()?;
+        } else if let Some((here, _)) = &self.here {
+            // Of the step that led here, or of one from here that led astray.
+            let ends = [Some(&there), self.asked.as_ref()].into_iter().flatten();
+            let end = ends.into_iter().find(|to| to.x != here.x).cloned();
+            if let Some(to) = end {
+                self.learn(&to);
+            }
+        }
+        let normal = self.model.normal((self.from, x), &there.rows, &self.slopes);
+        let mut diagonal = normal.diagonal();
+        diagonal
+            .iter_mut()
+            .zip(&self.prior)
+            .for_each(|(d, prior)| *d += prior);
+        self.here = Some((there, diagonal));
+        Some(normal)
+    }
+}
+
+/// The course of a fit, by which it may end before it has converged.
+struct Course {
+    steps: usize,
+    /// Gains of the last steps, the last one first.
+    lately: [f64; 3],
 }
 
 impl Model<'_> {
@@ -250,101 +342,59 @@ impl Model<'_> {
         enough_share: f64,
         stop: &Stop,
     ) -> Result<Fitted> {
-        let mut point = self.bounded(start.clone());
-        let mut misfit = self.misfit(&point)?;
-        let is_kept = matches!(derivatives, Derivatives::Kept(_));
-        let mut fresh = matches!(derivatives, Derivatives::Taken);
-        // Of χ², since derivatives were taken.
-        let mut gained_since = if fresh { 0.0 } else { f64::INFINITY };
-        let mut jacobians = match derivatives {
-            Derivatives::Taken => self.jacobians(&point)?,
-            Derivatives::Known(known) | Derivatives::Kept(known) => known,
+        let from = self.bounded(start.clone());
+        let taken = Cell::new(0);
+        let mut equations = Equations::about(self, &from, derivatives, &taken);
+        let budget = OF_KNOWN * self.most_steps();
+        let is_apart = self.is_apart();
+        let options = Options {
+            most_steps: budget,
+            gain: CONVERGED,
+            gain_share: enough_share,
+            // Those that leave a cause out are no better when they are taken anew: those made true
+            // of steps are.
+            keep: Some(Keep {
+                share: if is_apart { f64::NEG_INFINITY } else { KEPT },
+                to_the_end: is_apart,
+            }),
         };
-        let mut damping = LEAST_DAMPING;
-        let mut of_no_use = 0;
-        let slow_share = if self.of_many { SLOW_OF_MANY } else { SLOW };
-        let mut was_slow = false;
-        let exact = !self.is_apart();
-        // Of the last step, and of the last three.
-        let (mut last_gained, mut lately) = (0.0, [f64::INFINITY; 3]);
-        // Of its steps, in those with known derivatives.
-        let mut left = self.most_steps() * OF_KNOWN;
-        for n in 0.. {
-            left = left.saturating_sub(if fresh { OF_KNOWN } else { 1 });
-            let (mut matrix, mut gradient) = self.normal(&point, &misfit, &jacobians);
-            self.pin(&point, &mut matrix, &mut gradient);
-            let equations = (&matrix, &gradient, &jacobians[..]);
-            let Some(step) = self.step(&point, &misfit, equations, &mut damping) else {
-                let is_known_here = gained_since < NEAR || is_kept;
-                let renewed = if is_known_here {
-                    None
-                } else {
-                    self.jacobians(&point).ok()
-                };
-                let Some(renewed) = renewed else { break };
-                (jacobians, fresh, gained_since) = (renewed, true, 0.0);
-                continue;
-            };
-            let gained = misfit.cost - step.misfit.cost;
-            let pace = Pace {
-                cost: step.misfit.cost,
-                gained: gained.max(last_gained),
-                steps: n,
-                steps_left: left / OF_KNOWN,
-            };
-            last_gained = gained;
-            lately = [gained, lately[0], lately[1]];
-            gained_since += gained;
-            let before = std::mem::replace(&mut misfit, step.misfit);
-            point = step.point;
-            let is_slow = gained < slow_share * (misfit.cost - misfit.count() as f64);
-            // While the damping comes down, steps grow by themselves.
-            let is_slow_twice = is_slow && was_slow && (step.strained || damping <= LEAST_DAMPING);
-            // Derivatives of elsewhere may be what holds a fit back.
-            let crawls = is_slow_twice && (fresh || is_kept || !exact);
-            was_slow = is_slow;
-            of_no_use = if gained < OF_NO_USE * step.promised {
-                of_no_use + 1
-            } else {
-                0
-            };
-            let is_near = misfit.rms() <= FAR;
-            let creeps = of_no_use >= PATIENCE && !is_near;
-            let is_settled = self.of_many && is_near && lately.iter().sum::<f64>() <= SETTLED;
-            let unkept = gained < OF_NO_USE * step.hoped && step.hoped < UNKEPT;
-            let enough = step.promised < CONVERGED.max(enough_share * misfit.cost);
-            let arrived = enough || unkept || (!step.strained && gained < 2.0 * CONVERGED);
-            let is_known_there = gained_since < NEAR || is_kept || !exact;
-            if (is_known_there && arrived)
-                || creeps
-                || crawls
-                || is_settled
-                || left == 0
-                || stop(pace)
-            {
-                break;
-            }
-            let share = if is_near { KEPT_NEAR } else { KEPT };
-            let as_promised = (share..share.recip()).contains(&(gained / step.promised));
-            // Derivatives that leave a cause out are no better when they are taken anew: those made
-            // true of steps are.
-            fresh = if exact {
-                enough || is_slow_twice || !as_promised
-            } else {
-                step.strained && !fresh
-            };
-            fresh = fresh && !is_kept;
-            if fresh {
-                // At the edge of what can be simulated there are none: the fit ends there.
-                let Ok(renewed) = self.jacobians(&point) else {
-                    break;
-                };
-                (jacobians, gained_since) = (renewed, 0.0);
-            } else if !exact || is_kept || (is_near && gained_since >= NEAR) {
-                self.learn_from_step(&mut jacobians, (&before, &misfit), &step.delta, &matrix);
-            }
+        let course = RefCell::new(Course {
+            steps: 0,
+            lately: [f64::INFINITY; 3],
+        });
+        let ends_here = |progress: Progress| {
+            let spent = progress.steps + (OF_KNOWN - 1) * taken.get();
+            let steps_left = budget.saturating_sub(spent) / OF_KNOWN;
+            let mut course = course.borrow_mut();
+            steps_left == 0
+                || progress.gained > 0.0
+                    && (stop(course.went_on(progress, steps_left))
+                        || self.is_slow(progress.cost, &course.lately))
+        };
+        let parameters = self.with_a_body(&from);
+        let found = minimise(
+            &mut equations,
+            &parameters,
+            &self.coordinates(&from),
+            &options,
+            &ends_here,
+        )
+        .map_err(|_| out_of_numbers())?;
+        let is_fresh = equations.taken_at.as_ref() == Some(&found.x);
+        // Others go on from those of the whole recordings.
+        let is_lasting = self.part == Part::All && !self.of_many && !is_apart;
+        if !is_fresh && is_lasting && !equations.is_kept {
+            // At the edge of what can be simulated there are none.
+            let _ = equations.take(&found.x);
         }
-        Ok(self.ended(point, &misfit, jacobians, last_gained))
+        let last_gained = if found.ending.is_converged() {
+            0.0
+        } else {
+            course.borrow().lately[0]
+        };
+        let there = equations.misfit(&found.x).ok_or_else(out_of_numbers)?;
+        let point = self.point_at(&from, &found.x);
+        self.ended(point, there.rows, equations.slopes, last_gained)
     }
 
     /// Whether derivatives are taken without one of the causes.
@@ -352,58 +402,61 @@ impl Model<'_> {
         self.causes.iter().any(|cause| cause.apart)
     }
 
-    /// Derivatives changed by as little as makes them true of a step that was made (C. G. Broyden,
-    /// *Math. Comp.* 19 (1965) 577), everything that is fitted counted in its own standard
-    /// deviation.
-    fn learn_from_step(
-        &self,
-        jacobians: &mut [DMatrix<f64>],
-        (from, to): (&Misfit, &Misfit),
-        delta: &DVector<f64>,
-        matrix: &DMatrix<f64>,
-    ) {
-        let places = Places::of(self);
-        for (s, jacobian) in jacobians.iter_mut().enumerate() {
-            let at = places.of_swing(self, s);
-            let own = delta.select_rows(&at);
-            let weighed = matrix.diagonal().select_rows(&at).component_mul(&own);
-            let size = weighed.dot(&own);
-            if size > 0.0 {
-                let beyond = from.beyond(to, s, jacobian, &own);
-                jacobian.ger(1.0 / size, &beyond, &weighed, 1.0);
-            }
-        }
+    /// Whether a fit that has come so far is not worth going on with.
+    fn is_slow(&self, cost: f64, lately: &[f64; 3]) -> bool {
+        let rows = self.row_count() as f64;
+        let (share, settled) = if self.of_many {
+            (SLOW_OF_MANY, SETTLED)
+        } else {
+            (SLOW, 0.0)
+        };
+        let is_near = cost <= FAR * FAR * rows;
+        let least = share * (cost - rows);
+        lately.iter().sum::<f64>() <= if is_near { least.max(settled) } else { least }
     }
 
     /// A point as it is, with all derivatives there.
     pub fn unmoved(&self, point: &Point) -> Result<Fitted> {
-        let (jacobians, misfit) = (self.jacobians(point)?, self.misfit(point)?);
-        Ok(self.ended(point.clone(), &misfit, jacobians, 0.0))
+        let (jacobians, rows) = (self.jacobians(point)?, self.all_rows(point)?);
+        self.ended(point.clone(), rows, jacobians, 0.0)
     }
 
+    /// What is known at a point.
     fn ended(
         &self,
         point: Point,
-        misfit: &Misfit,
+        rows: Vec<DVector<f64>>,
         jacobians: Vec<DMatrix<f64>>,
         last_gained: f64,
-    ) -> Fitted {
-        let (mut matrix, mut gradient) = self.normal(&point, misfit, &jacobians);
-        let held = self.pin(&point, &mut matrix, &mut gradient);
-        let (cost, chi2, rows) = (misfit.cost, misfit.chi2(), misfit.count());
-        let is_fine = self.fine && !self.is_apart();
-        Fitted {
-            point,
-            cost,
-            chi2,
-            rows,
-            matrix,
+    ) -> Result<Fitted> {
+        let taken = Cell::new(0);
+        let x = self.coordinates(&point);
+        let mut equations = Equations::about(self, &point, Derivatives::Kept(jacobians), &taken);
+        equations.asked = Some(Misfit { x: x.clone(), rows });
+        let options = Options {
+            most_steps: 0,
+            ..Options::default()
+        };
+        let parameters = self.parameters(&point);
+        let found = minimise(&mut equations, &parameters, &x, &options, UNSTOPPED)
+            .map_err(|_| out_of_numbers())?;
+        let pressed = found.edges.iter().filter(|edge| edge.is_pressed);
+        let held: Vec<usize> = pressed.map(|edge| edge.place).collect();
+        let mut gradient = -found.normal.whole_gradient();
+        held.iter().for_each(|place| gradient[*place] = 0.0);
+        Ok(Fitted {
+            cost: found.cost(),
+            chi2: found.chi2,
+            rows: self.row_count(),
+            matrix: found.information(),
             held,
             gradient,
-            jacobians,
+            jacobians: equations.slopes,
             last_gained,
-            is_fine,
-        }
+            log_evidence: found.log_evidence().ok(),
+            is_fine: self.fine && !self.is_apart(),
+            point,
+        })
     }
 
     fn most_steps(&self) -> usize {
@@ -419,61 +472,83 @@ impl Model<'_> {
         self.each(|s| self.jacobian(point, s)).into_iter().collect()
     }
 
-    fn misfit(&self, point: &Point) -> Result<Misfit> {
+    fn row_count(&self) -> usize {
+        (0..self.base.swings.len())
+            .map(|s| 3 * self.blocks(s).len())
+            .sum()
+    }
+
+    fn all_rows(&self, point: &Point) -> Result<Vec<DVector<f64>>> {
         let rows = self.each(|s| self.rows(point, s).map(DVector::from_vec));
-        let rows = rows.into_iter().collect::<Result<Vec<_>>>()?;
-        let cost = rows.iter().map(DVector::norm_squared).sum::<f64>() + self.prior_cost(point);
-        if cost.is_finite() {
-            Ok(Misfit { rows, cost })
-        } else {
-            Err(Error::no_result(
-                "fit of the motion",
-                "it runs out of the numbers",
-            ))
-        }
+        rows.into_iter().collect()
     }
 
     /// χ² of samples and priors at a point.
     pub fn cost(&self, point: &Point) -> Result<f64> {
-        Ok(self.misfit(point)?.cost)
+        let priors = self.priors(point);
+        let of_priors: f64 = priors.iter().map(|(away, u)| (away / u).powi(2)).sum();
+        Ok(self.chi2(point)? + of_priors)
     }
 
     /// χ² of the samples at a point.
     pub fn chi2(&self, point: &Point) -> Result<f64> {
-        Ok(self.misfit(point)?.chi2())
+        let chi2 = self
+            .all_rows(point)?
+            .iter()
+            .map(DVector::norm_squared)
+            .sum();
+        if f64::is_finite(chi2) {
+            Ok(chi2)
+        } else {
+            Err(out_of_numbers())
+        }
     }
 
-    /// Distances from the priors' means and their standard deviations, by place; none where a prior
-    /// says nothing here.
+    /// Distances from the priors' means and their standard deviations, by place.
     pub fn priors(&self, point: &Point) -> Vec<(f64, f64)> {
+        let all = self.parameters(point).into_iter();
+        let prior = |p: Parameter| p.prior.unwrap_or((0.0, f64::INFINITY));
+        all.zip(self.coordinates(point))
+            .map(|(p, x)| (x - prior(p).0, prior(p).1))
+            .collect()
+    }
+
+    /// Priors and limits of everything that is fitted, places and turns of the phones counted from
+    /// a point.
+    fn parameters(&self, from: &Point) -> Vec<Parameter> {
         let layout = self.base.layout();
-        let prior = |i: &usize| layout.parameters[*i].prior;
-        let of_session = self
-            .base
-            .free
-            .iter()
-            .map(|i| (point.x[*i] - prior(i).value, prior(i).u));
-        let of_mounts = point.mounts.iter().flat_map(|m| {
-            let places = [0, 1, 2].map(|k| (m.place[k], PLACE_U_M));
-            places.into_iter().chain([(0.0, TURN_U_RAD); 3])
+        let of_session = self.base.free.iter().map(|i| {
+            let prior = layout.parameters[*i].prior;
+            Parameter::FREE.with_prior(prior.value, prior.u)
+        });
+        let of_mounts = from.mounts.iter().flat_map(|mount| {
+            let place = |k: usize| Parameter::FREE.with_prior(-mount.place[k], PLACE_U_M);
+            let turn = Parameter::FREE.with_prior(0.0, TURN_U_RAD);
+            [place(0), place(1), place(2), turn, turn, turn]
         });
         let swings = self.base.swings.len();
-        let of_causes = self
-            .causes
-            .iter()
-            .zip(&point.causes)
-            .flat_map(|(cause, values)| {
-                let expanded = cause.expanded(swings).into_iter().zip(values);
-                expanded
-                    .map(|((p, _), v)| (v - p.prior.0, p.prior.1))
-                    .collect::<Vec<_>>()
+        let of_causes = self.causes.iter().flat_map(|cause| {
+            let limits = cause.limits(swings).into_iter();
+            let with_limits = cause.expanded(swings).into_iter().zip(limits);
+            let known = with_limits.map(|((p, _), (low, high))| {
+                Parameter::FREE
+                    .with_prior(p.prior.0, p.prior.1)
+                    .within(low, high)
             });
+            known.collect::<Vec<_>>()
+        });
         let u = Own::prior_u();
-        let of_own = |k: usize| if k < BIAS { u[k] } else { u[k + 6] };
-        let owns = point
-            .owns
-            .iter()
-            .flat_map(|own| own.iter().enumerate().map(|(k, v)| (*v, of_own(k))));
+        let of_own = |k: usize| {
+            let known = Parameter::FREE.with_prior(0.0, if k < BIAS { u[k] } else { u[k + 6] });
+            // What hangs makes no motion of itself: no rate of damping is below zero. What nobody
+            // set going had a rate of any sign, and where it was below zero a fit stopped.
+            if (DAMPING..BIAS).contains(&k) {
+                known.within(0.0, f64::INFINITY)
+            } else {
+                known
+            }
+        };
+        let owns = (0..swings).flat_map(|_| (0..OWN).map(of_own));
         of_session
             .chain(of_mounts)
             .chain(of_causes)
@@ -481,306 +556,123 @@ impl Model<'_> {
             .collect()
     }
 
-    fn prior_cost(&self, point: &Point) -> f64 {
-        self.priors(point)
-            .iter()
-            .map(|(away, u)| (away / u).powi(2))
-            .sum()
-    }
-
-    fn normal(
-        &self,
-        point: &Point,
-        misfit: &Misfit,
-        jacobians: &[DMatrix<f64>],
-    ) -> (DMatrix<f64>, DVector<f64>) {
-        let places = Places::of(self);
-        let size = places.all();
-        let (mut matrix, mut gradient) = (DMatrix::zeros(size, size), DVector::zeros(size));
-        let parts = self.each(|s| {
-            let j = &jacobians[s];
-            // Not `tr_mul`, which multiplies matrices element by element.
-            (j.transpose() * j, j.tr_mul(&misfit.rows[s]))
-        });
-        for (s, (own_matrix, own_gradient)) in parts.iter().enumerate() {
-            let at = places.of_swing(self, s);
-            for (k, place) in at.iter().enumerate() {
-                gradient[*place] += own_gradient[k];
-                at.iter()
-                    .enumerate()
-                    .for_each(|(l, other)| matrix[(*place, *other)] += own_matrix[(k, l)]);
+    /// The same with the limits of a body, which guard the way: what is known at its end is known
+    /// as without them.
+    fn with_a_body(&self, from: &Point) -> Vec<Parameter> {
+        let mut parameters = self.parameters(from);
+        for (i, (low, high)) in self.base.body_limits(&from.x) {
+            let place = self.base.free.iter().position(|free| *free == i);
+            if let Some(k) = place {
+                parameters[k] = parameters[k].within(low, high);
             }
         }
-        for (k, (away, u)) in self.priors(point).iter().enumerate() {
-            matrix[(k, k)] += u.powi(-2);
-            gradient[k] -= away / (u * u);
-        }
-        (matrix, gradient)
+        parameters
     }
 
-    /// A step downhill: the whole way to where the derivatives point or a share of it, or, where
-    /// none of these leads down, one held back by damping. What is known least is held back first,
-    /// and a fit that is damped creeps along valleys in which, say, gyradius and spacing grow
-    /// alike.
-    fn step(
-        &self,
-        point: &Point,
-        misfit: &Misfit,
-        equations: (&DMatrix<f64>, &DVector<f64>, &[DMatrix<f64>]),
-        damping: &mut f64,
-    ) -> Option<Step> {
-        let (matrix, gradient, jacobians) = equations;
-        let begun = *damping;
-        let mut hoped = None;
-        while *damping < MOST_DAMPING {
-            let whole = within_limits(
-                self.limited(point),
-                damped(matrix, *damping),
-                gradient.clone(),
-            )?;
-            let stiff = damped(matrix, damping.max(FIRST_DAMPING)).cholesky()?;
-            let promised =
-                |delta: &DVector<f64>| 2.0 * gradient.dot(delta) - delta.dot(&(matrix * delta));
-            let all_promised = promised(&whole);
-            let hoped = *hoped.get_or_insert(all_promised);
-            let shares = if *damping > LEAST_DAMPING {
-                &SHARES[..1]
-            } else {
-                &SHARES
-            };
-            let found = shares.iter().find_map(|share| {
-                let delta = &whole * *share;
-                let promised = promised(&delta);
-                Some((
-                    promised,
-                    self.downhill((point, misfit), jacobians, &stiff, delta)?,
-                ))
-            });
-            if let Some((promised, (point, better, delta))) = found {
-                let strained = *damping > begun;
-                *damping = (*damping * 0.1).max(LEAST_DAMPING);
-                return Some(Step {
-                    point,
-                    misfit: better,
-                    delta,
-                    promised,
-                    hoped,
-                    strained,
-                });
-            }
-            *damping = (*damping * 10.0).max(FIRST_DAMPING);
-            if all_promised < CONVERGED {
-                break;
-            }
-        }
-        *damping = FIRST_DAMPING;
-        None
+    /// The numbers of a point, places and turns of the phones counted from there.
+    fn coordinates(&self, point: &Point) -> Vec<f64> {
+        let of_session = self.base.free.iter().map(|i| point.x[*i]);
+        let of_mounts = std::iter::repeat_n(0.0, 6 * point.mounts.len());
+        of_session
+            .chain(of_mounts)
+            .chain(point.causes.iter().flatten().copied())
+            .chain(point.owns.iter().flatten().copied())
+            .collect()
     }
 
-    /// Where a step leads, if not uphill. Where it does, the readings bend along it: what they do
-    /// beyond their derivatives is made up for (a second-order correction; J. Nocedal, S. J.
-    /// Wright, *Numerical Optimization*, 2nd ed., sec. 18.3) by what is known well, and again while
-    /// that brings it lower.
-    fn downhill(
-        &self,
-        (point, misfit): (&Point, &Misfit),
-        jacobians: &[DMatrix<f64>],
-        stiff: &Cholesky<f64, Dyn>,
-        straight: DVector<f64>,
-    ) -> Option<(Point, Misfit, DVector<f64>)> {
-        let at = |delta: DVector<f64>| {
-            let there = self.bounded(self.moved(point, &delta));
-            self.misfit(&there)
-                .ok()
-                .map(|misfit| (there, misfit, delta))
-        };
-        let mut tried = at(straight.clone())?;
-        for _ in 0..CORRECTIONS {
-            if tried.1.cost <= misfit.cost {
-                break;
-            }
-            let bent = self.bend(misfit, &tried.1, jacobians, &tried.2);
-            let corrected = at(&straight - stiff.solve(&bent))?;
-            if corrected.1.cost >= tried.1.cost {
-                return None;
-            }
-            tried = corrected;
-        }
-        (tried.1.cost <= misfit.cost).then_some(tried)
-    }
-
-    /// What the readings did beyond their derivatives along a step from one misfit to another,
-    /// times these.
-    fn bend(
-        &self,
-        from: &Misfit,
-        to: &Misfit,
-        jacobians: &[DMatrix<f64>],
-        delta: &DVector<f64>,
-    ) -> DVector<f64> {
-        let places = Places::of(self);
-        let mut all = DVector::zeros(places.all());
-        let parts = self.each(|s| {
-            let at = places.of_swing(self, s);
-            let beyond = from.beyond(to, s, &jacobians[s], &delta.select_rows(&at));
-            (at, jacobians[s].tr_mul(&beyond))
-        });
-        for (at, part) in parts {
-            at.iter()
-                .zip(part.iter())
-                .for_each(|(place, x)| all[*place] += x);
-        }
-        all
-    }
-
-    /// What stands at a limit and would go beyond is held there (a strength at zero): its places.
-    fn pin(
-        &self,
-        point: &Point,
-        matrix: &mut DMatrix<f64>,
-        gradient: &mut DVector<f64>,
-    ) -> Vec<usize> {
-        let mut held = Vec::new();
-        for Limited {
-            place,
-            value,
-            limits: (low, high),
-            u,
-        } in self.limited(point)
-        {
-            let goes_out = (value <= low && gradient[place] <= 0.0)
-                || (value >= high && gradient[place] >= 0.0);
-            if goes_out {
-                // Its width is that of its prior, so that it neither gains nor costs evidence.
-                set_apart(matrix, place, u.powi(-2));
-                gradient[place] = 0.0;
-                held.push(place);
-            }
-        }
-        held
-    }
-
-    /// What has limits: values of causes (strengths that cannot be below zero among them), and
-    /// damping rates.
-    fn limited(&self, point: &Point) -> Vec<Limited> {
-        let (swings, places) = (self.base.swings.len(), Places::of(self));
-        let values = self
-            .causes
-            .iter()
-            .zip(&point.causes)
-            .flat_map(|(cause, values)| {
-                let parameters = cause
-                    .expanded(swings)
-                    .into_iter()
-                    .zip(cause.limits(swings))
-                    .zip(values);
-                parameters
-                    .map(|(((p, _), limits), value)| (*value, limits, p.prior.1))
-                    .collect::<Vec<_>>()
-            });
-        let of_causes = values
-            .enumerate()
-            .map(|(k, (value, limits, u))| (places.first_cause() + k, value, limits, u));
-        let u = Own::prior_u();
-        let rates = |(s, own): (usize, &[f64; OWN])| {
-            let (first, own) = (places.first_own(s), *own);
-            (DAMPING..BIAS).map(move |k| (first + k, own[k], PASSIVE, u[k]))
-        };
-        let all = of_causes.chain(point.owns.iter().enumerate().flat_map(rates));
-        all.map(|(place, value, limits, u)| Limited {
-            place,
-            value,
-            limits,
-            u,
-        })
-        .collect()
-    }
-
-    /// With a body that there can be, and nothing beyond its limits.
-    pub fn bounded(&self, mut point: Point) -> Point {
-        self.base.keep_a_body(&mut point.x);
-        let swings = self.base.swings.len();
-        for (cause, values) in self.causes.iter().zip(&mut point.causes) {
-            let limits = cause.limits(swings).into_iter();
-            values
-                .iter_mut()
-                .zip(limits)
-                .for_each(|(v, (low, high))| *v = v.clamp(low, high));
-        }
-        let rates = point
-            .owns
-            .iter_mut()
-            .flat_map(|own| &mut own[DAMPING..BIAS]);
-        rates.for_each(|rate| *rate = rate.clamp(PASSIVE.0, PASSIVE.1));
-        point
-    }
-
-    /// A point with a change of everything that is fitted added.
-    pub fn moved(&self, point: &Point, delta: &DVector<f64>) -> Point {
-        let mut there = point.clone();
-        let mut next = delta.iter().copied();
+    /// The point with such numbers, places and turns of the phones counted from another.
+    fn point_at(&self, from: &Point, x: &[f64]) -> Point {
+        let mut there = from.clone();
+        let mut next = x.iter().copied();
         let mut take = || next.next().unwrap_or(0.0);
-        self.base.free.iter().for_each(|i| there.x[*i] += take());
+        self.base.free.iter().for_each(|i| there.x[*i] = take());
         for mount in &mut there.mounts {
             let mut three = || Vec3::new(take(), take(), take());
             *mount = mount.moved(three(), three());
         }
-        there.causes.iter_mut().flatten().for_each(|v| *v += take());
-        there.owns.iter_mut().flatten().for_each(|v| *v += take());
+        there.causes.iter_mut().flatten().for_each(|v| *v = take());
+        there.owns.iter_mut().flatten().for_each(|v| *v = take());
         there
     }
-}
 
-/// What has limits: its place in the list of all that is fitted, its value, and the width of its
-/// prior.
-struct Limited {
-    place: usize,
-    value: f64,
-    limits: (f64, f64),
-    u: f64,
-}
+    /// A point with a change of everything that is fitted added.
+    pub fn moved(&self, point: &Point, delta: &DVector<f64>) -> Point {
+        let from = self.coordinates(point).into_iter();
+        let there: Vec<f64> = from.zip(delta).map(|(x, change)| x + change).collect();
+        self.point_at(point, &there)
+    }
 
-/// Makes what is at a place hang together with nothing.
-fn set_apart(matrix: &mut DMatrix<f64>, place: usize, information: f64) {
-    matrix.row_mut(place).fill(0.0);
-    matrix.column_mut(place).fill(0.0);
-    matrix[(place, place)] = information;
-}
+    /// With a body that there can be, and nothing beyond its limits.
+    pub fn bounded(&self, point: Point) -> Point {
+        let all = self.coordinates(&point).into_iter();
+        let inside = all.zip(self.with_a_body(&point));
+        let inside: Vec<f64> = inside.map(|(x, p)| x.clamp(p.low, p.high)).collect();
+        self.point_at(&point, &inside)
+    }
 
-/// The change that takes a gradient away; what would go beyond a limit goes as far as that, and all
-/// else makes the best of it.
-fn within_limits(
-    mut open: Vec<Limited>,
-    mut matrix: DMatrix<f64>,
-    mut gradient: DVector<f64>,
-) -> Option<DVector<f64>> {
-    loop {
-        let change = matrix.clone().cholesky()?.solve(&gradient);
-        let there = |limited: &Limited| limited.value + change[limited.place];
-        let goes_beyond = |l: &Limited| there(l) < l.limits.0 || there(l) > l.limits.1;
-        let (beyond, within) = open.into_iter().partition::<Vec<_>, _>(goes_beyond);
-        if beyond.is_empty() {
-            return Some(change);
+    /// Small moves of a swing's phone by changes of its six numbers in a fit, to first order.
+    fn mount_moves(&self, from: &Point, x: &[f64], s: usize) -> Matrix6<f64> {
+        let mount = self.swing(s).mount;
+        let first = self.base.free.len() + 6 * mount;
+        let three = |k: usize| Vec3::new(x[first + k], x[first + k + 1], x[first + k + 2]);
+        from.mounts[mount].moves(three(0), three(3))
+    }
+
+    /// Normal equations of the samples.
+    fn normal(
+        &self,
+        (from, x): (&Point, &[f64]),
+        rows: &[DVector<f64>],
+        slopes: &[DMatrix<f64>],
+    ) -> Normal {
+        let places = Places::of(self);
+        let shared = places.first_own(0);
+        let parts = self.each(|s| {
+            let mut j = slopes[s].clone();
+            let by_phone = j.columns(places.free, 6) * self.mount_moves(from, x, s);
+            j.columns_mut(places.free, 6).copy_from(&by_phone);
+            // Not `tr_mul`, which multiplies matrices element by element.
+            (j.transpose() * &j, j.tr_mul(&rows[s]))
+        });
+        let mut normal = Normal::zero(&Shape::new(shared, &vec![OWN; places.swings]));
+        for (s, (square, pull)) in parts.into_iter().enumerate() {
+            let own = places.first_own(s) - shared;
+            let at = places.of_swing(self, s).into_iter();
+            let at: Vec<usize> = at.map(|k| if k < shared { k } else { k - own }).collect();
+            let mut information = DMatrix::zeros(shared + OWN, shared + OWN);
+            let mut gradient = DVector::zeros(shared + OWN);
+            for (k, place) in at.iter().enumerate() {
+                // Derivatives are of readings, which what is left has with the other sign.
+                gradient[*place] = -pull[k];
+                at.iter()
+                    .enumerate()
+                    .for_each(|(l, other)| information[(*place, *other)] = square[(k, l)]);
+            }
+            normal.add(s, &information, &gradient);
         }
-        for limited in &beyond {
-            let as_far = there(limited).clamp(limited.limits.0, limited.limits.1) - limited.value;
-            gradient.axpy(-as_far, &matrix.column(limited.place), 1.0);
-            set_apart(&mut matrix, limited.place, 1.0);
-            gradient[limited.place] = as_far;
-        }
-        open = within;
+        normal
     }
 }
 
-struct Step {
-    point: Point,
-    misfit: Misfit,
-    delta: DVector<f64>,
-    promised: f64,
-    /// What the longest that was tried promised.
-    hoped: f64,
-    /// Whether a longer one led nowhere.
-    strained: bool,
+impl Course {
+    /// One step on.
+    fn went_on(&mut self, progress: Progress, steps_left: usize) -> Pace {
+        let pace = Pace {
+            cost: progress.cost,
+            gained: progress
+                .gained
+                .max(if self.steps > 0 { self.lately[0] } else { 0.0 }),
+            steps: self.steps,
+            steps_left,
+        };
+        self.steps += 1;
+        self.lately = [progress.gained, self.lately[0], self.lately[1]];
+        pace
+    }
+}
+
+fn out_of_numbers() -> Error {
+    Error::no_result("fit of the motion", "it runs out of the numbers")
 }
 
 impl Fitted {
@@ -806,55 +698,5 @@ impl Fitted {
     /// Covariance of everything that is fitted, for noise that is white.
     pub fn covariance(&self) -> Option<DMatrix<f64>> {
         Some(self.cholesky()?.inverse())
-    }
-
-    /// Half of the logarithm of the determinant of the information.
-    pub fn half_log_determinant(&self) -> Option<f64> {
-        let l = self.cholesky()?;
-        Some(l.l_dirty().diagonal().iter().map(|d| d.ln()).sum())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_would_go_beyond_a_limit_stops_there_and_all_else_makes_the_best_of_it() {
-        let a = DMatrix::from_row_slice(
-            4,
-            3,
-            &[1.0, 0.9, 0.2, 0.3, 1.0, 0.8, 0.5, 0.4, 1.0, 0.2, 0.1, 0.7],
-        );
-        let b = DVector::from_row_slice(&[-1.0, 2.0, 0.5, -0.3]);
-        let (matrix, gradient) = (a.tr_mul(&a), a.tr_mul(&b));
-        let change = |limits: [(f64, f64); 2]| {
-            let limited = |k: usize| Limited {
-                place: 2 * k,
-                value: 1.0,
-                limits: limits[k],
-                u: 1.0,
-            };
-            within_limits(
-                vec![limited(0), limited(1)],
-                matrix.clone(),
-                gradient.clone(),
-            )
-            .unwrap()
-        };
-        let close = |found: DVector<f64>, expected: [f64; 3]| {
-            assert!((found - DVector::from_row_slice(&expected)).amax() < 1e-8);
-        };
-        // scipy.optimize.lsq_linear(a, b, bounds, method="bvls", tol=1e-14).
-        let free = (f64::NEG_INFINITY, f64::INFINITY);
-        close(
-            change([free, free]),
-            [-3.188286314, 2.341246561, 0.8011712927],
-        );
-        close(
-            change([(0.0, f64::INFINITY), free]),
-            [-1.0, 0.8298619024, 0.7219816781],
-        );
-        close(change([(0.0, 2.0), (0.0, 0.6)]), [-1.0, 1.651515152, -0.4]);
     }
 }

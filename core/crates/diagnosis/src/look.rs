@@ -495,6 +495,7 @@ mod tests {
             gradient,
             jacobians,
             last_gained: 0.0,
+            log_evidence: None,
             is_fine: true,
         };
         let outer = jacobian.tr_mul(&sensitivity);

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix6};
 
 use gyradius_base::error::Result;
 use gyradius_base::frames::{Rotation, Vec3};
-use gyradius_identification::samples::{Own, place};
+use gyradius_identification::samples::{Own, place, turn_slopes};
 use gyradius_identification::theory::world_from_hull;
 use gyradius_mechanics::effects::EffectValues;
 use gyradius_mechanics::sensors;
@@ -45,6 +45,19 @@ impl Mount {
             place: turned * self.hull_from_phone.inverse() * self.place + shift,
             hull_from_phone: Rotation::new_normalize(turned.into_inner()),
         }
+    }
+
+    /// Moves on top of such a move by changes of its shift and its turn, to first order: the shift,
+    /// then the turn, in the order of [`Self::moved`].
+    pub fn moves(&self, shift: Vec3, turn: Vec3) -> Matrix6<f64> {
+        let turned = self.moved(shift, turn).hull_from_phone.to_rotation_matrix();
+        let by_turn = turn_slopes(turn);
+        let mut moves = Matrix6::identity();
+        moves
+            .fixed_view_mut::<3, 3>(0, 3)
+            .copy_from(&(shift.cross_matrix() * turned.matrix() * by_turn));
+        moves.fixed_view_mut::<3, 3>(3, 3).copy_from(&by_turn);
+        moves
     }
 }
 
@@ -467,4 +480,46 @@ impl Model<'_> {
 /// A sensor's effect with the numbers given, the others zero.
 pub fn sensor(id: &str, given: &[(&str, f64)]) -> Result<EffectValues> {
     EffectValues::of(&sensors::catalogue(), id, given)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Central differences of [`Mount::moved`].
+    #[test]
+    fn a_change_of_a_move_is_a_move_on_top_of_it() {
+        let step = 1e-6;
+        let mount = Mount {
+            place: Vec3::new(0.6, -0.2, 0.1),
+            hull_from_phone: Rotation::new(Vec3::new(1.2, -0.4, 2.0)),
+        };
+        let (shift, turn) = (Vec3::new(0.05, 0.2, -0.1), Vec3::new(0.4, -0.3, 0.7));
+        let moves = mount.moves(shift, turn);
+        let at = mount.moved(shift, turn);
+        for k in 0..6 {
+            let unit = |first: usize| Vec3::from_fn(|i, _| f64::from(first + i == k));
+            let there = |by: f64| mount.moved(shift + unit(0) * by, turn + unit(3) * by);
+            let (before, after) = (there(-step), there(step));
+            let (moved, turned) = (
+                moves.fixed_view::<3, 1>(0, k),
+                moves.fixed_view::<3, 1>(3, k),
+            );
+            let on_top = |by: f64| at.moved(moved * by, turned * by);
+            let (expected_before, expected_after) = (on_top(-step), on_top(step));
+            let slope = |a: &Mount, b: &Mount| {
+                let on_top = a.hull_from_phone.inverse() * b.hull_from_phone;
+                (
+                    (b.place - a.place) / (2.0 * step),
+                    on_top.scaled_axis() / (2.0 * step),
+                )
+            };
+            let (found, expected) = (
+                slope(&expected_before, &expected_after),
+                slope(&before, &after),
+            );
+            assert!((found.0 - expected.0).norm() < 1e-8, "{k}");
+            assert!((found.1 - expected.1).norm() < 1e-8, "{k}");
+        }
+    }
 }

@@ -433,7 +433,6 @@ impl Found<'_> {
     /// A cause taken first may owe its gain to one that was taken later, and one taken later to a
     /// first whose fit had ended elsewhere: without it nothing is then lost, and it goes.
     fn prune(&mut self) {
-        let swings = self.model.base.swings.len();
         for k in (0..self.model.causes.len()).rev() {
             if self.model.causes.len() == 1
                 || self.model.causes[k].form == Form::Gust
@@ -448,7 +447,7 @@ impl Found<'_> {
             let Ok(without) = model.fit(&start, &|_| false) else {
                 continue;
             };
-            let Some(lost) = gain(&without, &self.fitted, &cause, swings) else {
+            let Some(lost) = gain(&without, &self.fitted) else {
                 continue;
             };
             let Ok(left) = Left::of(&model, &without.point) else {

@@ -229,7 +229,7 @@ impl Found<'_> {
 
     /// A fitted model with one more cause, weighed against that without it.
     pub fn weighed_up(&self, cause: &Cause, model: Model, fitted: Fitted) -> Option<Tried> {
-        let gain = gain(&self.fitted, &fitted, cause, model.base.swings.len())?;
+        let gain = gain(&self.fitted, &fitted)?;
         let left = Left::of(&model, &fitted.point).ok()?;
         let from = self.fitted.point.clone();
         Some(Tried {

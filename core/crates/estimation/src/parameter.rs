@@ -1,5 +1,9 @@
 //! What is known of a parameter before a fit.
 
+use std::f64::consts::SQRT_2;
+
+use statrs::function::erf::erfc;
+
 /// Prior and bounds of one parameter.
 ///
 /// # Conventions
@@ -44,6 +48,12 @@ impl Parameter {
     /// Whether it cannot move.
     pub fn is_fixed(&self) -> bool {
         self.low >= self.high
+    }
+
+    /// The share within the bounds of a normal distribution about a value.
+    pub(crate) fn mass(&self, mean: f64, sigma: f64) -> f64 {
+        let below = |bound: f64| 0.5 * erfc((mean - bound) / (sigma * SQRT_2));
+        below(self.high) - below(self.low)
     }
 
     pub(crate) fn is_valid(&self) -> bool {

@@ -31,17 +31,13 @@ pub struct Fitted {
     /// Half of the second derivative of the cost; what stands at a bound has the width of its
     /// prior, so that it neither gains nor costs evidence.
     pub matrix: DMatrix<f64>,
+    /// Logarithm of the evidence; none where it cannot be told.
+    pub log_evidence: Option<f64>,
 }
 
 impl Fitted {
     pub fn covariance(&self) -> Option<DMatrix<f64>> {
         Some(self.matrix.clone().cholesky()?.inverse())
-    }
-
-    /// Half of the logarithm of the determinant of the information.
-    pub fn half_log_determinant(&self) -> Option<f64> {
-        let factor = self.matrix.clone().cholesky()?;
-        Some(factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum())
     }
 }
 
@@ -104,6 +100,7 @@ pub fn fit(swing: &Swing, causes: &[&Cause], part: Part, start: &[f64]) -> Optio
         chi2: found.chi2,
         rows: swing.times_s(part).len(),
         matrix: found.information(),
+        log_evidence: found.log_evidence().ok(),
         point: found.x,
     })
 }

@@ -205,7 +205,7 @@ impl Found<'_> {
             .map(fitted)
             .collect();
         let with = extended(self.swings, causes, fits)?;
-        let gain = self.gain(&self.best, &with, place)?;
+        let gain = Self::gain(&self.best, &with)?;
         Some(Tried {
             id: self.id(place),
             with,
@@ -213,17 +213,10 @@ impl Found<'_> {
         })
     }
 
-    /// Logarithm of the evidence with a cause over that without, by Laplace's approximation of both
-    /// integrals.
-    fn gain(&self, without: &Extended, with: &Extended, place: usize) -> Option<f64> {
-        let of_swing = |s: usize| {
-            let (a, b) = (&without.fits[s], &with.fits[s]);
-            let parameters = self.swings[s].catalogue[place].parameters.iter();
-            let widths: f64 = parameters.map(|p| p.prior.1.ln()).sum();
-            let volumes = a.half_log_determinant()? - b.half_log_determinant()?;
-            Some(0.5 * (a.cost - b.cost) + volumes - widths)
-        };
-        (0..self.swings.len()).map(of_swing).sum()
+    /// Logarithm of the evidence with a cause over that without.
+    fn gain(without: &Extended, with: &Extended) -> Option<f64> {
+        let of_all = |fits: &[Fitted]| fits.iter().map(|fit| fit.log_evidence).sum::<Option<f64>>();
+        Some(of_all(&with.fits)? - of_all(&without.fits)?)
     }
 
     fn pays(&self, best: &Tried) -> bool {
@@ -243,7 +236,7 @@ impl Found<'_> {
             let Some(without) = self.without(k) else {
                 continue;
             };
-            let Some(lost) = self.gain(&without, &self.best, self.best.causes[k]) else {
+            let Some(lost) = Self::gain(&without, &self.best) else {
                 continue;
             };
             if !is_missed(lost, &without.left, &self.best.left) {

@@ -29,3 +29,4 @@ pub(crate) use record::{BLOCK_OF_PERIOD, blocks, inside};
 pub use record::{Recorded, Samples, Sensor, Stream, Turning};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup, place};
 pub use session::{FittedSwing, WHITE, Ways};
+pub use turn::turn_slopes;

@@ -41,7 +41,7 @@ pub fn turned_slopes(turn: Vec3, nominal: &Rotation, place_m: Vec3) -> Matrix6<f
 /// Turns (rad, about the axes that are turned) that a change of a rotation vector brings on top of
 /// it: `exp(v + δ) = exp(v)·exp(J δ)` to first order. The right Jacobian of the rotations (G. S.
 /// Chirikjian, *Stochastic Models, Information Theory, and Lie Groups*, vol. 2 (2012), sec. 10.6).
-fn turn_slopes(v: Vec3) -> Mat3 {
+pub fn turn_slopes(v: Vec3) -> Mat3 {
     /// Below this the next terms of both series are rounding.
     const SMALL_RAD: f64 = 1e-4;
     let (cross, angle) = (v.cross_matrix(), v.norm());
