@@ -199,7 +199,7 @@ impl<'a> Equations<'a> {
         }
     }
 
-    fn misfit(&mut self, x: &[f64]) -> Option<Misfit> {
+    fn misfit(&self, x: &[f64]) -> Option<Misfit> {
         let here = self.here.as_ref().map(|(misfit, _)| misfit);
         let known = self.asked.iter().chain(here).find(|known| known.x == x);
         if let Some(known) = known {
@@ -265,8 +265,8 @@ impl Problem for Equations<'_> {
             self.take(x).ok()?;
         } else if let Some((here, _)) = &self.here {
             // Of the step that led here, or of one from here that led astray.
-            let ends = [Some(&there), self.asked.as_ref()].into_iter().flatten();
-            let end = ends.into_iter().find(|to| to.x != here.x).cloned();
+            let ends = || [&there].into_iter().chain(&self.asked);
+            let end = ends().find(|to| to.x != here.x).cloned();
             if let Some(to) = end {
                 self.learn(&to);
             }

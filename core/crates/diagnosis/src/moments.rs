@@ -40,10 +40,16 @@ pub fn moments(standing: &Standing) -> Result<Vec<Look>> {
         .map(|s| model.blocks(s).iter().map(|b| b.t_s).collect())
         .collect();
     let scales = Scales::of(model.base, &standing.fitted.point)?;
+    let slipped = in_parallel(times.len(), |s| {
+        let columns = responses(standing, Event::Slip, s);
+        let (jacobian, residual) = (&standing.fitted.jacobians[s], &standing.residuals[s]);
+        Part::of(jacobian, &columns, residual)
+    });
     let scan = Scan {
         standing,
         times,
         scales,
+        slipped,
     };
     let slips = scan.best_of_each(Event::Slip);
     let closer = |event, slip: &Seen| {
@@ -81,21 +87,33 @@ impl Tails {
     }
 }
 
+/// Derivatives of a swing by the phone's pose or by the start of the motion.
+fn responses(standing: &Standing, event: Event, swing: usize) -> DMatrix<f64> {
+    let jacobian = &standing.fitted.jacobians[swing];
+    let free = standing.model.base.free.len();
+    let own = jacobian.ncols() - OWN;
+    let places: Vec<usize> = match event {
+        // Turn first, then place.
+        Event::Slip => (free + 3..free + 6).chain(free..free + 3).collect(),
+        Event::Knock | Event::LineSlip => (own..own + 8).collect(),
+    };
+    jacobian.select_columns(&places)
+}
+
 struct Scan<'a> {
     standing: &'a Standing<'a>,
     times: Vec<Vec<f64>>,
     scales: Scales,
+    /// What each swing adds where the phone slipped before it.
+    slipped: Vec<Part>,
 }
 
 impl Scan<'_> {
     /// An event's best moment in each swing, by what is known of the response.
     fn best_of_each(&self, event: Event) -> Vec<Seen> {
-        let after = self.whole(event);
         let tried = in_parallel(self.times.len(), |s| {
             let tails = self.tails(event, s);
-            let lasts = self.after(event, s).map(|later| (later, &after[later]));
-            let lasts: Vec<(usize, &Part)> = lasts.collect();
-            let seen = |t_s: f64| self.seen(event, (s, t_s), &tails, &lasts);
+            let seen = |t_s: f64| self.seen(event, (s, t_s), &tails);
             let duration_s = self.standing.model.swing(s).samples.duration_s;
             let step_s = duration_s / COARSE as f64;
             let coarse = (1..COARSE).map(|k| k as f64 * step_s);
@@ -141,7 +159,7 @@ impl Scan<'_> {
     fn later(&self, event: Event, slip: &Seen) -> Option<Vec<(usize, Part)>> {
         let part = |later: usize| match event {
             Event::LineSlip => self.simulated(event, (slip.s, slip.t_s), GIVES_S, later),
-            _ => Some(self.part(later, &self.columns(event, later))),
+            _ => Some(self.slipped[later].clone()),
         };
         self.after(event, slip.s)
             .map(|later| Some((later, part(later)?)))
@@ -213,22 +231,9 @@ impl Scan<'_> {
         (s + 1..self.times.len()).filter(is_seen)
     }
 
-    fn part(&self, s: usize, columns: &DMatrix<f64>) -> Part {
-        Part::of(
-            &self.standing.fitted.jacobians[s],
-            columns,
-            &self.standing.residuals[s],
-        )
-    }
-
-    /// What each swing adds where an event was before it.
-    fn whole(&self, event: Event) -> Vec<Part> {
-        in_parallel(self.times.len(), |s| self.part(s, &self.columns(event, s)))
-    }
-
     /// What a swing adds from each moment on.
     fn tails(&self, event: Event, s: usize) -> Tails {
-        let columns = self.columns(event, s);
+        let columns = responses(self.standing, event, s);
         let jacobian = &self.standing.fitted.jacobians[s];
         let residual = &self.standing.residuals[s];
         let mut from: Vec<(f64, usize)> = self.times[s].iter().copied().zip(0..).collect();
@@ -248,18 +253,11 @@ impl Scan<'_> {
     }
 
     /// The evidence for an event at a moment of a swing, with what the swings after it add.
-    fn seen(
-        &self,
-        event: Event,
-        (s, t_s): (usize, f64),
-        tails: &Tails,
-        after: &[(usize, &Part)],
-    ) -> Option<Seen> {
+    fn seen(&self, event: Event, (s, t_s): (usize, f64), tails: &Tails) -> Option<Seen> {
         let mut equations = Equations::new(self.standing, self.strength_u(event));
         equations.add(s, tails.from(t_s));
-        after
-            .iter()
-            .for_each(|(later, part)| equations.add(*later, part));
+        self.after(event, s)
+            .for_each(|later| equations.add(later, &self.slipped[later]));
         let Solved {
             strength,
             rest,
@@ -273,19 +271,6 @@ impl Scan<'_> {
             strength,
             rest,
         })
-    }
-
-    /// Derivatives by the phone's pose or by the start of the motion.
-    fn columns(&self, event: Event, swing: usize) -> DMatrix<f64> {
-        let jacobian = &self.standing.fitted.jacobians[swing];
-        let free = self.standing.model.base.free.len();
-        let own = jacobian.ncols() - OWN;
-        let places: Vec<usize> = match event {
-            // Turn first, then place.
-            Event::Slip => (free + 3..free + 6).chain(free..free + 3).collect(),
-            Event::Knock | Event::LineSlip => (own..own + 8).collect(),
-        };
-        jacobian.select_columns(&places)
     }
 
     /// Standard deviations of what is sought before anything is seen. Of a knock the change of

@@ -165,19 +165,18 @@ impl Fit {
     /// As [`Self::factor`].
     pub fn log_evidence(&self) -> Result<f64, Error> {
         let (factor, held) = (self.factor()?, self.held());
-        let (sigmas, gradient) = (self.standard_deviations()?, self.normal.whole_gradient());
+        let (variances, gradient) = (factor.variances(), self.normal.whole_gradient());
         let whole = self.normal.dense();
-        let is_free = |k: usize| if held[k] { 0.0 } else { 1.0 };
         let share = |k: usize| {
             let (parameter, x) = (&self.parameters[k], self.x[k]);
             if parameter.is_fixed() {
                 return 0.0;
             }
             if !held[k] {
-                return parameter.mass(x, sigmas[k]).ln();
+                return parameter.mass(x, variances[k].sqrt()).ln();
             }
-            // The others follow it.
-            let beside = DVector::from_fn(self.x.len(), |l, _| is_free(l) * whole[(l, k)]);
+            // Those that are not held follow it.
+            let beside = whole.column(k).into_owned();
             let information = whole[(k, k)] - beside.dot(&factor.solve(&beside));
             log_tail(gradient[k].abs(), information)
         };
