@@ -1,29 +1,17 @@
 //! How far a simulated swing is from its samples, and how the readings change with everything that
 //! is fitted.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
-use gyradius_identification::samples::{LANES, SHARED_LANES, Sensor, Stream};
-use gyradius_mechanics::{Experiment, Fineness, Path, Reading};
+use gyradius_identification::samples::{Sensor, Stream};
+use gyradius_mechanics::{Fineness, LANES, Path, Reading};
 
-use super::point::{BIAS, Cause, Model, OWN, Part, Point};
-
-/// Steps of numerical derivatives by the phone's place, m, and turn, rad; by a clock's error.
-const PLACE_STEP_M: f64 = 1e-4;
-const TURN_STEP_RAD: f64 = 1e-5;
-const CLOCK_STEP: f64 = 1e-6;
-
-/// Derivatives by a cause of no more parameters than this are taken to both sides.
-const TWO_SIDED: usize = 2;
-/// Near the best fit steps to one side are so much shorter. What rings through a recording turns by
-/// radians along a long one: far from the best fit that leads past what is best only nearby, near
-/// it it leads astray.
-const FINE: f64 = 1e-3;
+use super::fitting::Places;
+use super::point::{Model, OWN, Part, Point};
 
 /// A block of samples that counts.
 pub struct Block<'a> {
@@ -116,62 +104,192 @@ impl Model<'_> {
         Ok(self.blocks(s).iter().flat_map(row).collect())
     }
 
-    /// What readings, by time of each block, become as rows.
-    fn as_rows(&self, s: usize, blocks: &[Block], readings: &[Vec3]) -> Vec<f64> {
-        let streams = &self.swing(s).samples.streams;
-        let row = |(block, reading): (&Block, &Vec3)| {
-            let weight = (block.range.len() as f64).sqrt();
-            let v = reading.component_div(&streams[block.stream].noise) * weight;
-            [v.x, v.y, v.z]
+    /// What the phone reads at the mean time of each block, as rows.
+    pub fn read_rows(&self, point: &Point, s: usize) -> Result<Vec<f64>> {
+        self.rows_along(&self.path(point, s)?, point, s)
+    }
+
+    fn rows_along(&self, path: &Path<f64>, point: &Point, s: usize) -> Result<Vec<f64>> {
+        let blocks = self.blocks(s);
+        let times = Times::of(&blocks);
+        let readings = self.experiment(point, s)?.readings_on(path, &times.t_s)?;
+        let each = blocks.iter().zip(&times.places);
+        let row = |(block, place): (&Block, &usize)| {
+            let scale = self.scale(s, block);
+            let reading = picked(self.sensor(s, block), &readings[*place]).component_mul(&scale);
+            [reading.x, reading.y, reading.z]
         };
-        blocks.iter().zip(readings).flat_map(row).collect()
+        Ok(each.flat_map(row).collect())
+    }
+
+    fn sensor(&self, s: usize, block: &Block) -> Sensor {
+        self.swing(s).samples.streams[block.stream].sensor
+    }
+
+    /// What makes the mean of a block a row: one over its standard deviation.
+    fn scale(&self, s: usize, block: &Block) -> Vec3 {
+        let noise = &self.swing(s).samples.streams[block.stream].noise;
+        noise.map(|noise| (block.range.len() as f64).sqrt() / noise)
     }
 
     /// Derivatives of the readings, as rows: by the session's free parameters, the phone's place
     /// and turn (of the swing's mount), the causes' parameters, the swing's own.
     pub fn jacobian(&self, point: &Point, s: usize) -> Result<DMatrix<f64>> {
+        let places = Places::of(self);
+        let (first, own) = (places.free + 6, places.free + 6 + places.causes);
         let blocks = self.blocks(s);
-        let free = &self.base.free;
-        let causes: usize = point.causes.iter().map(Vec::len).sum();
-        let mut out = DMatrix::zeros(3 * blocks.len(), free.len() + 6 + causes + OWN);
-        self.fill_motion(point, s, &blocks, &mut out)?;
-        let reader = Reader::new(self, point, s, &blocks)?;
-        let here = reader.reread(point)?;
-        self.fill_clock_and_pose(point, &reader, &mut out)?;
-        let mut column = free.len();
-        for k in 0..6 {
-            let step = if k < 3 { PLACE_STEP_M } else { TURN_STEP_RAD };
-            let moved =
-                |sign: f64| reader.reread(&moved_phone(point, self.swing(s).mount, k, sign * step));
-            set(&mut out, column, &moved(1.0)?, &moved(-1.0)?, 2.0 * step);
-            column += 1;
-        }
-        for (c, cause) in self.causes.iter().enumerate() {
-            for (k, (parameter, own)) in cause.expanded(self.base.swings.len()).iter().enumerate() {
-                if own.is_none_or(|own| own == s) {
-                    reader.fill_cause(
-                        (c, k, parameter.step),
-                        (cause.on_phone, &here),
-                        column,
-                        &mut out,
-                    )?;
-                }
-                column += 1;
-            }
-        }
-        for k in 0..6 {
-            let (sensor, axis) = (k / 3, k % 3);
-            let unit = blocks.iter().map(|b| {
-                if b.stream == sensor {
-                    Vec3::ith(axis, 1.0)
-                } else {
-                    Vec3::zeros()
-                }
+        let mut out = DMatrix::zeros(3 * blocks.len(), own + OWN);
+        let of_causes: Vec<Wanted> = (first..own).map(Wanted::same).collect();
+        let rest = (0..first).chain(own..own + OWN).map(Wanted::same);
+        if self.is_apart() {
+            let (pliant, there) = self.pliant(point, self.causes.len());
+            let gone = places.causes - Places::of(&pliant).causes;
+            let of_own = (own..own + OWN).map(|k| Wanted {
+                column: k - gone,
+                to: k,
             });
-            let rows = self.as_rows(s, &blocks, &unit.collect::<Vec<_>>());
-            out.column_mut(column + BIAS + k).copy_from_slice(&rows);
+            let others: Vec<Wanted> = (0..first).map(Wanted::same).chain(of_own).collect();
+            pliant.fill((&there, s), &blocks, &others, None, &mut out)?;
+            self.fill_causes((point, s), &blocks, &of_causes, &mut out)?;
+        } else if self.fineness() == Fineness::OF_KINKED_FITS {
+            self.fill(
+                (point, s),
+                &blocks,
+                &rest.collect::<Vec<_>>(),
+                None,
+                &mut out,
+            )?;
+            self.fill_causes((point, s), &blocks, &of_causes, &mut out)?;
+        } else {
+            let all: Vec<Wanted> = rest.chain(of_causes).collect();
+            self.fill((point, s), &blocks, &all, None, &mut out)?;
         }
         Ok(out)
+    }
+
+    /// Derivatives of this model, the last of whose causes was just added, from those without it.
+    pub fn widened(&self, without: &DMatrix<f64>, point: &Point, s: usize) -> Result<DMatrix<f64>> {
+        let Some(size) = point.causes.last().map(Vec::len) else {
+            return Ok(without.clone());
+        };
+        let first = without.ncols() - OWN;
+        let mut out = without.clone().insert_columns(first, size, 0.0);
+        let wanted: Vec<Wanted> = (first..first + size).map(Wanted::same).collect();
+        self.fill_causes((point, s), &self.blocks(s), &wanted, &mut out)?;
+        Ok(out)
+    }
+
+    /// Derivatives by causes' numbers: across kinks with halved steps, near the best fit.
+    fn fill_causes(
+        &self,
+        at: (&Point, usize),
+        blocks: &[Block],
+        wanted: &[Wanted],
+        out: &mut DMatrix<f64>,
+    ) -> Result<()> {
+        self.filled(
+            at,
+            blocks,
+            wanted,
+            (None, &|slopes| slopes(self.fineness_of_slopes())),
+            out,
+        )
+    }
+
+    /// Derivatives by some of what is fitted, along the motion at the point where that is known.
+    /// Across kinks they need no halved steps to lead the way; where a motion cannot be followed
+    /// without, a fit ends, and is led on with them if it is worth it.
+    pub fn fill(
+        &self,
+        at: (&Point, usize),
+        blocks: &[Block],
+        wanted: &[Wanted],
+        path: Option<&Path<f64>>,
+        out: &mut DMatrix<f64>,
+    ) -> Result<()> {
+        let fineness = self.fineness_of_slopes();
+        let straight = Fineness {
+            most_halvings: 0,
+            ..fineness
+        };
+        let run = |slopes: &Slopes| {
+            let whole = |error| {
+                if self.fine {
+                    slopes(fineness)
+                } else {
+                    Err(error)
+                }
+            };
+            slopes(straight).or_else(whole)
+        };
+        self.filled(at, blocks, wanted, (path, &run), out)
+    }
+
+    fn filled(
+        &self,
+        (point, s): (&Point, usize),
+        blocks: &[Block],
+        wanted: &[Wanted],
+        (path, run): (Option<&Path<f64>>, &Run),
+        out: &mut DMatrix<f64>,
+    ) -> Result<()> {
+        let (mut moving, mut read) = (vec![], vec![]);
+        for group in wanted.chunks(LANES) {
+            let experiment = self.differentiated(point, s, group)?;
+            for (lane, one) in group.iter().enumerate() {
+                if let Some((ends, by)) = self.across(point, one.column) {
+                    let [none, some] = ends.map(|end| {
+                        let path = self.path_of_slopes(&end, s)?;
+                        self.rows_along(&path, &end, s).map(DVector::from_vec)
+                    });
+                    out.set_column(one.to, &((some? - none?) / by));
+                } else if experiment.is_moved_by(lane) {
+                    moving.push(*one);
+                } else if experiment.is_read_by(lane) {
+                    read.push(*one);
+                }
+            }
+        }
+        let times = Times::of(blocks);
+        let mut write = |group: &[Wanted], slopes: &[f64]| {
+            for (k, (block, place)) in blocks.iter().zip(&times.places).enumerate() {
+                let scale = self.scale(s, block);
+                let first = match self.sensor(s, block) {
+                    Sensor::Gyroscope => 0,
+                    Sensor::Accelerometer => 3,
+                };
+                for axis in 0..3 {
+                    let row = &slopes[(6 * place + first + axis) * group.len()..][..group.len()];
+                    let cells = group.iter().zip(row);
+                    cells
+                        .for_each(|(one, slope)| out[(3 * k + axis, one.to)] = scale[axis] * slope);
+                }
+            }
+        };
+        for group in moving.chunks(LANES) {
+            let experiment = self.differentiated(point, s, group)?;
+            let slopes = |fineness| experiment.slopes(group.len(), fineness, &times.t_s);
+            write(group, &run(&slopes)?);
+        }
+        if read.is_empty() {
+            return Ok(());
+        }
+        let own;
+        let path = match path {
+            Some(path) => path,
+            None => {
+                own = self.path_of_slopes(point, s)?;
+                &own
+            }
+        };
+        for group in read.chunks(LANES) {
+            let experiment = self.differentiated(point, s, group)?;
+            write(
+                group,
+                &experiment.slopes_along(path, group.len(), &times.t_s)?,
+            );
+        }
+        Ok(())
     }
 
     /// Of derivatives of the whole recordings, those of the part that this model looks at.
@@ -193,283 +311,56 @@ impl Model<'_> {
             .map(|(s, jacobian)| jacobian.select_rows(&rows(s)))
             .collect()
     }
+}
 
-    /// Whether derivatives by a cause are taken to one side alone, over steps that are long near
-    /// the best fit. (Where a phone's readings are in proportion to all of a cause, no step is
-    /// long.)
-    pub fn is_coarse(&self) -> bool {
-        let in_proportion =
-            |cause: &Cause| cause.on_phone && cause.parameters.iter().all(|p| p.is_strength);
-        self.causes
-            .iter()
-            .any(|cause| !is_few(cause.size(self.base.swings.len())) && !in_proportion(cause))
+/// Derivatives of the readings, computed so finely.
+type Slopes<'a> = dyn Fn(Fineness) -> Result<Vec<f64>> + 'a;
+/// How finely they are.
+type Run<'a> = dyn Fn(&Slopes) -> Result<Vec<f64>> + 'a;
+
+/// One of the numbers that are fitted.
+#[derive(Clone, Copy)]
+pub struct Wanted {
+    /// Its column in the derivatives of the model.
+    pub column: usize,
+    /// The column that its derivatives go to.
+    pub to: usize,
+}
+
+impl Wanted {
+    fn same(column: usize) -> Self {
+        Self { column, to: column }
     }
+}
 
-    /// Derivatives of this model, the last of whose causes was just added, from those without it.
-    pub fn widened(&self, without: &DMatrix<f64>, point: &Point, s: usize) -> Result<DMatrix<f64>> {
-        let blocks = self.blocks(s);
-        let Some((cause, last)) = self.causes.last().zip(self.causes.len().checked_sub(1)) else {
-            return Ok(without.clone());
+/// Mean times of blocks; those of sensors that are read at once stand there once.
+struct Times {
+    t_s: Vec<f64>,
+    /// Of each block.
+    places: Vec<usize>,
+}
+
+impl Times {
+    fn of(blocks: &[Block]) -> Self {
+        let streams = blocks.iter().map(|b| b.stream + 1).max().unwrap_or(0);
+        let of_stream = |stream: usize| {
+            let its = blocks.iter().filter(move |b| b.stream == stream);
+            its.map(|b| b.t_s).collect::<Vec<f64>>()
         };
-        let expanded = cause.expanded(self.base.swings.len());
-        let first = without.ncols() - OWN;
-        let mut out = without.clone().insert_columns(first, expanded.len(), 0.0);
-        let reader = Reader::new(self, point, s, &blocks)?;
-        let here = reader.reread(point)?;
-        for (k, (parameter, own)) in expanded.iter().enumerate() {
-            if own.is_none_or(|own| own == s) {
-                reader.fill_cause(
-                    (last, k, parameter.step),
-                    (cause.on_phone, &here),
-                    first + k,
-                    &mut out,
-                )?;
+        let lists: Vec<Vec<f64>> = (0..streams).map(of_stream).collect();
+        let mut t_s: Vec<f64> = vec![];
+        let mut places = vec![];
+        let mut firsts: Vec<usize> = vec![];
+        for (n, list) in lists.iter().enumerate() {
+            let known = lists[..n].iter().position(|other| other == list);
+            firsts.push(known.map_or(t_s.len(), |k| firsts[k]));
+            if known.is_none() {
+                t_s.extend(list);
             }
+            places.extend((0..list.len()).map(|k| firsts[n] + k));
         }
-        Ok(out)
+        Self { t_s, places }
     }
-
-    /// By start, damping and the session's parameters as far as they move the hull.
-    fn fill_motion(
-        &self,
-        point: &Point,
-        s: usize,
-        blocks: &[Block],
-        out: &mut DMatrix<f64>,
-    ) -> Result<()> {
-        let swung = self.swing(s);
-        let own = self.own(point, s);
-        let free = &self.base.free;
-        let (pliant, there) = self.pliant(point, self.causes.len());
-        let experiment = pliant.experiment(&there, s)?;
-        let by_lane = swung.setup.lane_slopes(&point.x, &own, free)?;
-        let damping = swung.setup.damping_slopes(&experiment.scene);
-        let first_own = out.ncols() - OWN;
-        let of_streams: Vec<(Vec<usize>, Vec<&Block>)> = (0..swung.samples.streams.len())
-            .map(|stream| {
-                blocks
-                    .iter()
-                    .enumerate()
-                    .filter(|(_, b)| b.stream == stream)
-                    .unzip()
-            })
-            .collect();
-        let times: Vec<Vec<f64>> = of_streams
-            .iter()
-            .map(|(_, of_stream)| of_stream.iter().map(|b| b.t_s).collect())
-            .collect();
-        // Across kinks derivatives need no halved steps to lead the way; where a motion cannot be
-        // followed without, a fit ends, and is led on with them if it is worth it.
-        let fineness = self.fineness_of_slopes();
-        let straight = Fineness {
-            most_halvings: 0,
-            ..fineness
-        };
-        let slopes = |fineness| {
-            once_each(&times, |t_s| {
-                experiment.slopes_of_motion(&LANES, fineness, t_s)
-            })
-        };
-        let all = slopes(straight).or_else(|error| {
-            if self.fine {
-                slopes(fineness)
-            } else {
-                Err(error)
-            }
-        })?;
-        for (stream, ((places, of_stream), slopes)) in of_streams.iter().zip(all).enumerate() {
-            let sensor = &swung.samples.streams[stream];
-            let first = if sensor.sensor == Sensor::Gyroscope {
-                0
-            } else {
-                3
-            };
-            for (n, (place, block)) in places.iter().zip(of_stream).enumerate() {
-                let weight = (block.range.len() as f64).sqrt();
-                for axis in 0..3 {
-                    let row = 3 * place + axis;
-                    let scale = weight / sensor.noise[axis];
-                    let lanes = &slopes[(6 * n + first + axis) * LANES.len()..][..LANES.len()];
-                    for column in 0..free.len() {
-                        let sum: f64 = (0..LANES.len())
-                            .map(|l| lanes[l] * by_lane[(l, column)])
-                            .sum();
-                        out[(row, column)] = scale * sum;
-                    }
-                    for k in 0..BIAS {
-                        let factor = if k < 8 { 1.0 } else { damping[k - 8] };
-                        out[(row, first_own + k)] = scale * factor * lanes[SHARED_LANES + k];
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// What the phone reads of the same motion with another clock, or lying otherwise: by the
-    /// clocks, the pitch and the depth.
-    fn fill_clock_and_pose(
-        &self,
-        point: &Point,
-        reader: &Reader,
-        out: &mut DMatrix<f64>,
-    ) -> Result<()> {
-        let swung = self.swing(reader.s);
-        let (layout, index) = (self.base.layout(), swung.setup.index);
-        for (column, i) in self.base.free.iter().enumerate() {
-            let step = if *i == layout.clock || Some(*i) == index.clock {
-                CLOCK_STEP
-            } else if [index.pitch_deg, index.log_depth].contains(i) {
-                layout.parameters[*i].step
-            } else {
-                continue;
-            };
-            let moved = |sign: f64| {
-                let mut moved = point.clone();
-                moved.x[*i] += sign * step;
-                reader.reread(&moved)
-            };
-            let change = difference(&moved(1.0)?, &moved(-1.0)?, 2.0 * step);
-            out.column_mut(column)
-                .iter_mut()
-                .zip(change)
-                .for_each(|(cell, more)| *cell += more);
-        }
-        Ok(())
-    }
-}
-
-/// Reads a swing at the times of its blocks.
-pub struct Reader<'a> {
-    model: &'a Model<'a>,
-    point: &'a Point,
-    pub s: usize,
-    blocks: &'a [Block<'a>],
-    path: Cow<'a, Path<f64>>,
-}
-
-impl<'a> Reader<'a> {
-    pub fn new(
-        model: &'a Model<'a>,
-        point: &'a Point,
-        s: usize,
-        blocks: &'a [Block<'a>],
-    ) -> Result<Self> {
-        Ok(Self {
-            model,
-            point,
-            s,
-            blocks,
-            path: Cow::Owned(model.path_of_slopes(point, s)?),
-        })
-    }
-
-    /// Where the motion at the point is known already.
-    pub fn along(
-        path: &'a Path<f64>,
-        model: &'a Model<'a>,
-        (point, s): (&'a Point, usize),
-        blocks: &'a [Block<'a>],
-    ) -> Self {
-        Self {
-            model,
-            point,
-            s,
-            blocks,
-            path: Cow::Borrowed(path),
-        }
-    }
-
-    /// Rows of the same motion with another phone.
-    pub fn reread(&self, point: &Point) -> Result<Vec<f64>> {
-        self.read(&self.model.experiment(point, self.s)?, &self.path)
-    }
-
-    /// Rows of another motion.
-    pub fn moved(&self, point: &Point) -> Result<Vec<f64>> {
-        self.read(
-            &self.model.experiment(point, self.s)?,
-            &self.model.path_of_slopes(point, self.s)?,
-        )
-    }
-
-    fn read(&self, experiment: &Experiment, path: &Path<f64>) -> Result<Vec<f64>> {
-        let streams = &self.model.swing(self.s).samples.streams;
-        // Block after block, stream after stream.
-        let times: Vec<Vec<f64>> = (0..streams.len())
-            .map(|stream| {
-                self.blocks
-                    .iter()
-                    .filter(|b| b.stream == stream)
-                    .map(|b| b.t_s)
-                    .collect()
-            })
-            .collect();
-        let all = once_each(&times, |t_s| experiment.readings_on(path, t_s))?;
-        let readings = all
-            .iter()
-            .zip(streams)
-            .flat_map(|(all, stream)| all.iter().map(|r| (stream.sensor, r)));
-        let values: Vec<Vec3> = readings
-            .map(|(sensor, reading)| picked(sensor, reading))
-            .collect();
-        Ok(self.model.as_rows(self.s, self.blocks, &values))
-    }
-
-    fn fill_cause(
-        &self,
-        (cause, k, step): (usize, usize, f64),
-        (on_phone, here): (bool, &[f64]),
-        column: usize,
-        out: &mut DMatrix<f64>,
-    ) -> Result<()> {
-        let moved = |by: f64| {
-            let mut moved = self.point.clone();
-            moved.causes[cause][k] += by;
-            if on_phone {
-                self.reread(&moved)
-            } else {
-                self.moved(&moved)
-            }
-        };
-        // What shifts a period must be known better than a step forwards tells; below zero some
-        // laws have no meaning.
-        let few = is_few(self.point.causes[cause].len());
-        if let Some(Ok(down)) = few.then(|| moved(-step)) {
-            set(out, column, &moved(step)?, &down, 2.0 * step);
-        } else {
-            let step = if self.model.fine { FINE * step } else { step };
-            set(out, column, &moved(step)?, here, step);
-        }
-        Ok(())
-    }
-}
-
-/// Whether derivatives by so many values of a cause are taken to both sides.
-fn is_few(values: usize) -> bool {
-    values <= TWO_SIDED
-}
-
-fn set(out: &mut DMatrix<f64>, column: usize, up: &[f64], down: &[f64], by: f64) {
-    out.column_mut(column)
-        .copy_from_slice(&difference(up, down, by));
-}
-
-fn difference(up: &[f64], down: &[f64], by: f64) -> Vec<f64> {
-    up.iter().zip(down).map(|(u, d)| (u - d) / by).collect()
-}
-
-fn moved_phone(point: &Point, mount: usize, k: usize, by: f64) -> Point {
-    let mut moved = point.clone();
-    let along = |first: usize| {
-        if (first..first + 3).contains(&k) {
-            Vec3::ith(k - first, by)
-        } else {
-            Vec3::zeros()
-        }
-    };
-    moved.mounts[mount] = moved.mounts[mount].moved(along(0), along(3));
-    moved
 }
 
 fn picked(sensor: Sensor, reading: &Reading<f64>) -> Vec3 {
@@ -492,4 +383,174 @@ fn once_each<L: AsRef<[f64]>, T: Clone>(
         all.push(known.map_or_else(|| find(list.as_ref()), |k| Ok(all[k].clone()))?);
     }
     Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path as FilePath;
+
+    use gyradius_identification::measure::prepare;
+    use gyradius_identification::samples::place;
+    use gyradius_recording::load_session;
+
+    use super::super::base::by_periods;
+    use super::super::cause_id::CauseId;
+    use super::super::causes::{
+        Scales, TERMS, catalogue, knock_at, learned_force, line_slip_at, mounts, ringing, slip_at,
+    };
+    use super::super::fitted_swing::Base;
+    use super::super::point::{BIAS, Cause};
+    use super::*;
+
+    const UNTIL_S: f64 = 10.0;
+
+    /// Steps of differences by each column, small against what shows of it.
+    fn steps(model: &Model, point: &Point) -> Vec<f64> {
+        let layout = model.base.layout();
+        let of_session = model.base.free.iter().map(|i| layout.parameters[*i].step);
+        let of_phone = [1e-4, 1e-4, 1e-4, 1e-5, 1e-5, 1e-5];
+        let swings = model.base.swings.len();
+        let of_causes = model.causes.iter().flat_map(|cause| {
+            let all = cause.expanded(swings).into_iter();
+            all.map(|(p, _)| 1e-3 * p.prior.1).collect::<Vec<_>>()
+        });
+        let of_own = (0..OWN).map(|k| {
+            if place::DAMPING.contains(&k) {
+                1e-4
+            } else if k < BIAS {
+                1e-5
+            } else {
+                1e-3
+            }
+        });
+        let all: Vec<f64> = (of_session.chain(of_phone).chain(of_causes).chain(of_own)).collect();
+        assert_eq!(
+            all.len(),
+            Places::of(model).free + 6 + Places::of(model).causes + OWN
+        );
+        assert_eq!(point.causes.len(), model.causes.len());
+        all
+    }
+
+    fn stepped(model: &Model, point: &Point, s: usize, column: usize, by: f64) -> Point {
+        let places = Places::of(model);
+        let (first, own) = (places.free + 6, places.free + 6 + places.causes);
+        let mut there = point.clone();
+        if column < places.free {
+            there.x[model.base.free[column]] += by;
+        } else if column < first {
+            let k = column - places.free;
+            let along = |from: usize| Vec3::from_fn(|i, _| if from + i == k { by } else { 0.0 });
+            let mount = &mut there.mounts[model.swing(s).mount];
+            *mount = mount.moved(along(0), along(3));
+        } else if column < own {
+            let all = there.causes.iter_mut().flatten();
+            *all.into_iter().nth(column - first).unwrap() += by;
+        } else {
+            there.owns[s][column - own] += by;
+        }
+        there
+    }
+
+    /// The largest difference of a swing's derivatives from central differences of its readings, as
+    /// a part of the largest derivative by the same number.
+    fn worst(model: &Model, point: &Point, s: usize) -> (f64, usize) {
+        let jacobian = model.jacobian(point, s).unwrap();
+        let off = |(column, step): (usize, f64)| {
+            let read = |by: f64| {
+                let there = stepped(model, point, s, column, by);
+                model.read_rows(&there, s).unwrap()
+            };
+            let (up, down) = (read(step), read(-step));
+            let largest = jacobian.column(column).amax();
+            let differences = up
+                .iter()
+                .zip(&down)
+                .map(|(up, down)| (up - down) / (2.0 * step));
+            let found = jacobian.column(column);
+            let away = differences.zip(found.iter()).map(|(a, b)| (a - b).abs());
+            let away = away.fold(0.0, f64::max);
+            // What does not show at all differs by rounding.
+            (away / largest.max(1e-6 / step), column)
+        };
+        let all = steps(model, point).into_iter().enumerate().map(off);
+        all.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
+    }
+
+    /// Where a cause shows: its strengths a third of what is expected of it, everything else off
+    /// its middle.
+    fn shown(cause: &Cause, swings: usize) -> Vec<f64> {
+        let all = cause.expanded(swings).into_iter().zip(cause.limits(swings));
+        all.enumerate()
+            .map(|(k, ((p, _), (low, high)))| {
+                let share = 0.3 - 0.02 * k as f64;
+                let value = (p.prior.0 + share * p.prior.1).clamp(low, high);
+                value.max(if p.stiff_below > 0.0 {
+                    1.5 * p.stiff_below
+                } else {
+                    value
+                })
+            })
+            .collect()
+    }
+
+    /// Derivatives by everything that is fitted, with each cause in turn, against central
+    /// differences of the readings.
+    #[test]
+    fn derivatives_are_those_of_the_readings() {
+        let folder = FilePath::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../../../python/gyradius/sessions/boat-park");
+        let mut loaded = load_session(folder.as_path()).unwrap();
+        loaded.session.swings.truncate(2);
+        loaded.data.truncate(2);
+        let mut prepared = prepare(&loaded).unwrap();
+        let x = by_periods(&mut prepared);
+        let (system, works) = (&prepared.system, &prepared.works);
+        let (base, start) = Base::begin(system, works, &prepared.inclines, &x)
+            .unwrap()
+            .unwrap();
+        let model = Model {
+            part: Part::First(UNTIL_S),
+            ..Model::of(&base).precise()
+        };
+        let scales = Scales::of(&base, &start).unwrap();
+        let mut causes = [catalogue(&scales), mounts(), ringing(&scales, &[0.9])].concat();
+        causes.extend((0..4).map(|coordinate| learned_force(&scales, coordinate, &TERMS)));
+        causes.extend([
+            knock_at(&scales, 0, 4.0),
+            line_slip_at(&scales, 0, 4.0),
+            slip_at(0, 4.0),
+        ]);
+        for s in 0..2 {
+            let (off, column) = worst(&model, &start, s);
+            assert!(off < 1e-3, "base, swing {s}, column {column}: {off}");
+        }
+        // Dry friction turns its sign within less than a step of a fit: neither derivatives nor
+        // differences of such motions are exact (those in short steps are: `gyradius-mechanics`).
+        let all = causes.iter();
+        for cause in all.filter(|cause| cause.id != CauseId::BearingFriction) {
+            let with = model.with(cause).whole();
+            let mut point = start.clone();
+            point.causes.push(shown(cause, 2));
+            let most = match cause.id {
+                // Where the bearing gives way its force has a kink.
+                CauseId::PreslidingBearing => 0.05,
+                // What heaves by itself runs out of phase between the differences.
+                CauseId::LineStretch => 0.02,
+                // Where a rate changes its sign the law has no third derivative.
+                CauseId::PowerLawDamping | CauseId::QuadraticDrag => 0.03,
+                // The grid on which the mount is followed goes with its frequency.
+                CauseId::PhoneMountResonance => 0.1,
+                _ => 1e-3,
+            };
+            for s in 0..2 {
+                let (off, column) = worst(&with, &point, s);
+                let (id, form) = (cause.id, cause.form);
+                assert!(
+                    off < most,
+                    "{id} {form:?}, swing {s}, column {column}: {off}"
+                );
+            }
+        }
+    }
 }

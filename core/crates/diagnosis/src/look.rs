@@ -1,20 +1,21 @@
 //! A first look at every cause: what it would gain, were everything linear about the fitted base.
 //!
 //! The sensitivity to a cause's strengths is made orthogonal to everything that is fitted; its
-//! product with the residual is the score. One simulation for each strength and swing.
-
-use std::cell::OnceCell;
+//! product with the residual is the score.
 
 use nalgebra::{DMatrix, DVector};
 
 use gyradius_base::error::Result;
 use gyradius_base::parallel::in_parallel;
-use gyradius_mechanics::Path;
+use gyradius_mechanics::{LANES, Path};
 
 use super::fitting::{Fitted, Places};
-use super::linear::Reader;
+use super::linear::Wanted;
 use super::point::{Cause, Model, Point, Seen};
 
+/// So many strengths of a cause that is looked at alone are in it at once: each of them makes the
+/// simulation longer for all.
+const A_FEW: usize = 2;
 /// Gains that differ by a smaller share are those of one law: rounding is below it.
 const SAME: f64 = 1e-6;
 
@@ -84,12 +85,12 @@ pub struct Glimpse {
 }
 
 impl Look {
-    /// Looks at a cause beside what is fitted; none where it has no parameters like what is seen.
-    pub fn at(standing: &Standing, cause: &Cause) -> Result<Option<Self>> {
+    /// What is seen of a cause beside what is fitted; none where it has no parameters like that.
+    fn at(standing: &Standing, cause: &Cause, sensitivities: &[DMatrix<f64>]) -> Option<Self> {
         let Some(alike) = &cause.look else {
-            return Self::straight(standing, cause).map(Some);
+            return Some(Self::straight(standing, cause, sensitivities));
         };
-        let look = Self::straight(standing, &alike.cause)?;
+        let look = Self::straight(standing, &alike.cause, sensitivities);
         let model = &standing.model;
         let swings = model.base.swings.len();
         let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
@@ -97,18 +98,14 @@ impl Look {
             .glimpse
             .as_ref()
             .and_then(|glimpse| Beside::of(&standing.fitted, &glimpse.sums));
-        let Some(beside) = beside else {
-            return Ok(None);
-        };
+        let beside = beside?;
         let strengths = look.delta.rows(split, size).into_owned();
         let seen = Seen {
             strengths,
             information: beside.schur.clone(),
             score: beside.score.clone(),
         };
-        let Some(nearest) = (alike.nearest)(&seen) else {
-            return Ok(None);
-        };
+        let nearest = (alike.nearest)(&seen)?;
         let values: Vec<f64> = (cause.start(swings).iter().enumerate())
             .map(|(k, from)| {
                 nearest
@@ -119,42 +116,34 @@ impl Look {
             })
             .collect();
         let delta = laid_out(model, &beside.rest(&nearest.strengths), &values);
-        Ok(Some(Self {
+        Some(Self {
             cause: cause.clone(),
             delta,
             ..look
-        }))
+        })
     }
 
-    fn straight(standing: &Standing, cause: &Cause) -> Result<Self> {
-        let (model, fitted) = (&standing.model, &standing.fitted);
+    fn straight(standing: &Standing, cause: &Cause, sensitivities: &[DMatrix<f64>]) -> Self {
+        let model = &standing.model;
         let swings = model.base.swings.len();
-        let extended = model.with(cause);
-        let mut at = fitted.point.clone();
-        at.causes.push(cause.start(swings));
-        let strengths: Vec<usize> = (0..cause.size(swings))
-            .filter(|k| cause.expanded(swings)[*k].0.is_strength)
-            .collect();
-        let parts = model.each(|s| columns(standing, &extended, &at, s, &strengths));
-        let parts = parts.into_iter().collect::<Result<Vec<_>>>()?;
-        let u = DVector::from_fn(strengths.len(), |k, _| {
-            cause.expanded(swings)[strengths[k]].0.prior.1
-        });
+        let strengths = cause.strengths(swings);
+        let all = cause.expanded(swings);
+        let u = DVector::from_fn(strengths.len(), |k, _| all[strengths[k]].0.prior.1);
         let mut equations = Equations::new(standing, u);
-        parts
-            .into_iter()
-            .enumerate()
-            .for_each(|(s, part)| equations.add(s, &part));
+        for (s, sensitivity) in sensitivities.iter().enumerate() {
+            let (jacobian, residual) = (&standing.fitted.jacobians[s], &standing.residuals[s]);
+            equations.add(s, &Part::of(jacobian, sensitivity, residual));
+        }
         let Some(solved) = equations.solved(cause.one_sided) else {
             let delta = DVector::zeros(Places::of(model).all() + cause.size(swings));
             let (cause, gain) = (cause.clone(), f64::NEG_INFINITY);
-            return Ok(Self {
+            return Self {
                 cause,
                 gain,
                 delta,
                 others: vec![],
                 glimpse: None,
-            });
+            };
         };
         let mut values = vec![0.0; cause.size(swings)];
         strengths
@@ -167,13 +156,13 @@ impl Look {
             places: strengths,
             sums: equations.sums,
         };
-        Ok(Self {
+        Self {
             cause: cause.clone(),
             gain: solved.gain,
             delta,
             others: vec![],
             glimpse: Some(glimpse),
-        })
+        }
     }
 
     /// Whether another form of the same cause promises just the same: a length is a share of the
@@ -394,70 +383,130 @@ impl Part {
     }
 }
 
-/// Of a swing, by the strengths of the last cause of a model that has one more, at a point where
-/// they are zero: what is left there is what the model without it leaves.
-pub fn columns(
+/// First looks at causes; none at those that cannot be simulated here.
+pub fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
+    let swings = standing.model.base.swings.len();
+    let seen: Vec<&Cause> = causes.iter().map(Cause::as_seen).collect();
+    let groups = side_by_side(&seen);
+    let sensitivities = in_parallel(groups.len(), |g| {
+        let group: Vec<&Cause> = groups[g].iter().map(|k| seen[*k]).collect();
+        let together = sensitivities(standing, &group);
+        together.map_or_else(
+            |_| {
+                let by_itself = |cause: &&Cause| sensitivities(standing, &[*cause]).ok();
+                group.iter().map(|c| by_itself(c)?.pop()).collect()
+            },
+            |all| all.into_iter().map(Some).collect::<Vec<_>>(),
+        )
+    });
+    let mut of_each: Vec<Option<Vec<DMatrix<f64>>>> = vec![None; causes.len()];
+    for (k, found) in groups
+        .iter()
+        .flatten()
+        .zip(sensitivities.into_iter().flatten())
+    {
+        of_each[*k] = found;
+    }
+    debug_assert!(of_each.iter().flatten().all(|all| all.len() == swings));
+    let looks = in_parallel(causes.len(), |k| {
+        Look::at(standing, &causes[k], of_each[k].as_ref()?)
+    });
+    looks.into_iter().flatten().collect()
+}
+
+/// Which causes are looked at in one simulation: as many as its derivatives have room for. At
+/// strengths of zero none acts on another.
+fn side_by_side(causes: &[&Cause]) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(Vec<usize>, usize)> = vec![];
+    for (k, cause) in causes.iter().enumerate() {
+        // Those of one swing.
+        let size = cause.parameters.iter().filter(|p| p.is_strength).count();
+        let has_room = |(group, taken): &&mut (Vec<usize>, usize)| {
+            let first = causes[group[0]];
+            !cause.alone
+                && !first.alone
+                && first.kinked == cause.kinked
+                && taken.saturating_add(size) <= LANES
+        };
+        match groups.iter_mut().find(has_room) {
+            Some((group, taken)) => {
+                group.push(k);
+                *taken += size;
+            }
+            None => groups.push((vec![k], size)),
+        }
+    }
+    groups.into_iter().map(|(group, _)| group).collect()
+}
+
+/// Derivatives of the rows of each swing by the strengths of causes, cause by cause.
+fn sensitivities(standing: &Standing, causes: &[&Cause]) -> Result<Vec<Vec<DMatrix<f64>>>> {
+    let swings = standing.model.base.swings.len();
+    let (mut extended, mut at) = (standing.model.clone(), standing.fitted.point.clone());
+    let mut strengths = vec![];
+    let mut first = 0;
+    for cause in causes {
+        extended.causes.push((*cause).clone());
+        at.causes.push(cause.start(swings));
+        strengths.extend(cause.strengths(swings).iter().map(|k| first + k));
+        first += cause.size(swings);
+    }
+    let all: Vec<DMatrix<f64>> = (0..swings)
+        .map(|s| sensitivity(standing, &extended, &at, s, &strengths))
+        .collect::<Result<_>>()?;
+    let mut first = 0;
+    let of_cause = |cause: &&Cause| {
+        let count = cause.strengths(swings).len();
+        let own = all.iter().map(|all| all.columns(first, count).into_owned());
+        let own = own.collect();
+        first += count;
+        own
+    };
+    Ok(causes.iter().map(of_cause).collect())
+}
+
+/// Of a swing, by the strengths of the causes of a model that are new, places among all their
+/// values, at a point where they are zero: what is left there is what the model without them
+/// leaves.
+fn sensitivity(
+    standing: &Standing,
+    extended: &Model,
+    at: &Point,
+    s: usize,
+    strengths: &[usize],
+) -> Result<DMatrix<f64>> {
+    let known = standing.model.causes.len();
+    let is_alone = extended.causes[known..].iter().any(|cause| cause.alone);
+    let blocks = extended.blocks(s);
+    let new: usize = at.causes[known..].iter().map(Vec::len).sum();
+    let (extended, at) = &extended.pliant(at, known);
+    let places = Places::of(extended);
+    let first = places.free + 6 + places.causes - new;
+    let wanted: Vec<Wanted> = (strengths.iter().enumerate())
+        .map(|(to, k)| Wanted {
+            column: first + k,
+            to,
+        })
+        .collect();
+    let mut sensitivity = DMatrix::zeros(standing.residuals[s].len(), strengths.len());
+    let path = Some(&standing.paths[s]);
+    for group in wanted.chunks(if is_alone { A_FEW } else { LANES }) {
+        extended.fill((at, s), &blocks, group, path, &mut sensitivity)?;
+    }
+    Ok(sensitivity)
+}
+
+/// What a swing adds to the equations of one more cause's strengths, at a point with that cause.
+pub fn part(
     standing: &Standing,
     extended: &Model,
     at: &Point,
     s: usize,
     strengths: &[usize],
 ) -> Result<Part> {
-    let blocks = extended.blocks(s);
-    let (extended, at) = &extended.pliant(at, extended.causes.len() - 1);
-    let last = extended.causes.len() - 1;
-    let cause = &extended.causes[last];
-    let expanded = cause.expanded(extended.base.swings.len());
-    let reader = Reader::along(&standing.paths[s], extended, (at, s), &blocks);
-    let read = |at: &Point| {
-        if cause.on_phone {
-            reader.reread(at)
-        } else {
-            reader.moved(at)
-        }
-    };
-    let residual = &standing.residuals[s];
-    let here = OnceCell::new();
-    let mut sensitivity = DMatrix::zeros(residual.len(), strengths.len());
-    for (column, k) in strengths.iter().enumerate() {
-        let (parameter, own) = &expanded[*k];
-        if own.is_some_and(|own| own != s) {
-            continue;
-        }
-        let moved = |by: f64| {
-            let mut moved = at.clone();
-            moved.causes[last][*k] += by;
-            read(&moved)
-        };
-        let up = moved(parameter.step)?;
-        // The base absorbs nearly all of what shifts a period: the little that is left must not be
-        // an error of the step.
-        let down = if cause.stiff {
-            None
-        } else {
-            moved(-parameter.step).ok()
-        };
-        let (down, by) = match &down {
-            Some(down) => (down, 2.0 * parameter.step),
-            None => (
-                here.get_or_init(|| read(at))
-                    .as_ref()
-                    .map_err(Clone::clone)?,
-                parameter.step,
-            ),
-        };
-        let change = up.iter().zip(down).map(|(u, d)| (u - d) / by);
-        sensitivity
-            .column_mut(column)
-            .iter_mut()
-            .zip(change)
-            .for_each(|(cell, c)| *cell = c);
-    }
-    Ok(Part::of(
-        &standing.fitted.jacobians[s],
-        &sensitivity,
-        residual,
-    ))
+    let sensitivity = sensitivity(standing, extended, at, s, strengths)?;
+    let (jacobian, residual) = (&standing.fitted.jacobians[s], &standing.residuals[s]);
+    Ok(Part::of(jacobian, &sensitivity, residual))
 }
 
 #[cfg(test)]

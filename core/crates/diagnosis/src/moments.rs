@@ -9,7 +9,7 @@ use gyradius_base::error::Result;
 use gyradius_base::parallel::in_parallel;
 
 use super::causes::{GIVES_S, SLIP_S, Scales, knock_at, line_slip_at, slip_at};
-use super::look::{Equations, Look, Part, Solved, Standing, columns, laid_out};
+use super::look::{Equations, Look, Part, Solved, Standing, laid_out, part};
 use super::parameter_id::ParameterName;
 use super::point::{Cause, OWN};
 
@@ -180,7 +180,7 @@ impl Scan<'_> {
         *at.causes.last_mut()?.last_mut()? = over_s.ln();
         let extended = self.standing.model.with(&cause);
         let strengths: Vec<usize> = (0..self.strength_u(event).len()).collect();
-        columns(self.standing, &extended, &at, swing, &strengths).ok()
+        part(self.standing, &extended, &at, swing, &strengths).ok()
     }
 
     /// The evidence for a slip of a length, with what is known of the swings after it.

@@ -11,7 +11,6 @@ use gyradius_recording::{Excitation, Orientation, Swing};
 
 use super::cause_id::CauseId;
 use super::fitting::Places;
-use super::linear::Reader;
 use super::point::{Model, Point};
 use super::result::NextSwing;
 use super::words;
@@ -244,12 +243,8 @@ impl Design<'_> {
             there
         };
         let (mine, theirs) = (changed(self.at), changed(self.rival));
-        let blocks = self.one.blocks(S);
-        let readings = |model: &Model, point: &Point| {
-            Reader::along(&model.path(point, S)?, model, (point, S), &blocks).reread(point)
-        };
-        let difference = DVector::from_vec(readings(self.other, &theirs)?)
-            - DVector::from_vec(readings(self.one, &mine)?);
+        let difference = DVector::from_vec(self.other.read_rows(&theirs, S)?)
+            - DVector::from_vec(self.one.read_rows(&mine, S)?);
         let jacobian = self.one.jacobian(&mine, S)?;
         let sigma = self.left(&jacobian, &difference, &mine);
         Ok(NextSwing {

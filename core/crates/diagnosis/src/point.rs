@@ -6,14 +6,16 @@ use nalgebra::{DMatrix, DVector, Matrix6};
 
 use gyradius_base::error::Result;
 use gyradius_base::frames::{Rotation, Vec3};
-use gyradius_identification::samples::{Own, place, turn_slopes};
-use gyradius_identification::theory::world_from_hull;
+use gyradius_identification::samples::{place, turn_slopes};
+use gyradius_identification::theory::{world_from_hull, world_from_hull_matrix};
 use gyradius_mechanics::effects::EffectValues;
 use gyradius_mechanics::sensors;
-use gyradius_mechanics::{Experiment, Fineness, Phone};
+use gyradius_mechanics::{Experiment, Fineness, Jet, M3, Phone, Real, V3};
 
 use super::cause_id::CauseId;
 use super::fitted_swing::{Base, FittedSwing};
+use super::fitting::Places;
+use super::linear::Wanted;
 use super::parameter_id::ParameterName;
 use super::result::ParameterResult;
 use super::unit::UnitName;
@@ -85,8 +87,9 @@ pub struct CauseParameter {
     pub is_log: bool,
     /// Mean and standard deviation of its prior; the first look begins at the mean.
     pub prior: (f64, f64),
-    /// Step for numerical derivatives, small against the prior.
-    pub step: f64,
+    /// Below this the motion is stiff: what the number does is told by the difference of this much
+    /// from none. (What is fast there follows at once what is slow: no fit needs its phase.)
+    pub stiff_below: f64,
     /// The effect is in proportion to it: the first look fits it. Others are held at the mean
     /// there.
     pub is_strength: bool,
@@ -122,8 +125,8 @@ impl CauseParameter {
 pub const NO_LIMITS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Puts a cause of given parameters (the session's, then the swing's own) into the experiment of a
-/// swing.
-pub type Put = Arc<dyn Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync>;
+/// swing. The numbers carry their derivatives with them.
+pub type Put = Arc<dyn Fn(&[Jet], usize, &mut Experiment<Jet>) -> Result<()> + Send + Sync>;
 
 /// Something that the base simulation leaves out.
 #[derive(Clone)]
@@ -132,13 +135,11 @@ pub struct Cause {
     pub id: CauseId,
     pub parameters: Vec<CauseParameter>,
     pub put: Put,
-    /// Whether only the phone's readings change, not the motion.
-    pub on_phone: bool,
     /// Whether its law has a kink.
     pub kinked: bool,
-    /// Whether it makes the motion stiff, so that a simulation takes long, or has no meaning below
-    /// zero: first looks step to one side.
-    pub stiff: bool,
+    /// Whether no other is looked at in the same simulation: it changes the motion even where a
+    /// first look takes its derivatives, or makes it much longer to simulate.
+    pub alone: bool,
     /// Whether derivatives by everything else are taken without it, since with it they take long
     /// and differ little.
     pub apart: bool,
@@ -238,6 +239,19 @@ impl Cause {
         of_session.chain(of_swing).collect()
     }
 
+    /// Places of its strengths among its values in a session of so many swings.
+    pub fn strengths(&self, swings: usize) -> Vec<usize> {
+        let all = self.expanded(swings).into_iter().enumerate();
+        all.filter(|(_, (p, _))| p.is_strength)
+            .map(|(k, _)| k)
+            .collect()
+    }
+
+    /// What a first look sees of it.
+    pub fn as_seen(&self) -> &Self {
+        self.look.as_ref().map_or(self, |alike| &alike.cause)
+    }
+
     /// Limits of its parameters, value by value; those of strengths that cannot be below zero among
     /// them.
     pub fn limits(&self, swings: usize) -> Vec<(f64, f64)> {
@@ -264,7 +278,7 @@ impl Cause {
     }
 
     /// What concerns a swing.
-    fn of_swing(&self, values: &[f64], swings: usize, swing: usize) -> Vec<f64> {
+    fn of_swing<T: Copy>(&self, values: &[T], swings: usize, swing: usize) -> Vec<T> {
         let expanded = self.expanded(swings);
         let concerns = |own: &Option<usize>| own.is_none_or(|s| s == swing);
         expanded
@@ -425,60 +439,129 @@ impl Model<'_> {
 
     /// The experiment of a swing.
     pub fn experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
-        let mut experiment = self.plain_experiment(point, s)?;
-        for (cause, values) in self.causes.iter().zip(&point.causes) {
-            (cause.put)(
-                &cause.of_swing(values, self.base.swings.len(), s),
-                s,
-                &mut experiment,
-            )?;
-        }
-        Ok(experiment)
+        Ok(self.differentiated(point, s, &[])?.plain())
     }
 
-    /// The same without any cause.
-    pub fn plain_experiment(&self, point: &Point, s: usize) -> Result<Experiment> {
-        let swung = self.swing(s);
-        let own = self.own(point, s);
-        let hanging = world_from_hull(&point.x, swung.setup.index);
-        let mount = &point.mounts[swung.mount];
-        let place = swung.setup.centre_m(&point.x) + hanging * mount.place;
-        let v = &point.owns[s];
-        let phone = Phone {
-            position_x_m: place.x,
-            position_y_m: place.y,
-            position_z_m: place.z,
-            gyro_bias_x_rad_s: v[BIAS],
-            gyro_bias_y_rad_s: v[BIAS + 1],
-            gyro_bias_z_rad_s: v[BIAS + 2],
-            acc_bias_x_m_s2: v[BIAS + 3],
-            acc_bias_y_m_s2: v[BIAS + 4],
-            acc_bias_z_m_s2: v[BIAS + 5],
-            ..Phone::default()
+    /// Where the motion is too stiff for the derivative by a cause's number: the points between
+    /// which a difference tells what it does, and how far they are apart.
+    pub fn across(&self, point: &Point, column: usize) -> Option<([Point; 2], f64)> {
+        let mut first = Places::of(self).free + 6;
+        for (c, cause) in self.causes.iter().enumerate() {
+            let all = cause.expanded(self.base.swings.len());
+            if let Some((parameter, _)) = column.checked_sub(first).and_then(|k| all.get(k)) {
+                let at = |value: f64| {
+                    let mut there = point.clone();
+                    there.causes[c][column - first] = value;
+                    there
+                };
+                let by = parameter.stiff_below;
+                let is_stiff = by > 0.0 && point.causes[c][column - first] < by;
+                return is_stiff.then(|| ([at(0.0), at(by)], by));
+            }
+            first += all.len();
+        }
+        None
+    }
+
+    /// The experiment of a swing with derivatives by some of what is fitted, at most as many as a
+    /// [`Jet`] has.
+    pub fn differentiated(
+        &self,
+        point: &Point,
+        s: usize,
+        wanted: &[Wanted],
+    ) -> Result<Experiment<Jet>> {
+        let with_lane = |value: f64, column: usize| {
+            let lane = wanted.iter().position(|one| one.column == column);
+            lane.map_or(Jet::constant(value), |lane| Jet::parameter(value, lane))
         };
-        let clock = self.base.layout().clock_error(&point.x, swung.setup.index);
-        Ok(Experiment {
-            scene: swung.setup.scene(&point.x, &own)?,
-            hull_from_phone: Rotation::new_normalize(
-                (hanging * mount.hull_from_phone).into_inner(),
-            ),
+        let places = Places::of(self);
+        let (mut of_cause, first_own) = (places.free + 6, places.free + 6 + places.causes);
+        let swung = self.swing(s);
+        let mut x: Vec<Jet> = point.x.iter().map(|x| Jet::constant(*x)).collect();
+        for (column, i) in self.base.free.iter().enumerate() {
+            x[*i] = with_lane(point.x[*i], column);
+        }
+        let own = std::array::from_fn(|k| with_lane(point.owns[s][k], first_own + k));
+        let moves = std::array::from_fn(|k| with_lane(0.0, places.free + k));
+        let phone = self.phone(&point.mounts[swung.mount], &moves, (&x, &own), swung);
+        let hull_from_phone = self.hull_from_phone(point, s);
+        let clock = self.base.layout().clock_error(&x, swung.setup.index);
+        let mut experiment = Experiment {
+            scene: swung.setup.scene_of(&x, &own[..BIAS])?,
+            hull_from_phone,
             phone,
             // The clock comes first: `clock` and a cause of the catalogue rely on it.
             sensors: vec![sensor("clock_scale", &[("error", clock)])?],
             held_s: 0.0,
-        })
+        };
+        for (cause, values) in self.causes.iter().zip(&point.causes) {
+            let values: Vec<Jet> = (values.iter().enumerate())
+                .map(|(k, value)| with_lane(*value, of_cause + k))
+                .collect();
+            of_cause += values.len();
+            let values = cause.of_swing(&values, self.base.swings.len(), s);
+            (cause.put)(&values, s, &mut experiment)?;
+        }
+        Ok(experiment)
     }
 
-    /// Start and damping of a swing as its scene is made from them.
-    pub fn own(&self, point: &Point, s: usize) -> Own {
-        let mut own = Own::at_rest(Rotation::identity());
-        own.values[..BIAS].copy_from_slice(&point.owns[s][..BIAS]);
-        own
+    /// How the phone lies on the hanging hull.
+    fn hull_from_phone(&self, point: &Point, s: usize) -> Rotation {
+        let swung = self.swing(s);
+        let hanging = world_from_hull(&point.x, swung.setup.index);
+        let turn = hanging * point.mounts[swung.mount].hull_from_phone;
+        Rotation::new_normalize(turn.into_inner())
+    }
+
+    /// The phone on the hanging hull, a small move of its mount on top of that.
+    fn phone(
+        &self,
+        mount: &Mount,
+        moves: &[Jet; 6],
+        (x, own): (&[Jet], &[Jet; OWN]),
+        swung: &FittedSwing,
+    ) -> Phone<Jet> {
+        let index = swung.setup.index;
+        let hanging: M3<Jet> = world_from_hull_matrix(x, index);
+        let level: M3<Jet> = hanging.map(|cell| Jet::constant(cell.value));
+        let on_hull: M3<Jet> = matrix(&mount.hull_from_phone);
+        let [shift, turn] = [0, 3].map(|k| V3::new(moves[k], moves[k + 1], moves[k + 2]));
+        let place = mount.place.map(Jet::constant);
+        // A turn in the phone's axes takes the place with it.
+        let place = hanging * (place + shift + (on_hull * turn).cross(&place));
+        // How the hull hangs turns the phone, too: in its axes.
+        let hung = level.transpose() * hanging;
+        let away = |i: usize, j: usize| (hung[(i, j)] - hung[(j, i)]) * 0.5;
+        let hung = on_hull.transpose() * V3::new(away(2, 1), away(0, 2), away(1, 0));
+        let turn = turn
+            + hung.map(|angle| Jet {
+                value: 0.0,
+                ..angle
+            });
+        Phone {
+            position_x_m: place.x,
+            position_y_m: place.y,
+            position_z_m: place.z - x[index.log_depth].exp(),
+            turn_x_rad: turn.x,
+            turn_y_rad: turn.y,
+            turn_z_rad: turn.z,
+            gyro_bias_x_rad_s: own[BIAS],
+            gyro_bias_y_rad_s: own[BIAS + 1],
+            gyro_bias_z_rad_s: own[BIAS + 2],
+            acc_bias_x_m_s2: own[BIAS + 3],
+            acc_bias_y_m_s2: own[BIAS + 4],
+            acc_bias_z_m_s2: own[BIAS + 5],
+        }
     }
 }
 
+fn matrix(turn: &Rotation) -> M3<Jet> {
+    turn.to_rotation_matrix().matrix().map(Jet::constant)
+}
+
 /// A sensor's effect with the numbers given, the others zero.
-pub fn sensor(id: &str, given: &[(&str, f64)]) -> Result<EffectValues> {
+pub fn sensor(id: &str, given: &[(&str, Jet)]) -> Result<EffectValues<Jet>> {
     EffectValues::of(&sensors::catalogue(), id, given)
 }
 

@@ -14,7 +14,7 @@ use super::causes::{
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
 use super::found::{Found, Looked, Round, Tried};
-use super::look::{Look, Standing};
+use super::look::{Look, Standing, looks_at};
 use super::moments::moments;
 use super::parameter_id::ParameterName;
 use super::point::{Cause, Form, Model, Part, Point};
@@ -77,9 +77,9 @@ const OF_MOMENT: [ParameterName; 5] = [
     ParameterName::ShiftYM,
     ParameterName::ShiftZM,
 ];
-/// … and how far they may move, shares of a derivative's step, while what they are judged by is
-/// held out.
-const PINNED: f64 = 1e-3;
+/// … and how far they may move, shares of what was known of them before, while what they are
+/// judged by is held out.
+const PINNED: f64 = 1e-5;
 /// A fit to a part of the recordings that gained more of χ² than this for each row in its last step
 /// has not arrived: the fifth digit of what is left in noises.
 const UNSETTLED: f64 = 2e-5;
@@ -668,8 +668,8 @@ impl Found<'_> {
 
     /// The best of those with names is led to its end, and so is what is close behind, and what was
     /// still on its way and may yet be better: than it, or than what has no name and gained so
-    /// much. That is where a fit used up its steps on the way, or where derivatives were coarse, or
-    /// in a close race taken apart.
+    /// much. That is where a fit used up its steps on the way, or where derivatives were taken
+    /// apart in a close race.
     fn led_to_their_ends(&self, mut tried: Vec<Tried>, unnamed_gain: f64) -> Vec<Tried> {
         let best_gain = tried.first().map_or(0.0, |t| t.gain);
         let is_near = |t: &Tried| best_gain > LEAST_GAIN && best_gain - t.gain < CLOSE;
@@ -679,7 +679,7 @@ impl Found<'_> {
         };
         let is_short_of_its_end = |t: &Tried| {
             let model = self.fine(t);
-            t.is_on_its_way() || model.is_coarse() || (is_race && is_near(t) && model.is_apart())
+            t.is_on_its_way() || (is_race && is_near(t) && model.is_apart())
         };
         let to_beat = |k: usize| {
             if k == 0 {
@@ -826,15 +826,6 @@ fn foremost(looks: &[Look]) -> Vec<Look> {
     leading
 }
 
-/// First looks at causes, side by side. One that cannot be simulated here (a stiff line on a short
-/// lever) is no candidate.
-fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
-    let seen = in_parallel(causes.len(), |k| {
-        Look::at(standing, &causes[k]).ok().flatten()
-    });
-    seen.into_iter().flatten().collect()
-}
-
 impl<'a> Found<'a> {
     /// A model fitted to the stretches that are not held out, and its χ² and number of rows in
     /// those that are.
@@ -848,7 +839,7 @@ impl<'a> Found<'a> {
         for (cause, values) in fitting.causes.iter_mut().zip(&fitted.point.causes) {
             for (parameter, value) in cause.parameters.iter_mut().zip(values) {
                 if OF_MOMENT.contains(&parameter.name) {
-                    parameter.prior = (*value, PINNED * parameter.step);
+                    parameter.prior = (*value, PINNED * parameter.prior.1);
                 }
             }
         }

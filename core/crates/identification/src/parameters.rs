@@ -14,6 +14,7 @@ use gyradius_base::constants::{
 };
 use gyradius_base::error::Result;
 use gyradius_base::message::Message;
+use gyradius_mechanics::Real;
 use gyradius_recording::{
     Attachment, Incline, InclineAngle, ModeName, Quantity, Session, SuspensionKind, Swing,
     SwingData,
@@ -222,8 +223,8 @@ impl Layout {
     }
 
     /// Relative error of the clock that a swing was timed with.
-    pub fn clock_error(&self, x: &[f64], swing: &SwingIndex) -> f64 {
-        swing.clock.map_or(0.0, |own| x[self.clock] + x[own])
+    pub fn clock_error<S: Real>(&self, x: &[S], swing: &SwingIndex) -> S {
+        swing.clock.map_or(S::zero(), |own| x[self.clock] + x[own])
     }
 
     /// Prior values, the point from which the solution starts.

@@ -1,9 +1,10 @@
 //! What small-oscillation theory says a session should show, for given parameters.
 
 use gyradius_base::error::{Error, Result};
-use gyradius_base::frames::{Mat3, Rotation, Vec3, world_from_hull_heeled};
+use gyradius_base::frames::{Rotation, Vec3, world_from_hull_heeled};
 use gyradius_mechanics::{
-    Rig, RigidBody, SmallModes, SuspensionAxis, compound_pendulum_period_s, small_modes,
+    M3, Real, Rig, RigidBody, SmallModes, SuspensionAxis, V3, compound_pendulum_period_s,
+    small_modes,
 };
 use gyradius_recording::{
     Incline, ModeName, Orientation, Quantity, Session, Suspension, SuspensionKind, Swing,
@@ -18,24 +19,25 @@ use super::routes::yaw::{Lines, yaw_period_s};
 ///
 /// The hull itself is the same to port and starboard. What rides on it off its middle plane brings
 /// the products I_xy and I_yz and a centre of mass off that plane.
-pub fn hanging_body(layout: &Layout, x: &[f64], log_depth: usize) -> RigidBody {
+pub fn hanging_body<S: Real>(layout: &Layout, x: &[S], log_depth: usize) -> RigidBody<S> {
     let mass = x[layout.mass];
-    let mut k2 = layout.log_gyradii.map(|i| (2.0 * x[i]).exp());
-    k2[0] *= k2[2];
-    let mut inertia = Mat3::from_diagonal(&Vec3::from(k2)) * mass;
+    let mut k2 = layout.log_gyradii.map(|i| x[i].scale(2.0).exp());
+    let yaw2 = k2[2];
+    k2[0] *= yaw2;
+    let mut inertia = M3::from_diagonal(&V3::from(k2)) * mass;
     inertia[(0, 2)] = x[layout.product_xz] * mass;
     inertia[(2, 0)] = inertia[(0, 2)];
-    let mut cm_m = Vec3::new(0.0, 0.0, -x[log_depth].exp());
+    let mut cm_m = V3::new(S::zero(), S::zero(), -x[log_depth].exp());
     // First and second moments about the suspension's mid-point: the hull has y = 0.
     let riding = layout
         .attachment_positions
         .iter()
         .zip(&layout.attachment_masses);
-    let (mut first, mut second) = (0.0, Vec3::zeros());
+    let (mut first, mut second) = (S::zero(), V3::zeros());
     for (place, m) in riding {
         let at_m = place.map(|k| x[k]);
         first += x[*m] * at_m[1];
-        second += x[*m] * at_m[1] * Vec3::from(at_m);
+        second += V3::from(at_m) * (x[*m] * at_m[1]);
     }
     cm_m.y = first / mass;
     for i in [0, 2] {
@@ -55,6 +57,25 @@ pub fn world_from_hull(x: &[f64], index: &SwingIndex) -> Rotation {
     world_from_hull_heeled(x[index.pitch_deg].to_radians(), heel_deg.to_radians())
 }
 
+/// The same as a matrix.
+pub fn world_from_hull_matrix<S: Real>(x: &[S], index: &SwingIndex) -> M3<S> {
+    let rad = |degrees: S| degrees.scale(1f64.to_radians());
+    let heel = index.roll_deg.map_or(S::zero(), |i| rad(x[i]));
+    about_y(-rad(x[index.pitch_deg])) * about_x(heel)
+}
+
+fn about_x<S: Real>(angle_rad: S) -> M3<S> {
+    let (zero, one) = (S::zero(), S::one());
+    let (sin, cos) = (angle_rad.sin(), angle_rad.cos());
+    M3::new(one, zero, zero, zero, cos, -sin, zero, sin, cos)
+}
+
+fn about_y<S: Real>(angle_rad: S) -> M3<S> {
+    let (zero, one) = (S::zero(), S::one());
+    let (sin, cos) = (angle_rad.sin(), angle_rad.cos());
+    M3::new(cos, zero, sin, zero, one, zero, -sin, zero, cos)
+}
+
 /// How much of a length along the hull's z axis is vertical as it hangs.
 pub fn upright(x: &[f64], index: &SwingIndex) -> f64 {
     let heel_deg = index.roll_deg.map_or(0.0, |i| x[i]);
@@ -66,38 +87,37 @@ pub fn upright(x: &[f64], index: &SwingIndex) -> f64 {
 ///
 /// Added masses that shift the centre of mass fore and aft tilt a hull that is free to pitch until
 /// the centre hangs below the suspension again.
-pub fn swing_body(
+pub fn swing_body<S: Real>(
     layout: &Layout,
-    x: &[f64],
+    x: &[S],
     swing: &Swing,
     index: &SwingIndex,
-) -> Result<RigidBody> {
-    let turned = world_from_hull(x, index);
+) -> Result<RigidBody<S>> {
+    let turned = world_from_hull_matrix(x, index);
     // The depth parameter is the vertical one of this hanging: the centre lies straight below.
     let mut body = hanging_body(layout, x, index.log_depth);
     body = RigidBody {
         cm_m: body.cm_m,
-        ..body.rotated(turned)
+        ..body.turned(&turned)
     };
     let masses = &layout.added_masses[index.added_masses];
     for (added, mass) in swing.added_masses.iter().zip(masses) {
-        let cm_m = turned * Vec3::from(added.position_m);
-        body = joined(&body, &RigidBody::from_gyradii(x[*mass], [0.0; 3], cm_m))?;
+        let point = RigidBody {
+            mass_kg: x[*mass],
+            inertia_kg_m2: M3::zeros(),
+            cm_m: turned * V3::from(added.position_m.map(S::constant)),
+        };
+        body = joined(&body, &point)?;
     }
     Ok(settle(&body, swing.suspension.orientation))
 }
 
-fn settle(body: &RigidBody, orientation: Orientation) -> RigidBody {
+fn settle<S: Real>(body: &RigidBody<S>, orientation: Orientation) -> RigidBody<S> {
     let cm = body.cm_m;
-    let turn = match orientation {
-        Orientation::Athwartships => Vec3::y() * (cm.x.atan2(-cm.z)),
-        Orientation::ForeAndAft => Vec3::x() * (-cm.y.atan2(-cm.z)),
-    };
-    if turn.norm() == 0.0 {
-        *body
-    } else {
-        body.rotated(Rotation::from_scaled_axis(turn))
-    }
+    body.turned(&match orientation {
+        Orientation::Athwartships => about_y(cm.x.atan2(-cm.z)),
+        Orientation::ForeAndAft => about_x(-cm.y.atan2(-cm.z)),
+    })
 }
 
 /// The lines of a bifilar swing.

@@ -9,12 +9,16 @@
 //! The constraint of a line is (|q|² − l²)/2 = 0 with q from its upper to its lower end; its pull
 //! on the body is −λ q, so that its tension is λ |q|.
 
+use std::cell::Cell;
 use std::ops::Range;
 
 use super::effects::{AddedMass, Effect, Loads, Solved, Support};
 use super::real::{Decomposed, M3, Real, V3, inverse, solve, times};
 use super::state::{ATTITUDE, MEMORY, Now, PLACE, RATE, TIME, VELOCITY};
 use super::suspended::{MOST_LINES, Spring, Suspended};
+
+/// So far inside are the ends of an interval, shares of its length.
+const ROOM: f64 = 1e-9;
 
 /// The equations, ready to be evaluated.
 pub(super) struct Equations<S: Real> {
@@ -28,6 +32,8 @@ pub(super) struct Equations<S: Real> {
     inverse_inertia: M3<S>,
     size: usize,
     has_added_mass: bool,
+    /// Times that are meant by those at its ends and beyond, s.
+    inside_s: Cell<[f64; 2]>,
 }
 
 /// How the lines take hold of the body.
@@ -104,7 +110,25 @@ impl<S: Real> Equations<S> {
             system,
             size,
             has_added_mass,
+            inside_s: Cell::new([f64::NEG_INFINITY, f64::INFINITY]),
         }
+    }
+
+    /// From now on the times at the ends of an interval count as inside of it: what begins or ends
+    /// there has, or has not, begun or ended.
+    pub fn keep_inside(&self, from_s: f64, to_s: f64) {
+        let room_s = ROOM * (to_s - from_s);
+        self.inside_s.set([from_s + room_s, to_s - room_s]);
+    }
+
+    fn now(&self, y: &[S]) -> Now<S> {
+        let mut now = Now::at(y);
+        let [from_s, to_s] = self.inside_s.get();
+        let (t_s, inside_s) = (now.t_s.value(), now.t_s.value().clamp(from_s, to_s));
+        if t_s != inside_s {
+            now.t_s += S::constant(inside_s - t_s);
+        }
+        now
     }
 
     /// Length of the state.
@@ -130,7 +154,7 @@ impl<S: Real> Equations<S> {
 
     /// Derivative of the state, and what was solved for on the way.
     pub fn slope(&self, y: &[S], out: &mut [S]) -> Solved<S> {
-        let now = Now::at(y);
+        let now = self.now(y);
         let rate = now.rate;
         let mut loads = Loads {
             force: V3::new(
@@ -337,7 +361,7 @@ impl<S: Real> Equations<S> {
     }
 
     fn projecting(&self, y: &[S]) -> (Now<S>, Grip<S>, Option<Support<S>>) {
-        let now = Now::at(y);
+        let now = self.now(y);
         let mass = self.rigid();
         let support = self.support(&now, y);
         let still = support.as_ref().map(|s| Support {

@@ -12,15 +12,15 @@ use gyradius_base::frames::Rotation;
 
 /// A scene and the phone on its hull.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Experiment {
+pub struct Experiment<S = f64> {
     /// Body, rig, start and effects.
-    pub scene: Scene,
+    pub scene: Scene<S>,
     /// Nominal `hull_from_phone`, on top of which the phone's turn comes.
     pub hull_from_phone: Rotation,
     /// The phone.
-    pub phone: Phone,
+    pub phone: Phone<S>,
     /// What its sensors do to what they feel.
-    pub sensors: Vec<EffectValues>,
+    pub sensors: Vec<EffectValues<S>>,
     /// So long the hull is held at its start before it is let go, s.
     pub held_s: f64,
 }
@@ -51,6 +51,140 @@ struct Sampled<S: Real> {
 }
 
 type Laws<S> = Vec<Box<dyn SensorEffect<S>>>;
+
+/// The hull's motion for a phone whose numbers are of a kind.
+#[derive(Clone, Copy)]
+enum Course<'a, S: Real> {
+    /// Of the same kind.
+    Alike(&'a Path<S>),
+    /// Without derivatives.
+    Plain(&'a Path<f64>),
+}
+
+impl<S: Real> Course<'_, S> {
+    fn at(&self, t_s: S) -> Moment<S> {
+        match self {
+            Self::Alike(path) => path.at_time(t_s),
+            Self::Plain(path) => path.as_seen_at(t_s),
+        }
+    }
+
+    fn first_piece_s(&self) -> f64 {
+        match self {
+            Self::Alike(path) => path.first_piece_s(),
+            Self::Plain(path) => path.first_piece_s(),
+        }
+    }
+
+    fn duration_s(&self) -> f64 {
+        match self {
+            Self::Alike(path) => path.duration_s(),
+            Self::Plain(path) => path.duration_s(),
+        }
+    }
+}
+
+/// A number with its derivatives by up to [`LANES`] parameters.
+pub type Jet = Dual<LANES>;
+/// Derivatives by no more parameters than these are computed over narrower numbers.
+const NARROW: usize = 2;
+const MIDDLE: usize = 6;
+
+impl<S: Real> Experiment<S> {
+    /// The same experiment over other numbers.
+    fn map<T: Real>(&self, f: impl Fn(S) -> T + Copy) -> Experiment<T> {
+        Experiment {
+            scene: self.scene.map(f),
+            hull_from_phone: self.hull_from_phone,
+            phone: self.phone.map(f),
+            sensors: self.sensors.iter().map(|e| e.map(f)).collect(),
+            held_s: self.held_s,
+        }
+    }
+
+    /// The same without derivatives.
+    pub fn plain(&self) -> Experiment {
+        self.map(S::value)
+    }
+}
+
+/// An experiment whose numbers depend on parameters.
+impl Experiment<Jet> {
+    /// Whether the hull's motion depends on a parameter.
+    pub fn is_moved_by(&self, parameter: usize) -> bool {
+        let depends = |number: &Jet| number.slope[parameter] != 0.0;
+        self.scene.values().iter().any(depends)
+    }
+
+    /// Whether what the phone reads of a motion depends on a parameter.
+    pub fn is_read_by(&self, parameter: usize) -> bool {
+        let depends = |number: &Jet| number.slope[parameter] != 0.0;
+        self.phone.to_numbers().iter().any(depends)
+            || self.sensors.iter().flat_map(|e| &e.values).any(depends)
+    }
+
+    /// Derivatives of the readings at these times by the first `count` parameters: for each time
+    /// six rows (gyroscope x, y, z, specific force x, y, z), for each of them one figure by
+    /// parameter.
+    pub fn slopes(&self, count: usize, fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
+        if count <= NARROW {
+            let narrow = self.map(Dual::narrowed::<NARROW>);
+            narrow.all_slopes(count, fineness, t_s)
+        } else if count <= MIDDLE {
+            let middle = self.map(Dual::narrowed::<MIDDLE>);
+            middle.all_slopes(count, fineness, t_s)
+        } else {
+            self.all_slopes(count, fineness, t_s)
+        }
+    }
+
+    /// The same by parameters on which the hull's motion does not depend, along that motion.
+    pub fn slopes_along(&self, path: &Path<f64>, count: usize, t_s: &[f64]) -> Result<Vec<f64>> {
+        if count <= NARROW {
+            let narrow = self.map(Dual::narrowed::<NARROW>);
+            narrow.slopes_on(Course::Plain(path), count, t_s)
+        } else if count <= MIDDLE {
+            let middle = self.map(Dual::narrowed::<MIDDLE>);
+            middle.slopes_on(Course::Plain(path), count, t_s)
+        } else {
+            self.slopes_on(Course::Plain(path), count, t_s)
+        }
+    }
+}
+
+impl<const N: usize> Experiment<Dual<N>> {
+    fn all_slopes(&self, count: usize, fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
+        let plain = self.plain();
+        let step_s = plain.scene.step_s(fineness.steps_per_period)?;
+        let laws: Laws<f64> = plain.laws(&mut plain.sensor_values())?;
+        let duration_s = plain.duration_s(&laws, t_s, &Draws::new(), step_s);
+        let path = (plain.scene).run(self.scene.values(), duration_s, step_s, fineness)?;
+        self.slopes_on(Course::Alike(&path), count, t_s)
+    }
+
+    fn slopes_on(&self, hull: Course<Dual<N>>, count: usize, t_s: &[f64]) -> Result<Vec<f64>> {
+        let (cm_m, gravity_m_s2) = match hull {
+            Course::Alike(path) => (path.cm_m, path.gravity_m_s2),
+            Course::Plain(path) => {
+                let cm_m = path.cm_m.map(Dual::constant);
+                (cm_m, Dual::constant(path.gravity_m_s2))
+            }
+        };
+        let laws = self.plain().laws(&mut self.sensor_values())?;
+        let mounted = (self.phone).mounted(&self.hull_from_phone, &cm_m, gravity_m_s2);
+        let readings = read(&laws, hull, self.held_s, &mounted, t_s)?;
+        let rows = readings.iter().flat_map(Reading::six);
+        Ok(rows
+            .flat_map(|row| row.slope.into_iter().take(count))
+            .collect())
+    }
+}
+
+impl<S: Real> Experiment<S> {
+    fn sensor_values(&self) -> impl Iterator<Item = S> {
+        self.sensors.iter().flat_map(|e| e.values.iter().copied())
+    }
+}
 
 impl Experiment {
     /// Names and units of all its numbers: those of the scene, those of the phone as
@@ -108,7 +242,7 @@ impl Experiment {
         let moments = sampled
             .true_s
             .iter()
-            .map(|t_s| self.hull_at(&path, false, *t_s))
+            .map(|t_s| hull_at(Course::Alike(&path), self.held_s, *t_s))
             .collect();
         Ok(Record {
             path,
@@ -164,54 +298,7 @@ impl Experiment {
         let mounted = self
             .phone
             .mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
-        self.read(&laws, path, &mounted, t_s)
-    }
-
-    /// Derivatives of those readings by the numbers of the scene at `wanted`: for each time six
-    /// rows, for each of them one figure by number.
-    pub fn slopes_of_motion(
-        &self,
-        wanted: &[usize],
-        fineness: Fineness,
-        t_s: &[f64],
-    ) -> Result<Vec<f64>> {
-        let mut out = vec![0.0; t_s.len() * 6 * wanted.len()];
-        let step_s = self.scene.step_s(fineness.steps_per_period)?;
-        let laws: Laws<f64> = self.laws(&mut self.sensor_values())?;
-        let duration_s = self.duration_s(&laws, t_s, &Draws::new(), step_s);
-        for (chunk, lanes) in wanted.chunks(LANES).enumerate() {
-            let values: Vec<Dual<LANES>> = seeded(&self.scene.values(), lanes)?;
-            let path = self.scene.run(values, duration_s, step_s, fineness)?;
-            let laws = self.laws(&mut self.sensor_values().map(Dual::constant))?;
-            let phone = self.phone.map(Dual::constant);
-            let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
-            let readings = self.read(&laws, &path, &mounted, t_s)?;
-            let cells = out.chunks_exact_mut(wanted.len());
-            for (cell, found) in cells.zip(readings.iter().flat_map(Reading::six)) {
-                cell[chunk * LANES..][..lanes.len()].copy_from_slice(&found.slope[..lanes.len()]);
-            }
-        }
-        Ok(out)
-    }
-
-    fn read<S: Real>(
-        &self,
-        laws: &Laws<S>,
-        path: &Path<S>,
-        mounted: &Mounted<S>,
-        t_s: &[f64],
-    ) -> Result<Vec<Reading<S>>> {
-        let bends = laws.iter().any(|law| law.bends_time());
-        let hull = |t_s: S| self.hull_at(path, bends, t_s);
-        let ride = Ride {
-            hull: &hull,
-            mounted,
-            from_s: self.held_s,
-            to_s: self.held_s + path.duration_s(),
-        };
-        let all: Vec<(usize, f64)> = t_s.iter().copied().enumerate().collect();
-        let none = Draws::new();
-        Ok(Sampler::new(laws, &ride, &none)?.sample(&all).readings)
+        read(&laws, Course::Alike(path), self.held_s, &mounted, t_s)
     }
 
     /// The effects of the sensors differentiate the motion by time, or drive something with it:
@@ -224,10 +311,6 @@ impl Experiment {
         } else {
             Fineness::FULL
         }
-    }
-
-    fn sensor_values(&self) -> impl Iterator<Item = f64> {
-        self.sensors.iter().flat_map(|e| e.values.iter().copied())
     }
 
     fn laws<S: Real>(&self, values: &mut dyn Iterator<Item = S>) -> Result<Laws<S>> {
@@ -252,9 +335,8 @@ impl Experiment {
         let duration_s = self.duration_s(&laws, t_s, draws, step_s);
         let path = self.scene.run(values, duration_s, step_s, fineness)?;
         let mounted = phone.mounted(&self.hull_from_phone, &path.cm_m, path.gravity_m_s2);
-        let bends = laws.iter().any(|law| law.bends_time());
         let sampled = {
-            let hull = |t_s: S| self.hull_at(&path, bends, t_s);
+            let hull = |t_s: S| hull_at(Course::Alike(&path), self.held_s, t_s);
             let ride = Ride {
                 hull: &hull,
                 mounted: &mounted,
@@ -280,20 +362,38 @@ impl Experiment {
             .filter(|sample| !lost(sample))
             .collect()
     }
+}
 
-    /// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving
-    /// already: one piece of the path is continued backwards, and there it stays.
-    fn hull_at<S: Real>(&self, path: &Path<S>, bends: bool, t_s: S) -> Moment<S> {
-        let since_s = t_s.value() - self.held_s;
-        if since_s < 0.0 && self.held_s > 0.0 {
-            path.at(0.0).stopped()
-        } else if since_s < -path.first_piece_s() {
-            path.at(-path.first_piece_s())
-        } else if bends {
-            path.at_time(t_s - S::constant(self.held_s))
-        } else {
-            path.at(since_s)
-        }
+/// What phone and sensors, without chance, make of a motion at these times.
+fn read<S: Real>(
+    laws: &Laws<S>,
+    course: Course<S>,
+    held_s: f64,
+    mounted: &Mounted<S>,
+    t_s: &[f64],
+) -> Result<Vec<Reading<S>>> {
+    let hull = |t_s: S| hull_at(course, held_s, t_s);
+    let ride = Ride {
+        hull: &hull,
+        mounted,
+        from_s: held_s,
+        to_s: held_s + course.duration_s(),
+    };
+    let all: Vec<(usize, f64)> = t_s.iter().copied().enumerate().collect();
+    let none = Draws::new();
+    Ok(Sampler::new(laws, &ride, &none)?.sample(&all).readings)
+}
+
+/// The hull at a time of the recording. Held, it stays where it starts; not held, it was moving
+/// already: one piece of the path is continued backwards, and there it stays.
+fn hull_at<S: Real>(course: Course<S>, held_s: f64, t_s: S) -> Moment<S> {
+    let since_s = t_s - S::constant(held_s);
+    if since_s.value() < 0.0 && held_s > 0.0 {
+        course.at(S::zero()).stopped()
+    } else if since_s.value() < -course.first_piece_s() {
+        course.at(S::constant(-course.first_piece_s()))
+    } else {
+        course.at(since_s)
     }
 }
 

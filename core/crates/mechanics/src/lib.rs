@@ -32,7 +32,7 @@ mod suspended;
 mod trajectory;
 
 pub use equilibrium::Equilibrium;
-pub use experiment::{Draws, Experiment, Record};
+pub use experiment::{Draws, Experiment, Jet, Record};
 pub use numbers::{Number, Numbers};
 pub use path::{Fineness, Moment, Path, Slack};
 pub use phone::{Mounted, Phone, Reading};

@@ -2,7 +2,7 @@
 
 use super::dop853::{COEFFICIENTS, Stepper, between, between_moving};
 use super::equations::Equations;
-use super::real::{M3, Real, V3};
+use super::real::{Dual, M3, Real, V3, is_still};
 use super::state::{ATTITUDE, MEMORY, PLACE, RATE, VELOCITY, matrix};
 use super::suspended::MOST_LINES;
 use gyradius_base::error::{Error, Result};
@@ -58,6 +58,22 @@ pub struct Moment<S: Real> {
     pub angular_acceleration: V3<S>,
 }
 
+impl Moment<Dual<1>> {
+    /// At a time, given the moment with its derivatives by the time.
+    fn at_time<S: Real>(&self, t_s: S) -> Moment<S> {
+        let by_time = |part: &Dual<1>| t_s.chain(part.value, part.slope[0]);
+        let vector = |v: &V3<Dual<1>>| V3::new(by_time(&v.x), by_time(&v.y), by_time(&v.z));
+        Moment {
+            position: vector(&self.position),
+            attitude: [0, 1, 2, 3].map(|k| by_time(&self.attitude[k])),
+            velocity: vector(&self.velocity),
+            rate: vector(&self.rate),
+            acceleration: vector(&self.acceleration),
+            angular_acceleration: vector(&self.angular_acceleration),
+        }
+    }
+}
+
 impl<S: Real> Moment<S> {
     /// From a state and its derivative.
     pub(super) fn new(y: &[S], slope: &[S]) -> Self {
@@ -75,6 +91,19 @@ impl<S: Real> Moment<S> {
     /// `world_from_hull`.
     pub fn turn(&self) -> M3<S> {
         matrix(&self.attitude)
+    }
+
+    /// The same body over numbers of another kind.
+    fn over<T: Real>(&self) -> Moment<T> {
+        let vector = |v: &V3<S>| v.map(|x| T::constant(x.value()));
+        Moment {
+            position: vector(&self.position),
+            attitude: self.attitude.map(|x| T::constant(x.value())),
+            velocity: vector(&self.velocity),
+            rate: vector(&self.rate),
+            acceleration: vector(&self.acceleration),
+            angular_acceleration: vector(&self.angular_acceleration),
+        }
     }
 
     /// The same place, held still.
@@ -233,6 +262,11 @@ impl<'a, S: Real> Integration<'a, S> {
         let mut f = |y: &[S], out: &mut [S]| {
             equations.slope(y, out);
         };
+        if !self.events_s.is_empty() {
+            // A law that begins or ends here may do so with a jump of its derivatives.
+            equations.keep_inside(piece.from_s, piece.from_s + piece.length_s);
+            f(&self.state, self.stepper.first_slope());
+        }
         self.stepper
             .advance(&mut f, &self.state, piece.length_s, &mut self.end);
         if halvings < self.fineness.most_halvings && self.is_rough(piece.length_s) {
@@ -408,9 +442,18 @@ impl<S: Real> Path<S> {
 
     /// The same at a time that has derivatives of its own.
     pub fn at_time(&self, t_s: S) -> Moment<S> {
-        let n = self.piece_at(t_s.value());
-        let x = (t_s - S::constant(self.pieces[n].from_s)).scale(1.0 / self.pieces[n].length_s);
+        if is_still(t_s) {
+            return self.at(t_s.value());
+        }
+        let (n, x) = self.place_of(t_s);
         self.moment(n, between_moving::<S, MEMORY, VELOCITY>(self.rows(n), x))
+    }
+
+    /// The piece of a time, and the time as a fraction of it.
+    fn place_of<T: Real>(&self, t_s: T) -> (usize, T) {
+        let n = self.piece_at(t_s.value());
+        let Piece { from_s, length_s } = self.pieces[n];
+        (n, (t_s - T::constant(from_s)).scale(1.0 / length_s))
     }
 
     fn piece_at(&self, t_s: f64) -> usize {
@@ -427,7 +470,7 @@ impl<S: Real> Path<S> {
     }
 
     /// From the state and its derivative by the fraction of piece `n`.
-    fn moment(&self, n: usize, (y, mut slope): ([S; MEMORY], [S; MEMORY])) -> Moment<S> {
+    fn moment<T: Real>(&self, n: usize, (y, mut slope): ([T; MEMORY], [T; MEMORY])) -> Moment<T> {
         let per_s = 1.0 / self.pieces[n].length_s;
         slope[VELOCITY..]
             .iter_mut()
@@ -443,5 +486,22 @@ impl<S: Real> Path<S> {
     /// The state at the end of step `n`, without the effects' memories.
     pub fn knot(&self, n: usize) -> Moment<S> {
         self.at(n as f64 * self.step_s)
+    }
+}
+
+impl Path<f64> {
+    /// The body of a motion without derivatives at a time that has some.
+    pub(super) fn as_seen_at<S: Real>(&self, t_s: S) -> Moment<S> {
+        if is_still(t_s) {
+            return self.at(t_s.value()).over();
+        }
+        let (n, x) = self.place_of(Dual::<1>::parameter(t_s.value(), 0));
+        let rows: Vec<_> = self
+            .rows(n)
+            .iter()
+            .map(|row| row.map(Dual::constant))
+            .collect();
+        let parts = between_moving::<Dual<1>, MEMORY, VELOCITY>(&rows, x);
+        self.moment(n, parts).at_time(t_s)
     }
 }

@@ -109,6 +109,11 @@ impl Real for f64 {
     }
 }
 
+/// Whether a number depends on none of the parameters.
+pub(crate) fn is_still<S: Real>(number: S) -> bool {
+    number.slopes().iter().all(|slope| *slope == 0.0)
+}
+
 /// A number and its derivatives with respect to `N` parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dual<const N: usize> {
@@ -119,6 +124,14 @@ pub struct Dual<const N: usize> {
 }
 
 impl<const N: usize> Dual<N> {
+    /// The same with the derivatives by the first `M` of its parameters.
+    pub(crate) fn narrowed<const M: usize>(self) -> Dual<M> {
+        Dual {
+            value: self.value,
+            slope: from_fn(|lane| self.slope[lane]),
+        }
+    }
+
     /// Parameter number `lane` itself.
     pub fn parameter(value: f64, lane: usize) -> Self {
         let mut slope = [0.0; N];
@@ -210,6 +223,23 @@ impl<const N: usize> Neg for Dual<N> {
     #[inline]
     fn neg(self) -> Self {
         self.scale(-1.0)
+    }
+}
+
+impl<const N: usize> Mul<f64> for Dual<N> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: f64) -> Self {
+        self.scale(factor)
+    }
+}
+
+impl<const N: usize> Add<f64> for Dual<N> {
+    type Output = Self;
+    #[inline]
+    fn add(mut self, more: f64) -> Self {
+        self.value += more;
+        self
     }
 }
 

@@ -1,5 +1,6 @@
 //! The lines and the body that hangs on them.
 
+use super::real::{M3, Real, V3};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::frames::{Mat3, Rotation, Vec3};
 
@@ -106,13 +107,24 @@ impl Rig {
 
 /// A rigid body: mass, centre of mass and inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RigidBody {
+pub struct RigidBody<S = f64> {
     /// Mass, kg.
-    pub mass_kg: f64,
+    pub mass_kg: S,
     /// Inertia about the centre of mass, hanging axes, kg m².
-    pub inertia_kg_m2: Mat3,
+    pub inertia_kg_m2: M3<S>,
     /// Centre of mass, hanging axes, from the mid-point of the suspension points, m.
-    pub cm_m: Vec3,
+    pub cm_m: V3<S>,
+}
+
+impl<S: Real> RigidBody<S> {
+    /// The same body turned about the mid-point of the suspension points by a rotation matrix.
+    pub fn turned(&self, hanging_from_hull: &M3<S>) -> Self {
+        Self {
+            mass_kg: self.mass_kg,
+            inertia_kg_m2: hanging_from_hull * self.inertia_kg_m2 * hanging_from_hull.transpose(),
+            cm_m: hanging_from_hull * self.cm_m,
+        }
+    }
 }
 
 impl RigidBody {
@@ -129,13 +141,7 @@ impl RigidBody {
     /// The same body turned about the mid-point of the suspension points, e.g. by
     /// [`gyradius_base::frames::world_from_hull_pitched`].
     pub fn rotated(&self, hanging_from_hull: Rotation) -> Self {
-        let turn = hanging_from_hull.to_rotation_matrix();
-        let turn = turn.matrix();
-        Self {
-            mass_kg: self.mass_kg,
-            inertia_kg_m2: turn * self.inertia_kg_m2 * turn.transpose(),
-            cm_m: turn * self.cm_m,
-        }
+        self.turned(hanging_from_hull.to_rotation_matrix().matrix())
     }
 
     /// Checks that mass and inertia are those of a body.

@@ -17,7 +17,7 @@ use super::small::small_modes;
 use super::start::{Start, started};
 use super::suspended::{Cord, Suspended};
 use gyradius_base::error::{Error, Result};
-use gyradius_base::frames::{Mat3, Vec3};
+use gyradius_base::frames::Vec3;
 
 numbers! {
     /// The body, hull axes.
@@ -85,10 +85,10 @@ impl<S: Real> Body<S> {
     }
 }
 
-impl Body {
+impl<S: Real> Body<S> {
     /// From an inertia tensor and a centre of mass.
-    pub fn new(mass_kg: f64, inertia_kg_m2: &Mat3, cm_m: &Vec3) -> Self {
-        let i = |r: usize, c: usize| 0.5 * (inertia_kg_m2[(r, c)] + inertia_kg_m2[(c, r)]);
+    pub fn new(mass_kg: S, inertia_kg_m2: &M3<S>, cm_m: &V3<S>) -> Self {
+        let i = |r: usize, c: usize| (inertia_kg_m2[(r, c)] + inertia_kg_m2[(c, r)]).scale(0.5);
         Self {
             mass_kg,
             inertia_xx_kg_m2: i(0, 0),
@@ -106,21 +106,43 @@ impl Body {
 
 /// What is simulated.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
+pub struct Scene<S = f64> {
     /// How the body hangs.
     pub hanging: Hanging,
     /// The body.
-    pub body: Body,
+    pub body: Body<S>,
     /// The suspension.
-    pub dimensions: Dimensions,
+    pub dimensions: Dimensions<S>,
     /// The start.
-    pub start: Start,
+    pub start: Start<S>,
     /// What the simple theory leaves out.
-    pub effects: Vec<EffectValues>,
+    pub effects: Vec<EffectValues<S>>,
 }
 
 /// Derivatives are computed in groups of so many parameters.
 pub const LANES: usize = 12;
+
+impl<S: Real> Scene<S> {
+    /// All its numbers, in the order of [`Scene::names`].
+    pub fn values(&self) -> Vec<S> {
+        let mut values = self.body.to_numbers();
+        values.extend(self.dimensions.to_numbers());
+        values.extend(self.start.to_numbers());
+        values.extend(self.effects.iter().flat_map(|e| &e.values));
+        values
+    }
+
+    /// The same scene over other numbers.
+    pub(super) fn map<T>(&self, f: impl Fn(S) -> T + Copy) -> Scene<T> {
+        Scene {
+            hanging: self.hanging,
+            body: self.body.map(f),
+            dimensions: self.dimensions.map(f),
+            start: self.start.map(f),
+            effects: self.effects.iter().map(|e| e.map(f)).collect(),
+        }
+    }
+}
 
 impl Scene {
     /// Names and units of all its numbers; those of effects read `effect.number`, a second of the
@@ -138,15 +160,6 @@ impl Scene {
             .collect();
         names.extend(effect_names(&self.effects));
         names
-    }
-
-    /// All its numbers, in the order of [`Scene::names`].
-    pub fn values(&self) -> Vec<f64> {
-        let mut values = self.body.to_numbers();
-        values.extend(self.dimensions.to_numbers());
-        values.extend(self.start.to_numbers());
-        values.extend(self.effects.iter().flat_map(|e| &e.values));
-        values
     }
 
     /// The scene with other numbers, in the order of [`Scene::names`].
@@ -208,22 +221,22 @@ impl Scene {
         Ok(Moment::new(&y, &slope))
     }
 
-    pub(super) fn run<S: Real>(
+    pub(super) fn run<T: Real>(
         &self,
-        values: Vec<S>,
+        values: Vec<T>,
         duration_s: f64,
         step_s: f64,
         fineness: Fineness,
-    ) -> Result<Path<S>> {
+    ) -> Result<Path<T>> {
         let sizes = sizes(&values);
         let (equations, start) = self.equations(values)?;
         let y = started(&equations, self.hanging, &start)?;
         Path::integrate(&equations, y, sizes, duration_s, step_s, fineness)
     }
 
-    pub(super) fn equations<S: Real>(&self, values: Vec<S>) -> Result<(Equations<S>, Start<S>)> {
+    pub(super) fn equations<T: Real>(&self, values: Vec<T>) -> Result<(Equations<T>, Start<T>)> {
         self.effects.iter().try_for_each(EffectValues::check)?;
-        let rest = &mut values.into_iter() as &mut dyn Iterator<Item = S>;
+        let rest = &mut values.into_iter() as &mut dyn Iterator<Item = T>;
         let few = || Error::argument("values", "as many as the scene has numbers", "too few");
         let body = Body::from_numbers(rest).ok_or_else(few)?;
         let dimensions = Dimensions::from_numbers(rest).ok_or_else(few)?;
@@ -298,15 +311,19 @@ pub(super) fn seeded(values: &[f64], lanes: &[usize]) -> Result<Vec<Dual<LANES>>
     Ok(seeded)
 }
 
-/// Size of the number behind each derivative; 1 for a zero, and for a number that is none of these.
+/// Change of each parameter by which it changes the first number that depends on it by that
+/// number's size, a zero by 1; 1 for a parameter on which none depends.
 fn sizes<S: Real>(values: &[S]) -> Vec<f64> {
     let lanes = values.first().map_or(0, |value| value.slopes().len());
-    let behind = |lane: usize| values.iter().find(|value| value.slopes()[lane] != 0.0);
-    let size = |lane| behind(lane).map_or(0.0, |value| value.value().abs());
-    (0..lanes)
-        .map(size)
-        .map(|size| if size > 0.0 { size } else { 1.0 })
-        .collect()
+    let of = |value: &S| match value.value().abs() {
+        0.0 => 1.0,
+        size => size,
+    };
+    let size = |lane: usize| {
+        let behind = values.iter().find(|value| value.slopes()[lane] != 0.0);
+        behind.map_or(1.0, |value| of(value) / value.slopes()[lane].abs())
+    };
+    (0..lanes).map(size).collect()
 }
 
 /// The lines of a suspension.

@@ -6,13 +6,13 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use gyradius_base::error::Result;
-use gyradius_mechanics::Experiment;
+use gyradius_mechanics::{Experiment, Jet, Real};
 
 use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen};
 use super::super::unit::UnitName;
-use super::{Scales, add, cause, logarithm, number, put, strength, within};
+use super::{Scales, add, cause, clamped, fixed, logarithm, number, put, strength, within};
 
 /// Frequencies tried, as shares of the way (by logarithm) from the slowest motion of the hull to
 /// four times the fastest.
@@ -74,6 +74,19 @@ const FORE: f64 = 0.5;
 const WAYS: i32 = 24;
 const PLACES: i32 = 8;
 
+/// The mass of what moves, a share of the hull's.
+fn share(scales: &Scales) -> CauseParameter {
+    strength(
+        ParameterName::MassKg,
+        UnitName::Kilogram,
+        scales.mass_kg,
+        0.01,
+    )
+}
+
+/// Nothing moves without mass: so little is there always, and does nothing.
+const LEAST_SHARE: f64 = 1e-9;
+
 fn internal_motion(scales: &Scales, frequency_hz: f64) -> Cause {
     let half_m = scales.half_length_m;
     let look = LookAlike {
@@ -102,12 +115,7 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
     };
     let aboard = |name, mean: f64, u: f64| within(ABOARD, number(name, UnitName::Metre, mean, u));
     let parameters = vec![
-        strength(
-            ParameterName::MassKg,
-            UnitName::Kilogram,
-            scales.mass_kg,
-            0.01,
-        ),
+        share(scales),
         logarithm(
             ParameterName::FrequencyHz,
             UnitName::Hertz,
@@ -128,12 +136,12 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
         of_start(ParameterName::StartKgMS, UnitName::KilogramMetrePerSecond),
     ];
     let law = put(move |q, _, e| {
-        let omega_rad_s = TAU * q[1].clamp(-4.0, 3.0).exp();
-        let share = q[0].clamp(1e-9, 0.3);
+        let omega_rad_s = clamped(q[1], -4.0, 3.0).exp() * TAU;
+        let share = clamped(q[0], 0.0, 0.3) + LEAST_SHARE;
         let slide = Slide {
             share,
             omega_rad_s,
-            damping_ratio: q[2].clamp(-7.0, 0.5).exp(),
+            damping_ratio: clamped(q[2], -7.0, 0.5).exp(),
             direction_rad: q[3],
             place_m: [q[4], q[5], q[6]],
             start: start([q[7], q[8]], share, omega_rad_s, half_m),
@@ -150,25 +158,30 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
 /// Where a thing is and how fast at the start, from both times its share of the hull's mass.
 /// Nothing moves further than half the hull's length: a share of next to nothing would start from
 /// beyond all bounds.
-fn start(by_share: [f64; 2], share: f64, omega_rad_s: f64, half_m: f64) -> [f64; 2] {
+fn start(by_share: [Jet; 2], share: Jet, omega_rad_s: Jet, half_m: f64) -> [Jet; 2] {
     let start = by_share.map(|v| v / share);
-    let reach_m = start[0].hypot(start[1] / omega_rad_s);
-    start.map(|v| v * (half_m / reach_m).min(1.0))
+    let quarter_on = start[1] / omega_rad_s;
+    let reach_m = (start[0] * start[0] + quarter_on * quarter_on).sqrt();
+    if reach_m.value > half_m {
+        start.map(|v| v * half_m / reach_m)
+    } else {
+        start
+    }
 }
 
 /// A mass on a spring along a level way in the hull.
 struct Slide {
     /// Of the hull's mass.
-    share: f64,
-    omega_rad_s: f64,
-    damping_ratio: f64,
-    direction_rad: f64,
-    place_m: [f64; 3],
-    start: [f64; 2],
+    share: Jet,
+    omega_rad_s: Jet,
+    damping_ratio: Jet,
+    direction_rad: Jet,
+    place_m: [Jet; 3],
+    start: [Jet; 2],
 }
 
 impl Slide {
-    fn put(&self, e: &mut Experiment) -> Result<()> {
+    fn put(&self, e: &mut Experiment<Jet>) -> Result<()> {
         let numbers = [
             ("mass_kg", self.share),
             ("place_x_m", self.place_m[0]),
@@ -182,7 +195,7 @@ impl Slide {
             ),
             (
                 "damping_n_s_m",
-                2.0 * self.damping_ratio * self.share * self.omega_rad_s,
+                self.damping_ratio * 2.0 * self.share * self.omega_rad_s,
             ),
             ("start_m", self.start[0]),
             ("start_m_s", self.start[1]),
@@ -196,34 +209,26 @@ impl Slide {
 /// so at any place along the hull.
 fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
     let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
-    let parameters = (0..6)
-        .map(|_| {
-            strength(
-                ParameterName::MassKg,
-                UnitName::Kilogram,
-                scales.mass_kg,
-                0.01,
-            )
-        })
-        .collect();
+    let parameters = (0..6).map(|_| share(scales)).collect();
     let law = put(move |q, _, e| {
-        for (k, share) in q.iter().enumerate().filter(|(_, share)| **share > 0.0) {
+        let is_asked_for = |share: &Jet| share.slope.iter().any(|slope| *slope != 0.0);
+        let shares = q.iter().enumerate();
+        for (k, share) in shares.filter(|(_, share)| share.value > 0.0 || is_asked_for(share)) {
             let side = if k % 2 == 0 { FORE } else { -FORE };
             Slide {
-                share: *share,
-                omega_rad_s: TAU * frequency_hz,
-                damping_ratio: DAMPING_RATIO,
-                direction_rad: [0.0, FRAC_PI_2, FRAC_PI_4][k / 2],
-                place_m: [side * half_m, 0.0, -depth_m],
-                start: [0.0; 2],
+                share: *share + LEAST_SHARE,
+                omega_rad_s: fixed(TAU * frequency_hz),
+                damping_ratio: fixed(DAMPING_RATIO),
+                direction_rad: fixed([0.0, FRAC_PI_2, FRAC_PI_4][k / 2]),
+                place_m: [side * half_m, 0.0, -depth_m].map(fixed),
+                start: [fixed(0.0); 2],
             }
             .put(e)?;
         }
         Ok(())
     });
-    // There is no mass below none.
     Cause {
-        stiff: true,
+        alone: true,
         ..cause(CauseId::InternalMotion, parameters, law)
     }
 }
@@ -245,18 +250,21 @@ fn rings(scales: &Scales, frequency_hz: f64) -> Cause {
     let law = put(move |q, _, e| {
         for (start, direction_rad) in q.chunks(2).zip([0.0, FRAC_PI_2]) {
             Slide {
-                share: RINGING_SHARE,
-                omega_rad_s: TAU * frequency_hz,
-                damping_ratio: RINGING_DAMPING_RATIO,
-                direction_rad,
-                place_m: [0.0, 0.0, -depth_m],
-                start: [start[0] / RINGING_SHARE, start[1] / RINGING_SHARE],
+                share: fixed(RINGING_SHARE),
+                omega_rad_s: fixed(TAU * frequency_hz),
+                damping_ratio: fixed(RINGING_DAMPING_RATIO),
+                direction_rad: fixed(direction_rad),
+                place_m: [0.0, 0.0, -depth_m].map(fixed),
+                start: [start[0], start[1]].map(|start| start * RINGING_SHARE.recip()),
             }
             .put(e)?;
         }
         Ok(())
     });
-    cause(CauseId::InternalMotion, parameters.to_vec(), law)
+    Cause {
+        alone: true,
+        ..cause(CauseId::InternalMotion, parameters.to_vec(), law)
+    }
 }
 
 /// The one slide nearest to what rings in all swings: the way along which most of it goes.
@@ -408,18 +416,22 @@ mod tests {
     #[test]
     fn a_light_thing_starts_aboard() {
         // As far as given: 2 mm of the hull are 0.2 m of a hundredth of it.
-        let near = start([2e-3, 4e-3], 0.01, 2.0, 1.4);
+        let start = |by_share: [f64; 2], share: f64| {
+            let start = start(by_share.map(fixed), fixed(share), fixed(2.0), 1.4);
+            start.map(|part| part.value)
+        };
+        let near = start([2e-3, 4e-3], 0.01);
         assert!(
             (near[0] - 0.2).abs() < 1e-15 && (near[1] - 0.4).abs() < 1e-15,
             "{near:?}"
         );
         // 2 m and 4 m/s at 2 rad/s reach 2 sqrt 2 m: what is left of them reaches 1.4 m.
-        let far = start([2e-3, 4e-3], 1e-3, 2.0, 1.4);
+        let far = start([2e-3, 4e-3], 1e-3);
         assert!(
             (far[0].hypot(far[1] / 2.0) - 1.4).abs() < 1e-12
                 && (far[1] - 2.0 * far[0]).abs() < 1e-12
         );
-        assert_eq!(start([0.0, 0.0], 1e-9, 2.0, 1.4), [0.0, 0.0]);
+        assert_eq!(start([0.0, 0.0], 1e-9), [0.0, 0.0]);
     }
 
     #[test]

@@ -2,11 +2,15 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
+use gyradius_mechanics::Real;
+
 use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form};
 use super::super::unit::UnitName;
-use super::{Scales, add, by_name, cause, logarithm, number, put, strength, within};
+use super::{
+    Scales, add, by_name, cause, clamped, fixed, logarithm, number, put, strength, within,
+};
 
 /// Speed and rate at which the strengths of drags are given, m/s and rad/s.
 const REFERENCE: f64 = 0.1;
@@ -67,7 +71,7 @@ fn quadratic_drag(scales: &Scales) -> Cause {
     ];
     let parameters = four(names, units, i.map(|i| i * mass / REFERENCE), 0.01);
     let law = put(move |q, _, e| {
-        let numbers = by_name(&names, |k| q[k] * i[k] / REFERENCE);
+        let numbers = by_name(&names, |k| q[k] * (i[k] / REFERENCE));
         add(e, "quadratic_drag", &numbers)
     });
     Cause {
@@ -98,7 +102,7 @@ fn power_law_damping(scales: &Scales) -> Cause {
     parameters.push(number(ParameterName::Exponent, UnitName::One, 0.5, 0.2));
     let law = put(move |q, _, e| {
         let mut numbers = by_name(&names, |k| q[k] * i[k]);
-        numbers.push(("exponent", q[4].clamp(-0.5, 1.5)));
+        numbers.push(("exponent", clamped(q[4], -0.5, 1.5)));
         add(e, "power_law_damping", &numbers)
     });
     Cause {
@@ -133,12 +137,11 @@ fn bearing_friction(scales: &Scales) -> Cause {
     let (names, parameters) = dry_friction(scales);
     let law = put(move |q, _, e| {
         let mut numbers = by_name(&names, |k| q[k] * i[k]);
-        numbers.push(("transition_rad_s", TRANSITION));
+        numbers.push(("transition_rad_s", fixed(TRANSITION)));
         add(e, "bearing_friction", &numbers)
     });
     Cause {
         kinked: true,
-        stiff: true,
         apart: true,
         one_sided: true,
         ..cause(CauseId::BearingFriction, parameters, law)
@@ -197,7 +200,7 @@ fn amplitude_added_mass(scales: &Scales) -> Cause {
     });
     let parameters = parameters.collect();
     let law = put(move |q, _, e| {
-        let value = |k: usize| q[k] * i[which[k]] / reach[which[k]];
+        let value = |k: usize| q[k] * (i[which[k]] / reach[which[k]]);
         let numbers = by_name(&names, value);
         add(e, "amplitude_added_mass", &numbers)
     });
@@ -273,8 +276,8 @@ fn wind(scales: &Scales, direction_rad: f64, centre: f64) -> Cause {
         let speed_m_s = q[1].exp();
         let numbers = [
             ("force_coefficient", q[0] / speed_m_s),
-            ("less_along", 1.0 - q[5].exp()),
-            ("gust_time_s", 1.0),
+            ("less_along", -q[5].exp() + 1.0),
+            ("gust_time_s", fixed(1.0)),
             ("steady_x_m_s", speed_m_s * q[2].cos()),
             ("steady_y_m_s", speed_m_s * q[2].sin()),
             ("centre_x_m", q[3]),
@@ -304,15 +307,12 @@ pub fn gust(tone: [&'static str; 3], frequency_hz: f64, duration_s: f64) -> Caus
         ..strength(name, UnitName::One, 1.0, 0.2)
     };
     let parameters = vec![
-        CauseParameter {
-            step: 0.01 / duration_s,
-            ..number(
-                ParameterName::GustHz,
-                UnitName::Hertz,
-                frequency_hz,
-                1.0 / duration_s,
-            )
-        },
+        number(
+            ParameterName::GustHz,
+            UnitName::Hertz,
+            frequency_hz,
+            1.0 / duration_s,
+        ),
         share(ParameterName::GustCos),
         share(ParameterName::GustSin),
     ];
@@ -330,6 +330,7 @@ pub fn gust(tone: [&'static str; 3], frequency_hz: f64, duration_s: f64) -> Caus
         Ok(())
     });
     Cause {
+        alone: true,
         form: Form::Gust,
         ..cause(CauseId::Wind, parameters, law)
     }

@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use gyradius_base::error::Result;
 use gyradius_identification::theory::{mode_names, swing_body, swing_rig};
-use gyradius_mechanics::Experiment;
 use gyradius_mechanics::effects::EffectValues;
+use gyradius_mechanics::{Experiment, Jet, Real};
 use gyradius_recording::{ModeName, Orientation};
 
 use super::cause_id::CauseId;
@@ -105,7 +105,6 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
 fn strength(name: ParameterName, unit: UnitName, factor: f64, u: f64) -> CauseParameter {
     CauseParameter {
         factor,
-        step: 0.01 * u,
         is_strength: true,
         ..number(name, unit, 0.0, u)
     }
@@ -113,15 +112,14 @@ fn strength(name: ParameterName, unit: UnitName, factor: f64, u: f64) -> CausePa
 
 /// A number that the effect depends on in other ways.
 fn number(name: ParameterName, unit: UnitName, mean: f64, u: f64) -> CauseParameter {
-    let (prior, step) = ((mean, u), 0.02 * u);
     CauseParameter {
         name,
         unit,
         factor: 1.0,
         zero: 0.0,
         is_log: false,
-        prior,
-        step,
+        prior: (mean, u),
+        stiff_below: 0.0,
         is_strength: false,
         of_swing: false,
         limits: NO_LIMITS,
@@ -150,9 +148,8 @@ fn cause(id: CauseId, parameters: Vec<CauseParameter>, put: Put) -> Cause {
         id,
         parameters,
         put,
-        on_phone: false,
         kinked: false,
-        stiff: false,
+        alone: false,
         apart: false,
         one_sided: false,
         form: Form::Law,
@@ -161,18 +158,34 @@ fn cause(id: CauseId, parameters: Vec<CauseParameter>, put: Put) -> Cause {
 }
 
 /// A [`Put`] from a function of the values.
-fn put(f: impl Fn(&[f64], usize, &mut Experiment) -> Result<()> + Send + Sync + 'static) -> Put {
+fn put(
+    f: impl Fn(&[Jet], usize, &mut Experiment<Jet>) -> Result<()> + Send + Sync + 'static,
+) -> Put {
     Arc::new(f)
 }
 
+/// A value kept within limits: beyond them the law does not depend on it.
+fn clamped(value: Jet, low: f64, high: f64) -> Jet {
+    if (low..=high).contains(&value.value) {
+        value
+    } else {
+        Jet::constant(value.value.clamp(low, high))
+    }
+}
+
+/// A number that no parameter changes.
+fn fixed(value: f64) -> Jet {
+    Jet::constant(value)
+}
+
 /// Values by the names that an effect has for its numbers, those of the parameters.
-fn by_name(names: &[ParameterName], value: impl Fn(usize) -> f64) -> Vec<(&'static str, f64)> {
+fn by_name(names: &[ParameterName], value: impl Fn(usize) -> Jet) -> Vec<(&'static str, Jet)> {
     let named = |(k, name): (usize, &ParameterName)| (name.name(), value(k));
     names.iter().enumerate().map(named).collect()
 }
 
 /// Adds an effect of the hull.
-fn add(experiment: &mut Experiment, id: &str, numbers: &[(&str, f64)]) -> Result<()> {
+fn add(experiment: &mut Experiment<Jet>, id: &str, numbers: &[(&str, Jet)]) -> Result<()> {
     experiment
         .scene
         .effects

@@ -3,10 +3,12 @@
 
 use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterName;
-use super::super::point::{Cause, CauseParameter, Form};
+use super::super::point::{Cause, Form};
 use super::super::term::Term;
 use super::super::unit::UnitName;
-use super::{Scales, add, cause, logarithm, number, put, strength};
+use gyradius_mechanics::Real;
+
+use super::{Scales, add, cause, clamped, fixed, logarithm, number, put, strength};
 
 /// Length of a knock, s, and standard deviation of its logarithm.
 const KNOCK_S: f64 = 0.1;
@@ -40,14 +42,8 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
             i[2] * mass,
             0.02,
         ),
-        CauseParameter {
-            step: 0.02,
-            ..number(ParameterName::AtS, UnitName::Second, at_s, 2.0)
-        },
-        CauseParameter {
-            step: 0.05,
-            ..logarithm(ParameterName::OverS, UnitName::Second, KNOCK_S, KNOCK_LOG_U)
-        },
+        number(ParameterName::AtS, UnitName::Second, at_s, 2.0),
+        logarithm(ParameterName::OverS, UnitName::Second, KNOCK_S, KNOCK_LOG_U),
     ];
     let law = put(move |q, s, e| {
         if s != swing {
@@ -55,7 +51,7 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         }
         let over_s = q[5].exp();
         let numbers = [
-            ("at_s", q[4] - 0.5 * over_s),
+            ("at_s", q[4] - over_s * 0.5),
             ("over_s", over_s),
             ("impulse_x_n_s", q[0]),
             ("impulse_y_n_s", q[1]),
@@ -65,7 +61,6 @@ pub fn knock_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
         add(e, "knock", &numbers)
     });
     Cause {
-        stiff: true,
         apart: true,
         form: Form::Knock(swing),
         ..cause(CauseId::Unknown, parameters, law)
@@ -85,24 +80,18 @@ pub fn line_slip_at(scales: &Scales, swing: usize, at_s: f64) -> Cause {
     let parameters = vec![
         strength(ParameterName::PositiveM, UnitName::Metre, line_m, 2e-3),
         strength(ParameterName::NegativeM, UnitName::Metre, line_m, 2e-3),
-        CauseParameter {
-            step: 0.02,
-            ..number(ParameterName::AtS, UnitName::Second, at_s, 2.0)
-        },
-        CauseParameter {
-            step: 0.05,
-            ..logarithm(ParameterName::OverS, UnitName::Second, GIVES_S, GIVES_LOG_U)
-        },
+        number(ParameterName::AtS, UnitName::Second, at_s, 2.0),
+        logarithm(ParameterName::OverS, UnitName::Second, GIVES_S, GIVES_LOG_U),
     ];
     let law = put(move |q, s, e| {
         if s < swing {
             return Ok(());
         }
-        let over_s = q[3].exp().clamp(GIVES_WITHIN_S[0], GIVES_WITHIN_S[1]);
+        let over_s = clamped(q[3].exp(), GIVES_WITHIN_S[0], GIVES_WITHIN_S[1]);
         let at_s = if s == swing {
-            q[2] - 0.5 * over_s
+            q[2] - over_s * 0.5
         } else {
-            -10.0
+            fixed(-10.0)
         };
         let numbers = [
             ("at_s", at_s),
@@ -166,15 +155,15 @@ pub fn learned_force(scales: &Scales, coordinate: usize, terms: &[Term]) -> Caus
     let terms = terms.to_vec();
     let law = put(move |q, _, e| {
         let mut numbers = vec![
-            ("coordinate", coordinate as f64),
-            ("scale_of_position", position),
-            ("scale_of_rate", rate),
+            ("coordinate", fixed(coordinate as f64)),
+            ("scale_of_position", fixed(position)),
+            ("scale_of_rate", fixed(rate)),
         ];
         numbers.extend(
             terms
                 .iter()
                 .zip(q)
-                .map(|(term, q)| (term.name(), q * force)),
+                .map(|(term, q)| (term.name(), *q * force)),
         );
         add(e, "learned_force", &numbers)
     });

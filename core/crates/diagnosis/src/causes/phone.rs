@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use gyradius_base::error::Result;
 use gyradius_base::frames::Vec3;
-use gyradius_mechanics::Experiment;
+use gyradius_mechanics::{Experiment, Jet, Real, V3};
 
 use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter, Form, LookAlike, Nearest, Seen, sensor};
 use super::super::unit::UnitName;
-use super::{by_name, cause, logarithm, number, put, strength};
+use super::{by_name, cause, clamped, fixed, logarithm, number, put, strength};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -57,12 +57,11 @@ fn bias_drift(warm_up_s: f64) -> Cause {
     ));
     let law = put(move |q, _, e| {
         let mut numbers = by_name(&names, |k| q[k]);
-        numbers.push(("warm_up_s", q[6].clamp(0.0, 10.0).exp()));
+        numbers.push(("warm_up_s", clamped(q[6], 0.0, 10.0).exp()));
         e.sensors.push(sensor("bias_drift", &numbers)?);
         Ok(())
     });
     Cause {
-        on_phone: true,
         ..cause(CauseId::BiasDrift, parameters, law)
     }
 }
@@ -75,7 +74,6 @@ fn clock_scale() -> Cause {
         Ok(())
     });
     Cause {
-        on_phone: true,
         ..cause(CauseId::ClockScale, parameters, law)
     }
 }
@@ -93,7 +91,6 @@ fn gyro_scale() -> Cause {
         Ok(())
     });
     Cause {
-        on_phone: true,
         ..cause(CauseId::GyroScale, parameters, law)
     }
 }
@@ -122,24 +119,23 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
     ] {
         parameters.push(strength(name, UnitName::Metre, 1.0, 0.01));
     }
-    parameters.push(CauseParameter {
-        step: 0.02,
-        ..number(ParameterName::AtS, UnitName::Second, at_s, 2.0)
-    });
-    parameters.push(CauseParameter {
-        step: 0.05,
-        ..logarithm(ParameterName::OverS, UnitName::Second, SLIP_S, SLIP_LOG_U)
-    });
+    parameters.push(number(ParameterName::AtS, UnitName::Second, at_s, 2.0));
+    parameters.push(logarithm(
+        ParameterName::OverS,
+        UnitName::Second,
+        SLIP_S,
+        SLIP_LOG_U,
+    ));
     let names: Vec<ParameterName> = parameters[..6].iter().map(|p| p.name).collect();
     let law = put(move |q, s, e| {
         if s < swing {
             return Ok(());
         }
-        let over_s = q[7].exp().clamp(SLIPS_S[0], SLIPS_S[1]);
+        let over_s = clamped(q[7].exp(), SLIPS_S[0], SLIPS_S[1]);
         let at_s = if s == swing {
-            q[6] - 0.5 * over_s
+            q[6] - over_s * 0.5
         } else {
-            -10.0
+            fixed(-10.0)
         };
         let mut numbers = by_name(&names, |k| q[k]);
         numbers.extend([("at_s", at_s), ("over_s", over_s)]);
@@ -147,7 +143,6 @@ pub fn slip_at(swing: usize, at_s: f64) -> Cause {
         Ok(())
     });
     Cause {
-        on_phone: true,
         form: Form::PhoneSlip(swing),
         ..cause(CauseId::PhoneSlip, parameters, law)
     }
@@ -191,11 +186,11 @@ impl Hinge {
     }
 
     fn put(
-        axis: &Vec3,
-        lever: &Vec3,
-        (hz, zeta): (f64, f64),
-        share: f64,
-        e: &mut Experiment,
+        axis: &V3<Jet>,
+        lever: &V3<Jet>,
+        (hz, zeta): (Jet, Jet),
+        share: Jet,
+        e: &mut Experiment<Jet>,
     ) -> Result<()> {
         let lever = lever - axis * axis.dot(lever);
         let numbers = [
@@ -230,10 +225,15 @@ fn mount(axis: [f64; 3]) -> Cause {
         number(ParameterName::Lever2PerM, UnitName::PerMetre, 0.0, 3.0),
     ];
     let law = put(move |q, _, e| {
-        let [one, other] = hinge.across;
-        let axis = (hinge.axis + one * q[2] + other * q[3]).normalize();
-        let hz_and_zeta = (q[0].clamp(-1.0, 4.0).exp(), q[1].clamp(-7.0, -0.1).exp());
-        Hinge::put(&axis, &(one * q[4] + other * q[5]), hz_and_zeta, 1.0, e)
+        let [one, other] = hinge.across.map(|way| way.map(fixed));
+        let axis = hinge.axis.map(fixed) + one * q[2] + other * q[3];
+        let axis = axis / axis.dot(&axis).sqrt();
+        let hz_and_zeta = (
+            clamped(q[0], -1.0, 4.0).exp(),
+            clamped(q[1], -7.0, -0.1).exp(),
+        );
+        let lever = one * q[4] + other * q[5];
+        Hinge::put(&axis, &lever, hz_and_zeta, fixed(1.0), e)
     });
     let seen = vec![
         strength(ParameterName::Turning, UnitName::One, 1.0, 2.0),
@@ -241,14 +241,13 @@ fn mount(axis: [f64; 3]) -> Cause {
         strength(ParameterName::Lever2, UnitName::PerMetre, 1.0, 4.0),
     ];
     let parts = put(move |q, _, e| {
-        let lever = hinge.across[0] * q[1] + hinge.across[1] * q[2];
-        if q[..3] == [0.0; 3] {
-            return Ok(());
-        }
-        Hinge::put(&hinge.axis, &lever, (MOUNT_HZ, MOUNT_DAMPING), q[0], e)
+        let [one, other] = hinge.across.map(|way| way.map(fixed));
+        let axis = hinge.axis.map(fixed);
+        let hz_and_zeta = (fixed(MOUNT_HZ), fixed(MOUNT_DAMPING));
+        Hinge::put(&axis, &(one * q[1] + other * q[2]), hz_and_zeta, q[0], e)
     });
     let cause_of_parts = Cause {
-        on_phone: true,
+        alone: true,
         ..cause(CauseId::PhoneMountResonance, seen, parts)
     };
     // A mount of another frequency gives by its square.
@@ -267,7 +266,6 @@ fn mount(axis: [f64; 3]) -> Cause {
         nearest: Box::new(nearest),
     };
     Cause {
-        on_phone: true,
         apart: true,
         look: Some(Arc::new(look)),
         ..cause(CauseId::PhoneMountResonance, parameters, law)

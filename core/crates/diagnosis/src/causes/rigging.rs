@@ -4,7 +4,9 @@ use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterName;
 use super::super::point::{Cause, CauseParameter};
 use super::super::unit::UnitName;
-use super::{Scales, add, cause, logarithm, put, strength};
+use gyradius_mechanics::Real;
+
+use super::{Scales, add, cause, clamped, fixed, logarithm, put, strength};
 
 /// Damping of the heave on elastic lines and of a support's own motion, shares of critical: ropes
 /// and steel lie near, most of them within a factor of 2. A line's is fitted: it delays the list
@@ -33,9 +35,12 @@ pub fn causes(scales: &Scales) -> Vec<Cause> {
     all
 }
 
-/// With a step so large: the stiffer the support or the line, the longer a simulation takes.
-fn coarse(parameter: CauseParameter, step: f64) -> CauseParameter {
-    CauseParameter { step, ..parameter }
+/// The stiffer the support or the line, the longer a simulation takes.
+fn stiff_below(stiff_below: f64, parameter: CauseParameter) -> CauseParameter {
+    CauseParameter {
+        stiff_below,
+        ..parameter
+    }
 }
 
 fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
@@ -59,7 +64,7 @@ fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
             "line_creep",
             &[
                 ("strain_per_decade", q[0]),
-                ("loaded_before_s", q[1].clamp(-2.0, 9.0).exp()),
+                ("loaded_before_s", clamped(q[1], -2.0, 9.0).exp()),
             ],
         )
     });
@@ -72,14 +77,14 @@ fn line_creep(scales: &Scales, loaded_before_s: f64) -> Cause {
 /// The stated length is that of the lines as they carry the hull.
 fn line_stretch(scales: &Scales) -> Cause {
     let parameters = vec![
-        coarse(
+        stiff_below(
+            2e-3,
             strength(
                 ParameterName::StretchUnderLoadM,
                 UnitName::Metre,
                 scales.line_m,
                 5e-3,
             ),
-            2e-3,
         ),
         logarithm(
             ParameterName::DampingRatio,
@@ -89,22 +94,22 @@ fn line_stretch(scales: &Scales) -> Cause {
         ),
     ];
     let law = put(|q, _, e| {
-        if q[0] == 0.0 {
+        if q[0].value == 0.0 {
             return Ok(());
         }
         let d = &mut e.scene.dimensions;
-        d.line_length_m /= 1.0 + q[0];
+        d.line_length_m /= q[0] + 1.0;
         // Of unit mass: each line carries g/2 and grows by the share q of its length.
-        let stiffness = d.gravity_m_s2 / (2.0 * q[0] * d.line_length_m);
-        let heave_rad_s = (2.0 * stiffness).max(0.0).sqrt();
+        let stiffness = d.gravity_m_s2 / (q[0] * 2.0 * d.line_length_m);
+        let heave_rad_s = (stiffness * 2.0).sqrt();
         let numbers = [
             ("force_per_strain_n", stiffness * d.line_length_m),
-            ("delay_s", 2.0 * q[1].exp() / heave_rad_s),
+            ("delay_s", q[1].exp() * 2.0 / heave_rad_s),
         ];
         add(e, "line_stretch", &numbers)
     });
     Cause {
-        stiff: true,
+        alone: true,
         apart: true,
         one_sided: true,
         ..cause(CauseId::LineStretch, parameters, law)
@@ -143,7 +148,7 @@ fn nonparallel_lines(scales: &Scales, by_share: bool) -> Cause {
         let spacing_m = if by_share {
             e.scene.dimensions.top_spacing_m
         } else {
-            spacing_m
+            fixed(spacing_m)
         };
         add(e, "nonparallel_lines", &[("excess_m", q[0] * spacing_m)])
     });
@@ -162,7 +167,7 @@ fn unequal_lines(scales: &Scales, by_share: bool) -> Cause {
         let line_m = if by_share {
             e.scene.dimensions.line_length_m
         } else {
-            line_m
+            fixed(line_m)
         };
         add(e, "unequal_lines", &[("difference_m", q[0] * line_m)])
     });
@@ -185,24 +190,24 @@ fn off_centre_cm(scales: &Scales) -> Cause {
 /// Give under the hull's weight pulled sideways, as a share of the lines' length.
 fn support_compliance(scales: &Scales) -> Cause {
     let (line_m, gravity) = (scales.line_m, scales.gravity_m_s2);
-    let parameters = vec![coarse(
+    let parameters = vec![stiff_below(
+        5e-4,
         strength(
             ParameterName::GiveMPerN,
             UnitName::MetrePerNewton,
             line_m / (gravity * scales.mass_kg),
             3e-3,
         ),
-        5e-4,
     )];
     let law = put(move |q, _, e| {
-        if q[0] == 0.0 {
+        if q[0].value == 0.0 {
             return Ok(());
         }
-        let stiffness = gravity / (q[0] * line_m);
+        let stiffness = fixed(gravity) / (q[0] * line_m);
         let own_rad_s = std::f64::consts::TAU * SUPPORT_HZ;
-        let damping = 2.0 * DAMPING * stiffness / own_rad_s;
+        let damping = stiffness * (2.0 * DAMPING / own_rad_s);
         let numbers = [
-            ("mass_kg", stiffness / (own_rad_s * own_rad_s)),
+            ("mass_kg", stiffness * own_rad_s.powi(-2)),
             ("stiffness_x_n_m", stiffness),
             ("stiffness_y_n_m", stiffness),
             ("damping_x_n_s_m", damping),
@@ -211,7 +216,7 @@ fn support_compliance(scales: &Scales) -> Cause {
         add(e, "support_compliance", &numbers)
     });
     Cause {
-        stiff: true,
+        alone: true,
         apart: true,
         one_sided: true,
         ..cause(CauseId::SupportCompliance, parameters, law)

@@ -108,7 +108,7 @@ fn parameter(
         zero: 0.0,
         is_log: false,
         prior,
-        step: 0.01 * prior.1,
+        stiff_below: 0.0,
         is_strength: true,
         of_swing: true,
         limits: NO_LIMITS,
@@ -251,12 +251,22 @@ pub fn learned(scales: &Scales, terms: &[Term]) -> Cause {
     }
 }
 
+/// A trace of a strength, as a share of the width of its prior.
+const TRACE: f64 = 0.01;
+
 impl Cause {
     /// Where a fit with it begins: strengths a trace above nothing, so that what else it has shows.
     pub fn start(&self) -> Vec<f64> {
         self.parameters
             .iter()
-            .map(|p| p.prior.0 + if p.is_strength { p.step } else { 0.0 })
+            .map(|p| {
+                p.prior.0
+                    + if p.is_strength {
+                        TRACE * p.prior.1
+                    } else {
+                        0.0
+                    }
+            })
             .collect()
     }
 

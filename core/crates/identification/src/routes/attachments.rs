@@ -6,16 +6,14 @@
 //! as they stand in the tensor (I_xz = −Σ m x z).
 
 use super::domain::{finite, not_negative, positive, result, root};
-use gyradius_base::frames::{Mat3, Vec3};
 use gyradius_base::{Error, Result};
-use gyradius_mechanics::RigidBody;
+use gyradius_mechanics::{M3, Real, RigidBody, V3};
 
 /// Two bodies as one, centres counted from one mark.
-pub fn joined(one: &RigidBody, other: &RigidBody) -> Result<RigidBody> {
-    let (a, b) = (
-        positive("mass_kg", one.mass_kg)?,
-        not_negative("mass_kg", other.mass_kg)?,
-    );
+pub fn joined<S: Real>(one: &RigidBody<S>, other: &RigidBody<S>) -> Result<RigidBody<S>> {
+    let (a, b) = (one.mass_kg, other.mass_kg);
+    positive("mass_kg", a.value())?;
+    not_negative("mass_kg", b.value())?;
     let mass_kg = a + b;
     let offset = other.cm_m - one.cm_m;
     Ok(RigidBody {
@@ -76,8 +74,8 @@ pub fn must_be_possible(body: &RigidBody) -> Result<()> {
 }
 
 /// Inertia of a point mass at r, m (r² 1 − r rᵀ): the parallel-axis rule.
-fn of_point_mass(mass_kg: f64, r: &Vec3) -> Mat3 {
-    (Mat3::identity() * r.norm_squared() - r * r.transpose()) * mass_kg
+fn of_point_mass<S: Real>(mass_kg: S, r: &V3<S>) -> M3<S> {
+    (M3::identity() * r.dot(r) - r * r.transpose()) * mass_kg
 }
 
 /// Gyradii about the hull's centre of mass of a light square frame of side 2d in the plane of the

@@ -8,7 +8,7 @@ use crate::theory::{axis, swing_body, swing_rig};
 use gyradius_base::error::Result;
 use gyradius_base::frames::{Rotation, Vec3};
 use gyradius_mechanics::effects::EffectValues;
-use gyradius_mechanics::{Body, Dimensions, Hanging, Phone, Scene, Start};
+use gyradius_mechanics::{Body, Dimensions, Hanging, Jet, Phone, Real, Scene, Start};
 use gyradius_recording::Swing;
 
 /// Numbers of the scene by which the motion is differentiated: places in `Scene::names`.
@@ -78,14 +78,19 @@ pub struct SwingSetup<'a> {
 impl SwingSetup<'_> {
     /// What is simulated, per kilogram: masses enter a motion by their ratios alone.
     pub fn scene(&self, x: &[f64], own: &Own) -> Result<Scene> {
+        self.scene_of(x, &own.values[..PLACE])
+    }
+
+    /// The same over numbers that may have derivatives, from the start and the damping rates.
+    pub fn scene_of<S: Real>(&self, x: &[S], v: &[S]) -> Result<Scene<S>> {
         let body = swing_body(self.layout, x, self.swing, self.index)?;
         // Asked for the lines' sake: a length that is no length is an error with its name.
-        swing_rig(self.layout, x, self.swing, self.index)?;
-        let value = |i: Option<usize>| i.map_or(0.0, |i| x[i]);
-        let v = &own.values;
-        let body = Body::new(1.0, &(body.inertia_kg_m2 / body.mass_kg), &body.cm_m);
+        let plain: Vec<f64> = x.iter().map(|x| x.value()).collect();
+        swing_rig(self.layout, &plain, self.swing, self.index)?;
+        let value = |i: Option<usize>| i.map_or(S::zero(), |i| x[i]);
+        let body = Body::new(S::one(), &(body.inertia_kg_m2 / body.mass_kg), &body.cm_m);
         let scales = damping_scales(&body);
-        let damping: Vec<(&str, f64)> = (0..5)
+        let damping: Vec<(&str, S)> = (0..5)
             .map(|k| (scales[k].0, v[DAMPING + k] * scales[k].1))
             .collect();
         Ok(Scene {
@@ -96,7 +101,7 @@ impl SwingSetup<'_> {
                 spacing_m: value(self.index.spacing),
                 top_spacing_m: value(self.index.top_spacing),
                 gravity_m_s2: x[self.layout.gravity],
-                ..Dimensions::default()
+                ..Dimensions::default().map(S::constant)
             },
             start: Start {
                 along_m: v[0],
@@ -122,16 +127,21 @@ impl SwingSetup<'_> {
     /// stay, and their numbers go with the body.
     pub fn lane_slopes(&self, x: &[f64], own: &Own, free: &[usize]) -> Result<DMatrix<f64>> {
         let mut slopes = DMatrix::zeros(LANES.len(), free.len());
-        for (column, i) in free.iter().enumerate() {
-            let step = self.layout.parameters[*i].step;
-            let shifted = |sign: f64| -> Result<Vec<f64>> {
-                let mut moved = x.to_vec();
-                moved[*i] += sign * step;
-                Ok(self.scene(&moved, own)?.values())
-            };
-            let (up, down) = (shifted(1.0)?, shifted(-1.0)?);
-            for (row, lane) in LANES.iter().enumerate() {
-                slopes[(row, column)] = (up[*lane] - down[*lane]) / (2.0 * step);
+        let v: Vec<Jet> = own.values[..PLACE]
+            .iter()
+            .map(|v| Jet::constant(*v))
+            .collect();
+        for (group, places) in free.chunks(gyradius_mechanics::LANES).enumerate() {
+            let mut x: Vec<Jet> = x.iter().map(|x| Jet::constant(*x)).collect();
+            for (lane, i) in places.iter().enumerate() {
+                x[*i] = Jet::parameter(x[*i].value, lane);
+            }
+            let numbers = self.scene_of(&x, &v)?.values();
+            for (row, place) in LANES.iter().enumerate() {
+                for lane in 0..places.len() {
+                    let column = group * gyradius_mechanics::LANES + lane;
+                    slopes[(row, column)] = numbers[*place].slope[lane];
+                }
             }
         }
         Ok(slopes)
@@ -144,7 +154,7 @@ impl SwingSetup<'_> {
 }
 
 /// Numbers of the linear damping, and the mass or inertia that makes them of a rate, 1/s.
-fn damping_scales(body: &Body) -> [(&'static str, f64); 5] {
+fn damping_scales<S: Real>(body: &Body<S>) -> [(&'static str, S); 5] {
     [
         ("surge_n_s_m", body.mass_kg),
         ("sway_n_s_m", body.mass_kg),

@@ -68,21 +68,21 @@ use wind::Wind;
 
 /// An effect and the values of its numbers.
 #[derive(Debug, Clone, PartialEq)]
-pub struct EffectValues {
+pub struct EffectValues<S = f64> {
     /// What it is.
     pub kind: EffectKind,
     /// Values in the order of `kind.numbers`.
-    pub values: Vec<f64>,
+    pub values: Vec<S>,
 }
 
-impl EffectValues {
+impl<S: Real> EffectValues<S> {
     /// The effect `id` with the values given, the others zero.
-    pub fn new(id: &str, given: &[(&str, f64)]) -> Result<Self> {
+    pub fn new(id: &str, given: &[(&str, S)]) -> Result<Self> {
         Self::of(&catalogue(), id, given)
     }
 
     /// The same from another catalogue, that of the sensors.
-    pub fn of(kinds: &[EffectKind], id: &str, given: &[(&str, f64)]) -> Result<Self> {
+    pub fn of(kinds: &[EffectKind], id: &str, given: &[(&str, S)]) -> Result<Self> {
         let known = || kinds.iter().map(|k| k.id).collect::<Vec<_>>().join(", ");
         let kind = *kinds
             .iter()
@@ -90,7 +90,7 @@ impl EffectValues {
             .ok_or_else(|| Error::argument("effect", known(), id))?;
         let mut effect = Self {
             kind,
-            values: vec![0.0; kind.numbers.len()],
+            values: vec![S::zero(); kind.numbers.len()],
         };
         given
             .iter()
@@ -99,7 +99,7 @@ impl EffectValues {
     }
 
     /// Gives a number by its name.
-    pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
+    pub fn set(&mut self, name: &str, value: S) -> Result<()> {
         let numbers = self.kind.numbers;
         let names = || {
             numbers
@@ -113,10 +113,19 @@ impl EffectValues {
         Ok(())
     }
 
+    /// The same effect over other numbers.
+    pub(super) fn map<T>(&self, f: impl Fn(S) -> T) -> EffectValues<T> {
+        EffectValues {
+            kind: self.kind,
+            values: self.values.iter().map(|value| f(*value)).collect(),
+        }
+    }
+
     /// Fails where a number that must be larger than zero is not.
     pub(super) fn check(&self) -> Result<()> {
         for (number, value) in self.kind.numbers.iter().zip(&self.values) {
-            if self.kind.positive.contains(&number.name) && !(value.is_finite() && *value > 0.0) {
+            let value = value.value();
+            if self.kind.positive.contains(&number.name) && !(value.is_finite() && value > 0.0) {
                 let name = format!("{}.{}", self.kind.id, number.name);
                 return Err(Error::argument(&name, "a positive number", value));
             }

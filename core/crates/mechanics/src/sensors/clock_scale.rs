@@ -17,9 +17,6 @@ impl<S> SensorDescribed for ClockScale<S> {
 }
 
 impl<S: Real> SensorEffect<S> for ClockScale<S> {
-    fn bends_time(&self) -> bool {
-        true
-    }
     fn bend(&self, t_s: &mut S, _draws: &[f64]) {
         *t_s /= S::one() + self.error;
     }

@@ -19,9 +19,6 @@ impl<S> SensorDescribed for Delay<S> {
 }
 
 impl<S: Real> SensorEffect<S> for Delay<S> {
-    fn bends_time(&self) -> bool {
-        true
-    }
     fn memory_of(&self, sensor: Sensor) -> Vec<(S, f64)> {
         match sensor {
             Sensor::Gyroscope => vec![(self.gyro_s, 1.0)],

@@ -49,10 +49,6 @@ pub(crate) trait SensorEffect<S: Real>: Debug {
     fn stamp_error_s(&self, _draws: &[f64]) -> f64 {
         0.0
     }
-    /// Whether readings are taken at a time that depends on the effect's numbers.
-    fn bends_time(&self) -> bool {
-        false
-    }
     /// Makes true time of the phone's.
     fn bend(&self, _t_s: &mut S, _draws: &[f64]) {}
     /// The phone's motion against the hull, where the effect is one.

@@ -26,9 +26,6 @@ impl<S: Real> SensorEffect<S> for Jitter<S> {
     fn stamp_error_s(&self, draws: &[f64]) -> f64 {
         self.sampling_s.value() * draws[0] + self.stamp_s.value() * draws[1]
     }
-    fn bends_time(&self) -> bool {
-        true
-    }
     fn bend(&self, t_s: &mut S, draws: &[f64]) {
         *t_s += self.sampling_s.scale(draws[0]);
     }

@@ -46,9 +46,6 @@ impl<S: Real> SensorEffect<S> for LowPass<S> {
         }
         Ok(())
     }
-    fn bends_time(&self) -> bool {
-        true
-    }
     fn memory_of(&self, sensor: Sensor) -> Vec<(S, f64)> {
         let tau = match sensor {
             Sensor::Gyroscope => self.gyro_time_constant_s,

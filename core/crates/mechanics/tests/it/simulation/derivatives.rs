@@ -429,3 +429,51 @@ fn numbers_without_influence_are_no_burden_across_kinks() {
         assert!(slopes.iter().all(|slope| slope.abs() < 1e-10), "{slopes:?}");
     }
 }
+
+/// What happens once may begin and end with jumps of its derivatives by its moment and length:
+/// those of the motion are right at the steps of a fit, too, since pieces end there. Against
+/// central differences.
+#[test]
+fn derivatives_by_a_moment_need_no_fine_steps() {
+    let at_s = 3.37;
+    let knocked = [
+        ("at_s", at_s),
+        ("over_s", 0.12),
+        ("impulse_x_n_s", 20.0),
+        ("turn_z_n_m_s", 15.0),
+    ];
+    let slipped = [("at_s", at_s), ("over_s", 0.2), ("positive_m", 4e-3)];
+    for (id, numbers) in [("knock", &knocked[..]), ("line_slip", &slipped[..])] {
+        let scene = with(keelboat(yawed(0.14)), id, numbers);
+        for name in ["at_s", "over_s"] {
+            let place = scene.index(&format!("{id}.{name}")).unwrap();
+            let wanted = [place];
+            let paths = scene.motion_and_derivatives(&wanted, Fineness::OF_FITS, 12.0);
+            let path = &paths.unwrap()[0];
+            let step = 1e-4;
+            let moved = |by: f64| {
+                let mut values = scene.values();
+                values[place] += by;
+                let there = scene.with_values(&values).unwrap();
+                there.motion_as(Fineness::OF_FITS, 12.0).unwrap()
+            };
+            let (up, down) = (moved(step), moved(-step));
+            // While it happens, and after it.
+            for t_s in [at_s + 0.05, at_s + 1.0, 11.0] {
+                let (above, below) = (read(&up.at(t_s)), read(&down.at(t_s)));
+                let slopes = read(&path.at(t_s)).map(|x| x.slope[0]);
+                let expected: Vec<f64> = (above.iter().zip(below))
+                    .map(|(above, below)| (above - below) / (2.0 * step))
+                    .collect();
+                let most = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                for (slope, expected) in slopes.iter().zip(&expected) {
+                    let away = (slope - expected).abs();
+                    assert!(
+                        away < 2e-3 * most,
+                        "{id} {name} at {t_s} s: {slope} for {expected} of {most}"
+                    );
+                }
+            }
+        }
+    }
+}
