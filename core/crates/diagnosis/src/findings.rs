@@ -44,19 +44,19 @@ pub fn findings(model: &Model, fitted: &Fitted, left: &Left) -> Result<Vec<Discr
 /// By swing: how much is left, how it goes with time, and at which frequencies.
 fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepancy>> {
     let mut all = Vec::new();
-    for (s, swung) in model.base.swings.iter().enumerate() {
+    for (s, fitted_swing) in model.base.swings.iter().enumerate() {
         let bands: Vec<&Band> = left.bands.iter().filter(|b| b.swing == s).collect();
         if bands.is_empty() {
             continue;
         }
         let rows = model.rows(point, s)?;
         let times: Vec<f64> = model.blocks(s).iter().map(|block| block.t_s).collect();
-        let id = &swung.setup.swing.id;
+        let id = &fitted_swing.setup.swing.id;
         let record = Record {
             id,
             rows: &rows,
             times_s: &times,
-            duration_s: swung.samples.duration_s,
+            duration_s: fitted_swing.samples.duration_s,
         };
         all.extend(structure_of(&record, 6, bands, &|channel| {
             let key = if channel < 3 {
@@ -73,8 +73,8 @@ fn structure(model: &Model, point: &Point, left: &Left) -> Result<Vec<Discrepanc
 /// The strongest turns of a swing, each about its axis: period and decay against amplitude, what is
 /// left against phase.
 fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
-    let swung = model.swing(s);
-    let (evidence, streams) = (swung.evidence, &swung.samples.streams);
+    let fitted_swing = model.swing(s);
+    let (evidence, streams) = (fitted_swing.evidence, &fitted_swing.samples.streams);
     let Some(stream) = streams
         .iter()
         .position(|stream| stream.sensor == Sensor::Gyroscope)
@@ -97,7 +97,7 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
             .map(|o| poles[o])
             .collect();
         let seen = Seen {
-            swing: &swung.setup.swing.id,
+            swing: &fitted_swing.setup.swing.id,
             motion: evidence
                 .named
                 .get(m)
@@ -106,7 +106,7 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
             measured_rad_s: &along(&samples.values),
             simulated_rad_s: &along(&readings[stream]),
             noise_rad_s: samples.noise_along(&axis),
-            duration_s: swung.samples.duration_s,
+            duration_s: fitted_swing.samples.duration_s,
             mode: poles[m],
             others: &others,
         };
@@ -283,16 +283,16 @@ fn unit_of(kind: InputKind) -> UnitName {
 /// Sensors that came to the end of their range.
 fn saturated(base: &Base) -> Vec<Discrepancy> {
     let mut all = Vec::new();
-    for swung in &base.swings {
-        let id = &swung.setup.swing.id;
-        let samples: usize = swung
+    for fitted_swing in &base.swings {
+        let id = &fitted_swing.setup.swing.id;
+        let samples: usize = fitted_swing
             .samples
             .streams
             .iter()
             .map(|s| s.t_s.len())
             .max()
             .unwrap_or(0);
-        for repair in swung
+        for repair in fitted_swing
             .evidence
             .repairs
             .iter()

@@ -40,14 +40,20 @@ impl Model<'_> {
 
     /// Differences of every sample and its reading over the noise, stream by stream.
     pub fn residuals(&self, point: &Point, s: usize) -> Result<Vec<Vec<Vec3>>> {
-        let swung = self.swing(s);
+        let fitted_swing = self.swing(s);
         let readings = self.readings(point, s)?;
         let of = |(stream, readings): (&Stream, Vec<Vec3>)| {
             let each = stream.values.iter().zip(readings);
             each.map(|(value, reading)| (value - reading).component_div(&stream.noise))
                 .collect()
         };
-        Ok(swung.samples.streams.iter().zip(readings).map(of).collect())
+        Ok(fitted_swing
+            .samples
+            .streams
+            .iter()
+            .zip(readings)
+            .map(of)
+            .collect())
     }
 
     /// So far a swing is looked at, s.
@@ -62,18 +68,22 @@ impl Model<'_> {
 
     /// Readings at the time of every sample that is looked at, stream by stream.
     pub fn readings(&self, point: &Point, s: usize) -> Result<Vec<Vec<Vec3>>> {
-        let swung = self.swing(s);
+        let fitted_swing = self.swing(s);
         let experiment = self.experiment(point, s)?;
         let until_s = self.until_s(s);
         let path = experiment.motion(self.fineness(), until_s)?;
         let seen = |stream: &Stream| stream.t_s.partition_point(|t| *t <= until_s);
-        let times: Vec<&[f64]> = swung
+        let times: Vec<&[f64]> = fitted_swing
             .samples
             .streams
             .iter()
             .map(|stream| &stream.t_s[..seen(stream)])
             .collect();
-        let sensors = swung.samples.streams.iter().map(|stream| stream.sensor);
+        let sensors = fitted_swing
+            .samples
+            .streams
+            .iter()
+            .map(|stream| stream.sensor);
         let all = once_each(&times, |t_s| experiment.readings_on(&path, t_s))?;
         let part = |(readings, sensor): (Vec<Reading<f64>>, Sensor)| {
             readings.iter().map(|r| picked(sensor, r)).collect()
@@ -139,28 +149,21 @@ impl Model<'_> {
         let (first, own) = (places.free + 6, places.free + 6 + places.causes);
         let blocks = self.blocks(s);
         let mut out = DMatrix::zeros(3 * blocks.len(), own + OWN);
-        let of_causes: Vec<Wanted> = (first..own).map(Wanted::same).collect();
-        let rest = (0..first).chain(own..own + OWN).map(Wanted::same);
-        if self.is_apart() {
-            let (pliant, there) = self.pliant(point, self.causes.len());
-            let gone = places.causes - Places::of(&pliant).causes;
+        let of_causes = (first..own).map(Wanted::same);
+        let is_kinked = self.fineness() == Fineness::OF_KINKED_FITS;
+        if self.is_apart() || is_kinked {
+            let (reduced, there) = self.reduced(point, self.causes.len());
+            let gone = places.causes - Places::of(&reduced).causes;
             let of_own = (own..own + OWN).map(|k| Wanted {
                 column: k - gone,
                 to: k,
             });
             let others: Vec<Wanted> = (0..first).map(Wanted::same).chain(of_own).collect();
-            pliant.fill((&there, s), &blocks, &others, None, &mut out)?;
-            self.fill_causes((point, s), &blocks, &of_causes, &mut out)?;
-        } else if self.fineness() == Fineness::OF_KINKED_FITS {
-            self.fill(
-                (point, s),
-                &blocks,
-                &rest.collect::<Vec<_>>(),
-                None,
-                &mut out,
-            )?;
+            let of_causes: Vec<Wanted> = of_causes.collect();
+            reduced.fill((&there, s), &blocks, &others, None, &mut out)?;
             self.fill_causes((point, s), &blocks, &of_causes, &mut out)?;
         } else {
+            let rest = (0..first).chain(own..own + OWN).map(Wanted::same);
             let all: Vec<Wanted> = rest.chain(of_causes).collect();
             self.fill((point, s), &blocks, &all, None, &mut out)?;
         }

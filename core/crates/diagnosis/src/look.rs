@@ -37,11 +37,11 @@ impl<'a> Standing<'a> {
             of_many: true,
             ..model.precise()
         };
-        let (pliant, there) = model.pliant(point, model.causes.len());
+        let (reduced, there) = model.reduced(point, model.causes.len());
         let seen = in_parallel(model.base.swings.len(), |s| {
             Ok((
                 DVector::from_vec(model.rows(point, s)?),
-                pliant.path_of_slopes(&there, s)?,
+                reduced.path_of_slopes(&there, s)?,
             ))
         });
         let (residuals, paths) = seen
@@ -385,7 +385,6 @@ impl Part {
 
 /// First looks at causes; none at those that cannot be simulated here.
 pub fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
-    let swings = standing.model.base.swings.len();
     let seen: Vec<&Cause> = causes.iter().map(Cause::as_seen).collect();
     let groups = side_by_side(&seen);
     let sensitivities = in_parallel(groups.len(), |g| {
@@ -407,7 +406,6 @@ pub fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
     {
         of_each[*k] = found;
     }
-    debug_assert!(of_each.iter().flatten().all(|all| all.len() == swings));
     let looks = in_parallel(causes.len(), |k| {
         Look::at(standing, &causes[k], of_each[k].as_ref()?)
     });
@@ -423,10 +421,7 @@ fn side_by_side(causes: &[&Cause]) -> Vec<Vec<usize>> {
         let size = cause.parameters.iter().filter(|p| p.is_strength).count();
         let has_room = |(group, taken): &&mut (Vec<usize>, usize)| {
             let first = causes[group[0]];
-            !cause.alone
-                && !first.alone
-                && first.kinked == cause.kinked
-                && taken.saturating_add(size) <= LANES
+            !cause.alone && !first.alone && first.kinked == cause.kinked && *taken + size <= LANES
         };
         match groups.iter_mut().find(has_room) {
             Some((group, taken)) => {
@@ -479,7 +474,7 @@ fn sensitivity(
     let is_alone = extended.causes[known..].iter().any(|cause| cause.alone);
     let blocks = extended.blocks(s);
     let new: usize = at.causes[known..].iter().map(Vec::len).sum();
-    let (extended, at) = &extended.pliant(at, known);
+    let (extended, at) = &extended.reduced(at, known);
     let places = Places::of(extended);
     let first = places.free + 6 + places.causes - new;
     let wanted: Vec<Wanted> = (strengths.iter().enumerate())

@@ -387,7 +387,7 @@ impl Model<'_> {
 
     /// The model and its point without those of the first so many causes that derivatives are taken
     /// apart from.
-    pub fn pliant(&self, point: &Point, count: usize) -> (Self, Point) {
+    pub fn reduced(&self, point: &Point, count: usize) -> (Self, Point) {
         let all = self.causes.iter().zip(&point.causes).enumerate();
         let stays = all.filter(|(k, (cause, _))| *k >= count || !cause.apart);
         let (causes, values) = stays
@@ -477,18 +477,23 @@ impl Model<'_> {
         };
         let places = Places::of(self);
         let (mut of_cause, first_own) = (places.free + 6, places.free + 6 + places.causes);
-        let swung = self.swing(s);
+        let fitted_swing = self.swing(s);
         let mut x: Vec<Jet> = point.x.iter().map(|x| Jet::constant(*x)).collect();
         for (column, i) in self.base.free.iter().enumerate() {
             x[*i] = with_lane(point.x[*i], column);
         }
         let own = std::array::from_fn(|k| with_lane(point.owns[s][k], first_own + k));
         let moves = std::array::from_fn(|k| with_lane(0.0, places.free + k));
-        let phone = self.phone(&point.mounts[swung.mount], &moves, (&x, &own), swung);
+        let phone = self.phone(
+            &point.mounts[fitted_swing.mount],
+            &moves,
+            (&x, &own),
+            fitted_swing,
+        );
         let hull_from_phone = self.hull_from_phone(point, s);
-        let clock = self.base.layout().clock_error(&x, swung.setup.index);
+        let clock = self.base.layout().clock_error(&x, fitted_swing.setup.index);
         let mut experiment = Experiment {
-            scene: swung.setup.scene_of(&x, &own[..BIAS])?,
+            scene: fitted_swing.setup.scene_of(&x, &own[..BIAS])?,
             hull_from_phone,
             phone,
             // The clock comes first: `clock` and a cause of the catalogue rely on it.
@@ -508,9 +513,9 @@ impl Model<'_> {
 
     /// How the phone lies on the hanging hull.
     fn hull_from_phone(&self, point: &Point, s: usize) -> Rotation {
-        let swung = self.swing(s);
-        let hanging = world_from_hull(&point.x, swung.setup.index);
-        let turn = hanging * point.mounts[swung.mount].hull_from_phone;
+        let fitted_swing = self.swing(s);
+        let hanging = world_from_hull(&point.x, fitted_swing.setup.index);
+        let turn = hanging * point.mounts[fitted_swing.mount].hull_from_phone;
         Rotation::new_normalize(turn.into_inner())
     }
 
@@ -520,9 +525,9 @@ impl Model<'_> {
         mount: &Mount,
         moves: &[Jet; 6],
         (x, own): (&[Jet], &[Jet; OWN]),
-        swung: &FittedSwing,
+        fitted_swing: &FittedSwing,
     ) -> Phone<Jet> {
-        let index = swung.setup.index;
+        let index = fitted_swing.setup.index;
         let hanging: M3<Jet> = world_from_hull_matrix(x, index);
         let level: M3<Jet> = hanging.map(|cell| Jet::constant(cell.value));
         let on_hull: M3<Jet> = matrix(&mount.hull_from_phone);

@@ -426,7 +426,7 @@ impl Found<'_> {
             .base
             .swings
             .iter()
-            .map(|swung| swung.samples.duration_s)
+            .map(|fitted_swing| fitted_swing.samples.duration_s)
             .fold(0.0, f64::max)
     }
 

@@ -16,11 +16,11 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 /// they are compared.
 pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
     let one = |s: usize| -> Result<SwingTrace> {
-        let swung = base.swing(s);
+        let fitted_swing = base.swing(s);
         let before = base.readings(&found.base.point, s)?;
         let after = found.model.readings(&found.fitted.point, s)?;
         let (stream, axis) = strongest(base, s);
-        let samples = &swung.samples.streams[stream];
+        let samples = &fitted_swing.samples.streams[stream];
         let first = first_settled(&samples.t_s);
         let part = |readings: &[Vec3]| readings[first..].iter().map(|r| r[axis]).collect();
         let (key, unit) = match samples.sensor {
@@ -29,7 +29,7 @@ pub fn traces(base: &Model, found: &Found) -> Result<Vec<SwingTrace>> {
         };
         let channel = words::message(key, [("axis", words::written(AXES[axis]))]);
         Ok(SwingTrace {
-            swing: swung.setup.swing.id.clone(),
+            swing: fitted_swing.setup.swing.id.clone(),
             channel,
             unit: unit.into(),
             noise: samples.noise[axis],

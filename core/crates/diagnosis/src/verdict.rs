@@ -252,8 +252,8 @@ const LEAST_SATURATED: usize = 10;
 pub fn saturation(base: &Base) -> Option<CauseResult> {
     let mut limits = BTreeMap::new();
     let mut count = 0;
-    for swung in &base.swings {
-        for repair in swung
+    for fitted_swing in &base.swings {
+        for repair in fitted_swing
             .evidence
             .repairs
             .iter()
@@ -264,12 +264,12 @@ pub fn saturation(base: &Base) -> Option<CauseResult> {
                 Sensor::Gyroscope => (ParameterName::GyroRadS, UnitName::RadianPerSecond, 0),
                 _ => (ParameterName::AccMS2, UnitName::MetrePerSecondSquared, 1),
             };
-            let largest = swung.samples.streams[k]
+            let largest = fitted_swing.samples.streams[k]
                 .values
                 .iter()
                 .map(|v| v.amax())
                 .fold(0.0, f64::max);
-            let noise = swung.samples.streams[k].noise.max();
+            let noise = fitted_swing.samples.streams[k].noise.max();
             let known: &mut ParameterResult =
                 limits.entry(name.into()).or_insert(ParameterResult {
                     value: largest,

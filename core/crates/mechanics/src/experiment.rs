@@ -106,6 +106,10 @@ impl<S: Real> Experiment<S> {
     pub fn plain(&self) -> Experiment {
         self.map(S::value)
     }
+
+    fn sensor_values(&self) -> impl Iterator<Item = S> {
+        self.sensors.iter().flat_map(|e| e.values.iter().copied())
+    }
 }
 
 /// An experiment whose numbers depend on parameters.
@@ -127,33 +131,42 @@ impl Experiment<Jet> {
     /// six rows (gyroscope x, y, z, specific force x, y, z), for each of them one figure by
     /// parameter.
     pub fn slopes(&self, count: usize, fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
-        if count <= NARROW {
-            let narrow = self.map(Dual::narrowed::<NARROW>);
-            narrow.all_slopes(count, fineness, t_s)
-        } else if count <= MIDDLE {
-            let middle = self.map(Dual::narrowed::<MIDDLE>);
-            middle.all_slopes(count, fineness, t_s)
-        } else {
-            self.all_slopes(count, fineness, t_s)
-        }
+        self.by_width(count, Hull::Moves(fineness), t_s)
     }
 
     /// The same by parameters on which the hull's motion does not depend, along that motion.
     pub fn slopes_along(&self, path: &Path<f64>, count: usize, t_s: &[f64]) -> Result<Vec<f64>> {
+        self.by_width(count, Hull::Known(path), t_s)
+    }
+
+    fn by_width(&self, count: usize, hull: Hull, t_s: &[f64]) -> Result<Vec<f64>> {
         if count <= NARROW {
             let narrow = self.map(Dual::narrowed::<NARROW>);
-            narrow.slopes_on(Course::Plain(path), count, t_s)
+            narrow.all_slopes(count, hull, t_s)
         } else if count <= MIDDLE {
             let middle = self.map(Dual::narrowed::<MIDDLE>);
-            middle.slopes_on(Course::Plain(path), count, t_s)
+            middle.all_slopes(count, hull, t_s)
         } else {
-            self.slopes_on(Course::Plain(path), count, t_s)
+            self.all_slopes(count, hull, t_s)
         }
     }
 }
 
+/// Where the motion of the hull comes from.
+#[derive(Clone, Copy)]
+enum Hull<'a> {
+    /// It is computed, with its derivatives.
+    Moves(Fineness),
+    /// It is known, and has none.
+    Known(&'a Path<f64>),
+}
+
 impl<const N: usize> Experiment<Dual<N>> {
-    fn all_slopes(&self, count: usize, fineness: Fineness, t_s: &[f64]) -> Result<Vec<f64>> {
+    fn all_slopes(&self, count: usize, hull: Hull, t_s: &[f64]) -> Result<Vec<f64>> {
+        let fineness = match hull {
+            Hull::Known(path) => return self.slopes_on(Course::Plain(path), count, t_s),
+            Hull::Moves(fineness) => fineness,
+        };
         let plain = self.plain();
         let step_s = plain.scene.step_s(fineness.steps_per_period)?;
         let laws: Laws<f64> = plain.laws(&mut plain.sensor_values())?;
@@ -177,12 +190,6 @@ impl<const N: usize> Experiment<Dual<N>> {
         Ok(rows
             .flat_map(|row| row.slope.into_iter().take(count))
             .collect())
-    }
-}
-
-impl<S: Real> Experiment<S> {
-    fn sensor_values(&self) -> impl Iterator<Item = S> {
-        self.sensors.iter().flat_map(|e| e.values.iter().copied())
     }
 }
 

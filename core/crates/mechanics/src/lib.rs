@@ -37,7 +37,7 @@ pub use numbers::{Number, Numbers};
 pub use path::{Fineness, Moment, Path, Slack};
 pub use phone::{Mounted, Phone, Reading};
 pub use pose::Pose;
-pub use real::{Dual, M3, Real, V3};
+pub use real::{Dual, M3, Real, V3, is_still};
 pub use rig::{Hanging, Line, Rig, RigidBody, SuspensionAxis};
 pub use scene::{Body, Dimensions, LANES, Scene};
 pub use sensor::{IdealPhone, ideal_phone};

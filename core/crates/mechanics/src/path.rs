@@ -58,22 +58,6 @@ pub struct Moment<S: Real> {
     pub angular_acceleration: V3<S>,
 }
 
-impl Moment<Dual<1>> {
-    /// At a time, given the moment with its derivatives by the time.
-    fn at_time<S: Real>(&self, t_s: S) -> Moment<S> {
-        let by_time = |part: &Dual<1>| t_s.chain(part.value, part.slope[0]);
-        let vector = |v: &V3<Dual<1>>| V3::new(by_time(&v.x), by_time(&v.y), by_time(&v.z));
-        Moment {
-            position: vector(&self.position),
-            attitude: [0, 1, 2, 3].map(|k| by_time(&self.attitude[k])),
-            velocity: vector(&self.velocity),
-            rate: vector(&self.rate),
-            acceleration: vector(&self.acceleration),
-            angular_acceleration: vector(&self.angular_acceleration),
-        }
-    }
-}
-
 impl<S: Real> Moment<S> {
     /// From a state and its derivative.
     pub(super) fn new(y: &[S], slope: &[S]) -> Self {
@@ -93,16 +77,15 @@ impl<S: Real> Moment<S> {
         matrix(&self.attitude)
     }
 
-    /// The same body over numbers of another kind.
-    fn over<T: Real>(&self) -> Moment<T> {
-        let vector = |v: &V3<S>| v.map(|x| T::constant(x.value()));
+    /// The same body over other numbers.
+    fn map<T: Real>(&self, f: impl Fn(S) -> T + Copy) -> Moment<T> {
         Moment {
-            position: vector(&self.position),
-            attitude: self.attitude.map(|x| T::constant(x.value())),
-            velocity: vector(&self.velocity),
-            rate: vector(&self.rate),
-            acceleration: vector(&self.acceleration),
-            angular_acceleration: vector(&self.angular_acceleration),
+            position: self.position.map(f),
+            attitude: self.attitude.map(f),
+            velocity: self.velocity.map(f),
+            rate: self.rate.map(f),
+            acceleration: self.acceleration.map(f),
+            angular_acceleration: self.angular_acceleration.map(f),
         }
     }
 
@@ -493,7 +476,7 @@ impl Path<f64> {
     /// The body of a motion without derivatives at a time that has some.
     pub(super) fn as_seen_at<S: Real>(&self, t_s: S) -> Moment<S> {
         if is_still(t_s) {
-            return self.at(t_s.value()).over();
+            return self.at(t_s.value()).map(S::constant);
         }
         let (n, x) = self.place_of(Dual::<1>::parameter(t_s.value(), 0));
         let rows: Vec<_> = self
@@ -502,6 +485,7 @@ impl Path<f64> {
             .map(|row| row.map(Dual::constant))
             .collect();
         let parts = between_moving::<Dual<1>, MEMORY, VELOCITY>(&rows, x);
-        self.moment(n, parts).at_time(t_s)
+        let by_time = |part: Dual<1>| t_s.chain(part.value, part.slope[0]);
+        self.moment(n, parts).map(by_time)
     }
 }

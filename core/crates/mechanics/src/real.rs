@@ -110,7 +110,7 @@ impl Real for f64 {
 }
 
 /// Whether a number depends on none of the parameters.
-pub(crate) fn is_still<S: Real>(number: S) -> bool {
+pub fn is_still<S: Real>(number: S) -> bool {
     number.slopes().iter().all(|slope| *slope == 0.0)
 }
 

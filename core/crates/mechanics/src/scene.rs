@@ -221,22 +221,22 @@ impl Scene {
         Ok(Moment::new(&y, &slope))
     }
 
-    pub(super) fn run<T: Real>(
+    pub(super) fn run<S: Real>(
         &self,
-        values: Vec<T>,
+        values: Vec<S>,
         duration_s: f64,
         step_s: f64,
         fineness: Fineness,
-    ) -> Result<Path<T>> {
+    ) -> Result<Path<S>> {
         let sizes = sizes(&values);
         let (equations, start) = self.equations(values)?;
         let y = started(&equations, self.hanging, &start)?;
         Path::integrate(&equations, y, sizes, duration_s, step_s, fineness)
     }
 
-    pub(super) fn equations<T: Real>(&self, values: Vec<T>) -> Result<(Equations<T>, Start<T>)> {
+    pub(super) fn equations<S: Real>(&self, values: Vec<S>) -> Result<(Equations<S>, Start<S>)> {
         self.effects.iter().try_for_each(EffectValues::check)?;
-        let rest = &mut values.into_iter() as &mut dyn Iterator<Item = T>;
+        let rest = &mut values.into_iter() as &mut dyn Iterator<Item = S>;
         let few = || Error::argument("values", "as many as the scene has numbers", "too few");
         let body = Body::from_numbers(rest).ok_or_else(few)?;
         let dimensions = Dimensions::from_numbers(rest).ok_or_else(few)?;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use gyradius_base::error::Result;
-use gyradius_mechanics::{Experiment, Jet, Real};
+use gyradius_mechanics::{Experiment, Jet, Real, is_still};
 
 use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterName;
@@ -211,9 +211,8 @@ fn slides(scales: &Scales, frequency_hz: f64) -> Cause {
     let (half_m, depth_m) = (scales.half_length_m, scales.depth_m);
     let parameters = (0..6).map(|_| share(scales)).collect();
     let law = put(move |q, _, e| {
-        let is_asked_for = |share: &Jet| share.slope.iter().any(|slope| *slope != 0.0);
-        let shares = q.iter().enumerate();
-        for (k, share) in shares.filter(|(_, share)| share.value > 0.0 || is_asked_for(share)) {
+        let is_there = |share: &Jet| share.value > 0.0 || !is_still(*share);
+        for (k, share) in q.iter().enumerate().filter(|(_, share)| is_there(share)) {
             let side = if k % 2 == 0 { FORE } else { -FORE };
             Slide {
                 share: *share + LEAST_SHARE,

@@ -260,12 +260,8 @@ impl Cause {
         self.parameters
             .iter()
             .map(|p| {
-                p.prior.0
-                    + if p.is_strength {
-                        TRACE * p.prior.1
-                    } else {
-                        0.0
-                    }
+                let trace = if p.is_strength { TRACE } else { 0.0 };
+                p.prior.0 + trace * p.prior.1
             })
             .collect()
     }
