@@ -207,6 +207,44 @@ def test_a_ship_that_stiffens_has_the_period_of_small_rolls() -> None:
     assert motion.drag_per_rad == pytest.approx(0.057, abs=WITHIN * motion.drag_per_rad_se)
 
 
+def test_a_criticism_of_that_ship_holds_its_period() -> None:
+    """2.5509 ± 0.0003 s: no law of the catalogue follows it, and the interval allows for that."""
+    critique = gyradius.load(CASES / "extended-period-biased").critique()
+    period = critique.extended.quantities["small_period_s1_s"]
+    assert period.value == pytest.approx(2.5509, abs=WITHIN * period.u)
+    assert period.u < 0.02
+
+
+def test_thinning_leaves_the_causes_of_a_ship() -> None:
+    """Quadratic drag, 0.123 1/rad, at 50 Hz as at 33 Hz, and a restoring force that hardens."""
+    for rate in ("50hz", "33hz"):
+        critique = gyradius.load(CASES / "cause-lost-by-thinning" / rate).critique()
+        assert critique.verdict.status == "explained"
+        assert critique.verdict.causes == ("quadratic_drag", "restoring_force")
+        assert all(cause.probability > 0.9 for cause in critique.causes[:2])
+        (found,) = (cause for cause in critique.causes if cause.id == "quadratic_drag")
+        drag = found.parameters["torque_coefficient_per_inertia"]
+        assert drag.value == pytest.approx(0.123, abs=WITHIN * drag.u)
+
+
+def test_an_angle_is_criticised_by_its_samples(tmp_path: Path) -> None:
+    """An encoder's pendulum, its last 100 s: dry friction brakes it, and T₀ is 1.0304(5) s."""
+    rows = (CASES / "angle-column" / "angle.csv").read_text().splitlines()
+    late = [row for row in rows[1:] if float(row.split(",")[0]) >= 69.7]
+    (tmp_path / "late.csv").write_text("\n".join([rows[0], *late]))
+    mapping = ["t=time:s", "angle=angle:rad"]
+    gyradius.import_files(
+        [str(tmp_path / "late.csv")],
+        tmp_path / "late",
+        mapping=mapping,
+        suspension="compound",
+        axis_height=(0.3, 0.001),
+    )
+    critique = gyradius.load(tmp_path / "late").critique()
+    assert "bearing_friction" in critique.verdict.causes
+    assert critique.extended.quantities["small_period_late_s"].value == pytest.approx(1.0304, abs=0.002)
+
+
 def test_constant_channels_change_nothing_of_a_criticism() -> None:
     zeros, noise = (gyradius.load(CASES / "zero-channel" / name).critique() for name in ("zeros", "tiny-noise"))
     assert zeros.verdict.status == noise.verdict.status

@@ -42,6 +42,8 @@ named! {
         PreslidingBearing = "presliding_bearing",
         /// A drag with the square of the velocity.
         QuadraticDrag = "quadratic_drag",
+        /// The restoring force hardens or softens otherwise than the suspension says.
+        RestoringForce = "restoring_force",
         /// Readings beyond a sensor's range.
         Saturation = "saturation",
         /// Gravity is not as stated.

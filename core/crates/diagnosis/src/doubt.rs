@@ -292,7 +292,7 @@ pub fn widen(quantities: &mut BTreeMap<QuantityName, QuantityResult>, otherwise:
 
 /// Half of the interval about zero that holds 95 % of normal variables of given odds, means and
 /// standard deviations.
-fn half_width_95(all: &[(f64, f64, f64)]) -> f64 {
+pub(super) fn half_width_95(all: &[(f64, f64, f64)]) -> f64 {
     let (normal, total) = (
         Normal::standard(),
         all.iter().map(|(odds, ..)| odds).sum::<f64>(),

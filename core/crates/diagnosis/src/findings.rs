@@ -103,9 +103,10 @@ fn motions(model: &Model, point: &Point, s: usize) -> Result<Vec<Discrepancy>> {
                 .get(m)
                 .map_or(ModeName::Other, |named| named.name),
             t_s: &samples.t_s,
-            measured_rad_s: &along(&samples.values),
-            simulated_rad_s: &along(&readings[stream]),
-            noise_rad_s: samples.noise_along(&axis),
+            measured: &along(&samples.values),
+            simulated: &along(&readings[stream]),
+            is_angle: false,
+            noise: samples.noise_along(&axis),
             duration_s: fitted_swing.samples.duration_s,
             mode: poles[m],
             others: &others,

@@ -28,6 +28,7 @@ mod quantities;
 mod result;
 mod search;
 mod seen;
+mod selection;
 mod shape;
 mod tell_apart;
 mod term;

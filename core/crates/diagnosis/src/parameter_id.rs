@@ -85,6 +85,9 @@ named! {
         GyroWarmYRadS = "gyro_warm_y_rad_s",
         /// The same about z.
         GyroWarmZRadS = "gyro_warm_z_rad_s",
+        /// κ: how much softer (harder below 0) the restoring force is at wide angles; 1 makes a spring a
+        /// pendulum.
+        Hardness = "hardness",
         /// Impulse along x.
         ImpulseXNS = "impulse_x_n_s",
         /// Impulse along y.

@@ -2,7 +2,8 @@
 //! amplitude, what is left against phase.
 //!
 //! # Conventions
-//! The channel is a turn rate about one axis, rad/s. Amplitudes are those of the angle.
+//! The channel is a turn rate about one axis, rad/s, or its angle, rad. Amplitudes are those of the
+//! angle.
 
 use num_complex::Complex64;
 
@@ -29,9 +30,11 @@ pub struct Seen<'a> {
     pub swing: &'a str,
     pub motion: ModeName,
     pub t_s: &'a [f64],
-    pub measured_rad_s: &'a [f64],
-    pub simulated_rad_s: &'a [f64],
-    pub noise_rad_s: f64,
+    pub measured: &'a [f64],
+    pub simulated: &'a [f64],
+    /// Whether the channel is the angle itself, rad.
+    pub is_angle: bool,
+    pub noise: f64,
     pub duration_s: f64,
     pub mode: Pole,
     /// What else moves.
@@ -53,8 +56,9 @@ impl Seen<'_> {
     pub fn findings(&self) -> Vec<Discrepancy> {
         let mut pairs = self.pairs();
         pairs.sort_by(|a, b| b.0.amplitude.total_cmp(&a.0.amplitude));
-        let period = thirds(&pairs, |p| (p.period_s, p.period_se_s)).and_then(|t| self.period(&t));
-        let decay = thirds(&pairs, |p| (100.0 * p.decrement, 100.0 * p.decrement_se));
+        let thirds = |figure: &dyn Fn(&WindowPoint) -> (f64, f64)| self.thirds(&pairs, figure);
+        let period = thirds(&|p| (p.period_s, p.period_se_s)).and_then(|t| self.period(&t));
+        let decay = thirds(&|p| (100.0 * p.decrement, 100.0 * p.decrement_se));
         period
             .into_iter()
             .chain(decay.and_then(|t| self.decay(&t)))
@@ -64,14 +68,14 @@ impl Seen<'_> {
 
     /// Windows through the record, measured and simulated.
     fn pairs(&self) -> Vec<Pair> {
-        let simulated = self.windows(self.simulated_rad_s);
+        let simulated = self.windows(self.simulated);
         let same = |m: &WindowPoint| {
             simulated
                 .iter()
                 .copied()
                 .find(|s| (s.t_s - m.t_s).abs() < 1e-6 * self.duration_s)
         };
-        self.windows(self.measured_rad_s)
+        self.windows(self.measured)
             .into_iter()
             .filter_map(|m| Some((m, same(&m)?)))
             .collect()
@@ -155,6 +159,43 @@ impl Seen<'_> {
         ))
     }
 
+    /// The widest, the middle and the narrowest third; `None` with fewer than three windows.
+    fn thirds(
+        &self,
+        pairs: &[Pair],
+        figure: &dyn Fn(&WindowPoint) -> (f64, f64),
+    ) -> Option<[Third; 3]> {
+        let size = pairs.len() / 3;
+        if size == 0 {
+            return None;
+        }
+        let angle = |m: &WindowPoint| match self.is_angle {
+            true => m.amplitude,
+            false => m.amplitude_over_omega(),
+        };
+        let third = |part: &[Pair]| {
+            let weight = |pair: &Pair| figure(&pair.0).1.max(f64::MIN_POSITIVE).powi(-2);
+            let sum: f64 = part.iter().map(weight).sum();
+            let mean = |of: &dyn Fn(&Pair) -> f64| {
+                part.iter().map(|pair| of(pair) * weight(pair)).sum::<f64>() / sum
+            };
+            Third {
+                amplitude_deg: mean(&|(m, _)| angle(m).to_degrees()),
+                measured: mean(&|(m, _)| figure(m).0),
+                simulated: mean(&|(_, s)| figure(s).0),
+                u: sum.sqrt().recip(),
+            }
+        };
+        Some(
+            [
+                &pairs[..size],
+                &pairs[size..pairs.len() - size],
+                &pairs[pairs.len() - size..],
+            ]
+            .map(third),
+        )
+    }
+
     /// Whether more is left where the body passes its middle, or where it turns round.
     fn against_phase(&self) -> Option<Discrepancy> {
         let half_s = 0.5 * std::f64::consts::TAU / self.mode.omega_rad_s;
@@ -165,13 +206,14 @@ impl Seen<'_> {
                 .t_s
                 .partition_point(|t| *t < self.t_s[from] + half_s)
                 .max(from + 1);
-            let highest = self.simulated_rad_s[from..to]
+            let highest = self.simulated[from..to]
                 .iter()
                 .fold(0.0, |most: f64, r| most.max(r.abs()));
             for i in from..to {
-                let k = usize::from(self.simulated_rad_s[i].abs() > MIDDLE * highest);
-                sums[k] +=
-                    ((self.measured_rad_s[i] - self.simulated_rad_s[i]) / self.noise_rad_s).powi(2);
+                // A body is fast in its middle, and wide where it turns round.
+                let is_high = self.simulated[i].abs() > MIDDLE * highest;
+                let k = usize::from(is_high != self.is_angle);
+                sums[k] += ((self.measured[i] - self.simulated[i]) / self.noise).powi(2);
                 counts[k] += 1.0;
             }
             from = to;
@@ -206,35 +248,6 @@ impl Seen<'_> {
             )
         })
     }
-}
-
-/// The widest, the middle and the narrowest third; `None` with fewer than three windows.
-fn thirds(pairs: &[Pair], figure: impl Fn(&WindowPoint) -> (f64, f64)) -> Option<[Third; 3]> {
-    let size = pairs.len() / 3;
-    if size == 0 {
-        return None;
-    }
-    let third = |part: &[Pair]| {
-        let weight = |pair: &Pair| figure(&pair.0).1.max(f64::MIN_POSITIVE).powi(-2);
-        let sum: f64 = part.iter().map(weight).sum();
-        let mean = |of: &dyn Fn(&Pair) -> f64| {
-            part.iter().map(|pair| of(pair) * weight(pair)).sum::<f64>() / sum
-        };
-        Third {
-            amplitude_deg: mean(&|(m, _)| m.amplitude_over_omega().to_degrees()),
-            measured: mean(&|(m, _)| figure(m).0),
-            simulated: mean(&|(_, s)| figure(s).0),
-            u: sum.sqrt().recip(),
-        }
-    };
-    Some(
-        [
-            &pairs[..size],
-            &pairs[size..pairs.len() - size],
-            &pairs[pairs.len() - size..],
-        ]
-        .map(third),
-    )
 }
 
 /// The two thirds, the wider first, between which measured less simulated changes most, and by how
@@ -284,9 +297,10 @@ mod tests {
             swing: "s",
             motion: ModeName::Yaw,
             t_s: &t_s,
-            measured_rad_s: &rates(softening, NOISE, &t_s),
-            simulated_rad_s: &rates(simulated, 0.0, &t_s),
-            noise_rad_s: NOISE,
+            measured: &rates(softening, NOISE, &t_s),
+            simulated: &rates(simulated, 0.0, &t_s),
+            is_angle: false,
+            noise: NOISE,
             duration_s: 120.0,
             mode: Pole {
                 omega_rad_s: OMEGA,
@@ -342,9 +356,10 @@ mod tests {
             swing: "s",
             motion: ModeName::PitchInPhase,
             t_s: &t_s,
-            measured_rad_s: &measured,
-            simulated_rad_s: &vec![1.0; 1000],
-            noise_rad_s: NOISE,
+            measured: &measured,
+            simulated: &vec![1.0; 1000],
+            is_angle: false,
+            noise: NOISE,
             duration_s: 10.0,
             mode: Pole {
                 omega_rad_s: 500.0,

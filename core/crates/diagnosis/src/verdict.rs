@@ -27,7 +27,7 @@ pub const MOST_NAMED: usize = 2;
 const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 /// A model that leaves more than this, in noises, explains no session, however much it took: what
 /// is held out must come within it.
-const MOST_LEFT_RMS: f64 = 1.1;
+pub const MOST_LEFT_RMS: f64 = 1.1;
 /// A drag whose exponent is known to this and lies this near to 1, in standard uncertainties, is
 /// quadratic.
 const EXPONENT_U: f64 = 0.2;

@@ -19,7 +19,7 @@ mod measurement;
 pub mod modes;
 mod names;
 mod observe;
-mod one_motion;
+pub mod one_motion;
 pub mod outputs;
 pub mod parameters;
 pub mod routes;

@@ -79,24 +79,29 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    /// With the strongest turn as one motion, where that describes it: lines of the spectrum that it
-    /// explains are none of their own.
-    fn with_motion(mut self, is_pendulum: bool) -> Self {
+    /// The turn as the sensor tells it that sees it, and the part of the record by its clock, s, that
+    /// is used; `None` where none tells the angle or its rate.
+    pub fn turn(&self) -> Option<(Turn<'_>, (f64, f64))> {
         let is_angle = self.single == Some(ChannelQuantity::Angle);
         // Some axes of a gyroscope need not see the turn.
         let is_told =
             is_angle || self.single == Some(ChannelQuantity::Rate) || self.map.gyroscope.is_some();
-        let Some(group) = self.groups.first().filter(|_| is_told) else {
-            return self;
-        };
         let turn = Turn {
-            group,
-            found: &self.found,
+            group: self.groups.first().filter(|_| is_told)?,
+            found: self.spectrum.as_ref().unwrap_or(&self.found),
             is_angle,
         };
-        let (start_s, duration_s) = inside(&self);
-        let Some(motion) = OneMotion::of(&turn, (start_s, start_s + duration_s), is_pendulum)
-        else {
+        let (start_s, duration_s) = inside(self);
+        Some((turn, (start_s, start_s + duration_s)))
+    }
+
+    /// With the strongest turn as one motion, where that describes it: lines of the spectrum that it
+    /// explains are none of their own.
+    fn with_motion(mut self, is_pendulum: bool) -> Self {
+        let Some((turn, span_s)) = self.turn() else {
+            return self;
+        };
+        let Some(motion) = OneMotion::of(&turn, span_s, is_pendulum) else {
             return self;
         };
         if !motion.is_described {

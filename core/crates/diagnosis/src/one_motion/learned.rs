@@ -1,95 +1,102 @@
 //! The missing torque where no known cause accounts for it, and the simplest closed form that does
 //! as well.
 
+use gyradius_estimation::{Fit, Rows, Wanted};
+use gyradius_identification::one_motion::solve;
+
 use super::super::cause_id::CauseId;
 use super::super::causes::TERMS;
-use super::super::evidence::LEAST_GAIN;
 use super::super::learned::{grid, shapes, written};
-use super::super::point::Part;
 use super::super::result::LearnedForce;
+use super::super::selection::{Set, TOLD};
 use super::super::term::Term;
 use super::super::unit::UnitName;
 use super::super::words::message;
-use super::causes::{Cause, Kind, learned};
-use super::fitting::{Fitted, fit};
-use super::search::Found;
+use super::catalogue::{Cause, unknown};
+use super::found::Found;
+use super::swing::Swing;
 
 /// Terms that do as well as all of them, and the fit with them.
 struct Closed {
     terms: Vec<Term>,
-    fitted: Fitted,
+    cause: Cause,
+    fit: Fit,
 }
 
-/// The torque over inertia that the last cause is in the first swing, where it is one without a
-/// name.
-pub fn force(found: &Found, heldout_rms: f64) -> Option<LearnedForce> {
-    let place = *found
+/// The torque over inertia that the model has in the first swing beside causes with a name.
+pub fn force(found: &Found) -> Option<LearnedForce> {
+    let is_unknown = |form: &&usize| found.selection.id(**form) == CauseId::Unknown;
+    let form = *found
         .best
-        .causes
-        .last()
-        .filter(|place| found.id(**place) == CauseId::Unknown)?;
-    let (swing, fitted) = (&found.swings[0], &found.best.fits[0]);
-    let cause = &swing.catalogue[place];
-    let Kind::Learned(terms) = &cause.kind else {
-        return None;
-    };
-    let closed = closed_form(found)?;
-    let scales = &swing.scales;
+        .set
+        .iter()
+        .find(is_unknown)
+        .filter(|_| found.is_unknown)?;
+    let (swing, one) = (&found.swings[0], &found.best.swings[0]);
+    let named: Set = found
+        .best
+        .set
+        .iter()
+        .copied()
+        .filter(|f| *f != form)
+        .collect();
+    let closed = closed_form(swing, &named, &one.x)?;
+    let scales = swing.scales();
     let reach = (scales.reach_rad, scales.rate_rad_s());
-    let factor = cause.parameters.first()?.factor;
-    let (first, size) = (fitted.point.len() - terms.len(), terms.len());
-    let covariance = fitted
-        .covariance()?
+    let factor = scales.restoring_rad_s2();
+    // It is the last cause of the catalogue, and of every set.
+    let (first, size) = (one.x.len() - TERMS.len(), TERMS.len());
+    let covariance = one
+        .covariance
+        .as_ref()?
         .view((first, first), (size, size))
         .into_owned();
-    let values = &closed.fitted.point[closed.fitted.point.len() - closed.terms.len()..];
-    let sum: Vec<String> = closed
-        .terms
-        .iter()
-        .zip(values)
-        .map(|(term, q)| {
-            let (powers, scale) = written(*term, ("θ", "ω"), reach.0, reach.1);
-            format!("{:+.4e} {powers}", -q * factor / scale)
-        })
-        .collect();
+    let values = &closed.fit.x[closed.fit.x.len() - closed.terms.len()..];
+    let sum = closed.terms.iter().zip(values).map(|(term, q)| {
+        let (powers, scale) = written(*term, ("θ", "ω"), reach.0, reach.1);
+        format!("{:+.4e} {powers}", -q * factor / scale)
+    });
+    let sum: Vec<String> = sum.collect();
     let looks = shapes(closed.terms.iter().copied());
+    let (_, after, rows) = found.held_out;
     Some(LearnedForce {
         coordinate: swing.mode.into(),
         unit: UnitName::RadianPerSecondSquared.into(),
-        points: grid(terms, (&fitted.point[first..], &covariance), factor, reach),
+        points: grid(&TERMS, (&one.x[first..], &covariance), factor, reach),
         equation: format!("M/I = {} rad/s^2", sum.join(" ")),
         message: message("learned_looks", [("shapes", looks)]),
-        heldout_rms_over_noise: Some(heldout_rms),
-        closed_heldout_rms_over_noise: heldout_rms_of(found, &closed),
+        heldout_rms_over_noise: Some((after / rows.max(1) as f64).sqrt()),
+        closed_heldout_rms_over_noise: heldout_rms(swing, &named, &closed),
     })
 }
 
-fn with<'a>(found: &'a Found, last: &'a Cause) -> Vec<&'a Cause> {
-    let mut causes = found.best.causes_of(&found.swings[0]);
-    causes.pop();
-    causes.push(last);
-    causes
-}
-
-/// The best single term, and a second where it pays.
-fn closed_form(found: &Found) -> Option<Closed> {
-    let (swing, without) = (&found.swings[0], &found.before.as_ref()?.fits[0]);
+/// The best single term, and further ones while the evidence asks for them.
+fn closed_form(swing: &Swing, named: &Set, x: &[f64]) -> Option<Closed> {
+    let widest = swing.form_of(CauseId::Unknown)?;
+    let u = swing.catalogue[widest].parameters.first()?.prior.1;
+    let restoring = swing.scales().restoring_rad_s2();
+    let without = &x[..x.len() - TERMS.len()];
+    let evidence = |closed: &Closed| closed.fit.log_evidence().unwrap_or(f64::NEG_INFINITY);
     let mut best: Option<Closed> = None;
-    for _ in 0..2 {
+    for _ in 0..TERMS.len() {
         let known = best.as_ref().map_or(vec![], |closed| closed.terms.clone());
-        let further = TERMS
-            .iter()
-            .filter(|term| !known.contains(term))
-            .filter_map(|term| {
-                let terms = [&known[..], &[*term]].concat();
-                let cause = learned(&swing.scales, &terms);
-                let start: Vec<f64> = without.point.iter().copied().chain(cause.start()).collect();
-                let fitted = fit(swing, &with(found, &cause), Part::All, &start)?;
-                Some(Closed { terms, fitted })
-            });
-        let next = further.min_by(|a, b| a.fitted.cost.total_cmp(&b.fitted.cost))?;
-        let pays = |closed: &Closed| closed.fitted.cost - next.fitted.cost > 2.0 * LEAST_GAIN;
-        if best.as_ref().is_some_and(|closed| !pays(closed)) {
+        let start = best.as_ref().map_or(without, |closed| &closed.fit.x);
+        let open = TERMS.iter().filter(|term| !known.contains(term));
+        let further = open.filter_map(|term| {
+            let terms = [&known[..], &[*term]].concat();
+            let cause = unknown(&terms, restoring, u);
+            let mut effects = swing.fittings(named);
+            effects.push(cause.fitting());
+            let start: Vec<f64> = start.iter().copied().chain([0.0]).collect();
+            let fit = solve(&swing.problem(&effects), &start)?;
+            drop(effects);
+            Some(Closed { terms, cause, fit })
+        });
+        let next = further.max_by(|a, b| evidence(a).total_cmp(&evidence(b)))?;
+        if best
+            .as_ref()
+            .is_some_and(|best| evidence(&next) < evidence(best) + TOLD)
+        {
             break;
         }
         best = Some(next);
@@ -97,11 +104,12 @@ fn closed_form(found: &Found) -> Option<Closed> {
     best
 }
 
-fn heldout_rms_of(found: &Found, closed: &Closed) -> Option<f64> {
-    let swing = &found.swings[0];
-    let cause = learned(&swing.scales, &closed.terms);
-    let causes = with(found, &cause);
-    let there = fit(swing, &causes, Part::Fitted, &closed.fitted.point)?;
-    let rows = swing.residual(&there.point, &causes, Part::HeldOut)?;
+fn heldout_rms(swing: &Swing, named: &Set, closed: &Closed) -> Option<f64> {
+    let mut effects = swing.fittings(named);
+    effects.push(closed.cause.fitting());
+    let there = solve(&swing.part(&effects, false), &closed.fit.x)?;
+    let mut problem = swing.part(&effects, true);
+    problem.noise = swing.readings().noise;
+    let rows = problem.rows(0, &there.x, &[], Wanted::Residuals)?.residuals;
     Some((rows.norm_squared() / rows.len().max(1) as f64).sqrt())
 }

@@ -1,45 +1,55 @@
-//! The swing that would tell causes apart: the same hanging, released wider or narrower.
+//! The swing that would tell the sets still in contention apart: the same hanging, released wider or
+//! narrower.
+
+use gyradius_base::message::Message;
+use gyradius_estimation::{Rows, Wanted};
+use gyradius_identification::one_motion::{ANGLE, RATE};
+use gyradius_recording::{Excitation, Quantity};
 
 use super::super::cause_id::CauseId;
 use super::super::next_swing::longer;
-use super::super::point::Part;
 use super::super::result::NextSwing;
 use super::super::words;
-use super::search::{Found, Tried};
+use super::competing::Model;
+use super::found::Found;
 use super::swing::Swing;
-use gyradius_base::message::Message;
-use gyradius_recording::{Excitation, Quantity};
 
 /// Amplitudes that are thought of, over that of the swing that was made.
 const WIDER: [f64; 4] = [0.25, 0.5, 1.5, 2.0];
 /// No release is wider than this, rad.
 const WIDEST_RAD: f64 = 1.0;
 
-/// The best of the swings thought of, for the cause taken and a rival; one like the first of the
-/// session.
-pub fn next_swing(found: &Found, rival: &Tried) -> Option<NextSwing> {
+/// The best of the swings thought of, for what is asked for and the best that may stand in its place;
+/// one like the first of the session.
+pub fn next_swing(found: &Found) -> Option<NextSwing> {
+    let other = *found.instead().first()?;
+    let selection = &found.selection;
+    let lacks = |set: &Vec<usize>| found.names.iter().any(|id| !selection.has(set, *id));
+    let rival = selection.best(|set| selection.has(set, other) && lacks(set))?;
+    let one = found
+        .names
+        .iter()
+        .find(|id| !selection.has(&rival.set, **id))?;
     let swing = &found.swings[0];
     let suspension = &swing.suspension;
     let stated = |q: Option<Quantity>| q.map_or(0.0, |q| q.value);
-    let options = WIDER
-        .iter()
-        .filter(|w| **w * swing.scales.reach_rad < WIDEST_RAD)
-        .filter_map(|wider| {
-            Some(NextSwing {
-                like: swing.id.into(),
-                line_length_m: stated(suspension.line_length_m),
-                spacing_m: stated(suspension.spacing_m),
-                excited: vec![Excitation::of(swing.mode, suspension.orientation)],
-                amplitude_deg: (wider * swing.scales.reach_rad).to_degrees(),
-                duration_s: swing.duration_s,
-                hull_pitch_deg: stated(suspension.hull_pitch_deg),
-                sigma: apart(found, swing, rival, *wider)?,
-                message: Message::default(),
-            })
-        });
+    let reach_rad = swing.scales().reach_rad;
+    let options = WIDER.iter().filter(|w| **w * reach_rad < WIDEST_RAD);
+    let options = options.filter_map(|wider| {
+        Some(NextSwing {
+            like: swing.id.into(),
+            line_length_m: stated(suspension.line_length_m),
+            spacing_m: stated(suspension.spacing_m),
+            excited: vec![Excitation::of(swing.mode, suspension.orientation)],
+            amplitude_deg: (wider * reach_rad).to_degrees(),
+            duration_s: swing.readings().duration_s(),
+            hull_pitch_deg: stated(suspension.hull_pitch_deg),
+            sigma: apart(swing, &found.best, &rival.model, *wider)?,
+            message: Message::default(),
+        })
+    });
     let best = options.max_by(|a, b| a.sigma.total_cmp(&b.sigma))?;
-    let last = *found.best.causes.last()?;
-    Some(in_words(longer(best), found.id(last), rival.id))
+    Some(in_words(longer(best), *one, other))
 }
 
 fn in_words(swing: NextSwing, one: CauseId, other: CauseId) -> NextSwing {
@@ -56,20 +66,26 @@ fn in_words(swing: NextSwing, one: CauseId, other: CauseId) -> NextSwing {
     swing.told(said)
 }
 
-/// How far two causes are apart in a swing so much wider, standard deviations, once everything that
+/// How far two models are apart in a swing so much wider, standard deviations, once everything that
 /// is fitted has taken up what it can.
-fn apart(found: &Found, swing: &Swing, rival: &Tried, wider: f64) -> Option<f64> {
-    let (mine, theirs) = (
-        swing.wider(&found.best.fits[0].point, wider),
-        swing.wider(&rival.with.fits[0].point, wider),
-    );
-    let causes = found.best.causes_of(swing);
-    let difference = swing.residual(&mine, &causes, Part::All)?
-        - swing.residual(&theirs, &rival.with.causes_of(swing), Part::All)?;
-    let jacobian = swing.jacobian(&mine, &causes, Part::All)?;
+fn apart(swing: &Swing, one: &Model, other: &Model, wider: f64) -> Option<f64> {
+    let released = |model: &Model| {
+        let mut x = model.swings[0].x.clone();
+        x[ANGLE] *= wider;
+        x[RATE] *= wider;
+        x
+    };
+    let (mine, theirs) = (released(one), released(other));
+    let (effects, others) = (swing.fittings(&one.set), swing.fittings(&other.set));
+    let problem = swing.problem(&effects);
+    let of_one = problem.rows(0, &mine, &[], Wanted::Jacobian)?;
+    let of_other = swing
+        .problem(&others)
+        .rows(0, &theirs, &[], Wanted::Residuals)?;
+    let (difference, jacobian) = (of_one.residuals - of_other.residuals, of_one.jacobian?);
     let mut matrix = jacobian.tr_mul(&jacobian);
-    for (k, (_, u)) in swing.priors(&causes).iter().enumerate() {
-        matrix[(k, k)] += u.powi(-2);
+    for (k, parameter) in problem.parameters().iter().enumerate() {
+        matrix[(k, k)] += parameter.prior.map_or(0.0, |(_, u)| u.powi(-2));
     }
     let pull = jacobian.tr_mul(&difference);
     let taken = pull.dot(&matrix.cholesky()?.solve(&pull));

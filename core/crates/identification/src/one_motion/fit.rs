@@ -1,16 +1,17 @@
 //! The fit over longer and longer parts of a record.
 
+use std::cell::Cell;
 use std::ops::Range;
 
-use gyradius_estimation::{ByRows, Fit, Options, Rows, UNSTOPPED, Wanted, minimise};
+use gyradius_estimation::{ByRows, Fit, Options, Progress, Rows, Wanted, minimise};
 
 use super::lines::Line;
-use super::problem::Problem;
+use super::problem::{Fitting, HARDNESS_PLACE, Problem, REST, measured};
 use super::readings::Readings;
 use super::start::{Start, starts};
 use super::summary;
-use super::torque::Restoring;
 use crate::chance::beyond_chance;
+use gyradius_mechanics::one_angle::Law;
 
 /// Periods that a fit begins with: fewer do not tell damping from frequency, over more a start that
 /// is a few percent off loses count.
@@ -28,22 +29,27 @@ const OPTIONS: Options = Options {
 /// A swing fitted.
 #[derive(Debug, Clone)]
 pub struct Fitted {
+    /// Its readings, with the noise that the motion leaves.
     pub readings: Readings,
+    /// The fit.
     pub fit: Fit,
+    /// Oscillations beside it.
     pub lines: Vec<Line>,
+    /// Where it began.
     pub start: Start,
-    pub restoring: Restoring,
+    /// What brings the body back; where nobody says it, a spring that an effect bends.
+    pub law: Option<Law>,
 }
 
 impl Fitted {
     /// The problem that it solves, over the whole record.
     pub fn problem(&self) -> Problem<'_> {
+        let effects = measured(self.law.is_some());
         problem(
             &self.readings,
-            self.restoring,
+            self.law,
             &self.start,
-            &self.lines,
-            f64::INFINITY,
+            (&self.lines, effects),
         )
     }
 
@@ -80,7 +86,9 @@ impl Fitted {
         let mut more = self.clone();
         more.lines = Line::beside(&self.readings.t_s[..left.len()], left, own);
         let mut x = self.fit.x.clone();
-        more.lines.iter().for_each(|line| x.extend(line.start()));
+        let beside: Vec<f64> = more.lines.iter().flat_map(Line::start).collect();
+        let first = self.problem().first_effect();
+        x.splice(first..first, beside);
         match solve(&more.problem(), &x) {
             Some(fit) if !more.lines.is_empty() => Some(Self { fit, ..more }),
             _ => Some(self),
@@ -90,46 +98,67 @@ impl Fitted {
 
 fn problem<'a>(
     readings: &'a Readings,
-    restoring: Restoring,
+    law: Option<Law>,
     start: &Start,
-    lines: &'a [Line],
-    horizon_s: f64,
+    (lines, effects): (&'a [Line], &'a [Fitting<'a>]),
 ) -> Problem<'a> {
-    let [angle, rate, ..] = start.numbers;
     Problem {
         readings,
-        restoring,
-        omega_rad_s: start.omega_rad_s,
-        reach_rad: angle.hypot(rate / start.omega_rad_s),
+        law: law.unwrap_or(Law::Linear),
+        scales: start.scales(),
         lines,
-        horizon_s,
+        effects,
+        blocks: &readings.blocks,
+        noise: readings.noise,
     }
 }
 
-fn solve(problem: &Problem, x: &[f64]) -> Option<Fit> {
+/// Fits; `None` where the problem has no answer at its start.
+pub fn solve(problem: &Problem, x: &[f64]) -> Option<Fit> {
+    solve_towards(problem, x, f64::INFINITY)
+}
+
+/// The same, given up where χ² of data and priors would not come below a limit even if every step
+/// that is left were as good as the better of the last two.
+pub fn solve_towards(problem: &Problem, x: &[f64], limit: f64) -> Option<Fit> {
+    let gains = Cell::new([f64::INFINITY; 2]);
+    let is_vain = |progress: Progress| {
+        let [_, before] = gains.replace([gains.get()[1], progress.gained]);
+        let left = OPTIONS.most_steps.saturating_sub(progress.steps) as f64;
+        progress.cost - left * before.max(progress.gained) > limit
+    };
     minimise(
         &mut ByRows::new(problem),
         &problem.parameters(),
         x,
         &OPTIONS,
-        UNSTOPPED,
+        &is_vain,
     )
     .ok()
 }
 
-/// From the best start over the whole record, then with the lines that it leaves.
-pub fn fit_from_afar(readings: Readings, restoring: Restoring) -> Option<Fitted> {
+/// From the best start over the whole record, then with the lines that it leaves; by a law, or where
+/// nobody says it, by one that is fitted.
+pub fn fit_from_afar(readings: Readings, law: Option<Law>) -> Option<Fitted> {
     let duration_s = readings.duration_s();
     let cycles = duration_s * readings.pole.im / std::f64::consts::TAU;
     if cycles > readings.blocks.len() as f64 {
         // Most of it is a gap: the motion in it would cost more than the samples are worth.
         return None;
     }
-    let (start, first) = begin(&readings, restoring)?;
+    let effects = measured(law.is_some());
+    let (start, first) = begin(&readings, law)?;
     let mut horizon_s = first_horizon_s(&start);
-    let left = problem(&readings, restoring, &start, &[], horizon_s).left(&first.x)?;
+    let left = Problem {
+        blocks: readings.blocks_to(horizon_s),
+        ..problem(&readings, law, &start, (&[], effects))
+    }
+    .left(&first.x)?;
     let readings = readings.quieter(&left)?;
-    let to = |horizon_s| problem(&readings, restoring, &start, &[], horizon_s);
+    let to = |horizon_s| Problem {
+        blocks: readings.blocks_to(horizon_s),
+        ..problem(&readings, law, &start, (&[], effects))
+    };
     let mut fit = solve(&to(horizon_s), &first.x)?;
     while horizon_s < duration_s {
         let known = readings.blocks_to(horizon_s).len();
@@ -147,7 +176,7 @@ pub fn fit_from_afar(readings: Readings, restoring: Restoring) -> Option<Fitted>
         fit,
         lines: vec![],
         start,
-        restoring,
+        law,
     };
     let fitted = fitted.again()?;
     match fitted.is_left()? {
@@ -167,15 +196,11 @@ fn foresees(longer: &Problem, fit: &Fit, known: usize) -> Option<bool> {
         .iter()
         .map(size)
         .fold(0.0, f64::max);
-    let new = readings
-        .blocks_to(longer.horizon_s)
-        .iter()
-        .enumerate()
-        .skip(known);
+    let new = longer.blocks.iter().enumerate().skip(known);
     let u = |(row, block): (usize, &Range<usize>)| {
         let slopes = jacobian.row(row);
         let variance = (slopes * &covariance * slopes.transpose())[(0, 0)];
-        longer.noise(block.len()) * variance.max(0.0).sqrt()
+        longer.block_noise(block.len()) * variance.max(0.0).sqrt()
     };
     Some(new.map(u).fold(0.0, f64::max) < std::f64::consts::FRAC_1_SQRT_2 * most)
 }
@@ -185,15 +210,29 @@ fn first_horizon_s(start: &Start) -> f64 {
 }
 
 /// The start from which the first cycles are described best.
-fn begin(readings: &Readings, restoring: Restoring) -> Option<(Start, Fit)> {
-    let fits = starts(readings, restoring).into_iter().filter_map(|start| {
-        let mut x = start.numbers.to_vec();
-        x.push(start.rest);
-        let problem = problem(readings, restoring, &start, &[], first_horizon_s(&start));
-        let fit = solve(&problem, &x)?;
-        let rows = readings.blocks_to(problem.horizon_s).len();
-        Some((start, fit.chi2 / rows.max(1) as f64, fit))
-    });
+fn begin(readings: &Readings, law: Option<Law>) -> Option<(Start, Fit)> {
+    let effects = measured(law.is_some());
+    let fits = starts(readings, law.is_some())
+        .into_iter()
+        .filter_map(|start| {
+            let problem = Problem {
+                blocks: readings.blocks_to(first_horizon_s(&start)),
+                ..problem(readings, law, &start, (&[], effects))
+            };
+            let mut x = vec![
+                start.angle_rad,
+                start.rate_rad_s,
+                0.0,
+                start.damping_per_s,
+                start.rest,
+            ];
+            x.resize(problem.count(), 0.0);
+            if let Some(hardness) = x.get_mut(REST + 1 + HARDNESS_PLACE) {
+                *hardness = start.hardness;
+            }
+            let fit = solve(&problem, &x)?;
+            Some((start, fit.chi2 / problem.blocks.len().max(1) as f64, fit))
+        });
     let best = fits.min_by(|a, b| a.1.total_cmp(&b.1));
     best.map(|(start, _, fit)| (start, fit))
 }

@@ -1,7 +1,7 @@
 //! Weak damped oscillations that a record holds beside the swing: a rocking, a sway.
 
 use gyradius_estimation::Parameter;
-use gyradius_signal::{ChannelGroup, DecomposeOptions, decompose};
+use gyradius_signal::{ChannelGroup, DecomposeOptions, Pole, decompose};
 
 /// The logarithm of a line's frequency over that of the spectrum, its damping, and its amplitudes
 /// (cosine, sine).
@@ -56,6 +56,7 @@ impl Line {
         ]
     }
 
+    /// Priors and bounds.
     pub fn parameters(&self) -> [Parameter; LINE] {
         let damping = Parameter {
             low: 0.0,
@@ -74,6 +75,16 @@ impl Line {
 
     fn omega_rad_s(&self, own: &[f64]) -> f64 {
         self.omega_rad_s * own[0].exp()
+    }
+
+    /// Poles of lines.
+    pub fn poles(lines: &[Self], all: &[f64]) -> Vec<Pole> {
+        let each = lines.iter().zip(all.chunks_exact(LINE));
+        each.map(|(line, own)| Pole {
+            omega_rad_s: line.omega_rad_s(own),
+            alpha_per_s: own[1],
+        })
+        .collect()
     }
 
     /// What lines read at a time.

@@ -17,7 +17,6 @@ mod problem;
 mod readings;
 mod start;
 mod summary;
-mod torque;
 
 use std::f64::consts::TAU;
 
@@ -28,11 +27,15 @@ use num_complex::Complex64;
 
 use crate::chance::SURE;
 use crate::findings::{LEAST_DESCRIBED, NOISE_MISMATCH};
-use fit::{Fitted, fit_from_afar};
+pub use fit::{Fitted, fit_from_afar, solve, solve_towards};
+pub use lines::Line;
 use lines::is_own;
-pub use readings::Turn;
-use readings::{Readings, variance};
-use torque::Restoring;
+pub use problem::{
+    ANGLE, DAMPING, DAMPING_U, DRAG, FREQUENCY, FRICTION, Fitting, HARDNESS_PLACE, Problem, RATE,
+    REST, measured,
+};
+pub use readings::{Readings, Turn, variance};
+pub use summary::dispersion;
 
 /// κ of a spring, of a body on a fixed axis that gravity alone brings back, and the most of two lines.
 const SPRING: f64 = 0.0;
@@ -87,12 +90,12 @@ impl OneMotion {
     }
 
     fn of_mode(turn: &Turn, span_s: (f64, f64), mode: usize, is_pendulum: bool) -> Option<Self> {
-        let of_law = |restoring| {
+        let of_law = |law| {
             let readings = Readings::of(turn, span_s, mode)?;
-            summary::of(fit_from_afar(readings, restoring)?)
+            summary::of(fit_from_afar(readings, law)?)
         };
-        let any = of_law(Restoring::Unknown)?;
-        let pendulum = is_pendulum.then(|| of_law(Restoring::Known(Law::Pendulum)));
+        let any = of_law(None)?;
+        let pendulum = is_pendulum.then(|| of_law(Some(Law::Pendulum)));
         let motion = match pendulum.flatten() {
             Some(pendulum) if !any.is_surely_no_pendulum() => Self {
                 hardness: any.hardness,

@@ -12,23 +12,27 @@ use crate::samples::{BLOCK_OF_PERIOD, blocks};
 /// The readings along the axis of a swing.
 #[derive(Debug, Clone)]
 pub struct Readings {
-    /// Samples and the blocks they are averaged over.
+    /// Times of the samples from the first, s.
     pub t_s: Vec<f64>,
+    /// The readings.
     pub values: Vec<f64>,
+    /// The blocks, as places of samples.
     pub blocks: Vec<Range<usize>>,
-    /// White noise of a sample, and what the damped oscillations leave for it.
+    /// White noise of a sample.
     pub noise: f64,
+    /// What the damped oscillations leave for it.
     pub spectrum_noise: f64,
     /// Whether they are the angle (rad), not its rate (rad/s).
     pub is_angle: bool,
-    /// Axis among the sensor's channels, the start by its clock, s, and the mean level of each
-    /// channel.
+    /// Axis among the sensor's channels.
     pub axis: Vec3,
+    /// The start by its clock, s.
     pub start_s: f64,
+    /// Mean level of each channel.
     pub level: Vec3,
-    /// The strongest line of the spectrum, led on to the first sample: its pole, and what it reads
-    /// there.
+    /// Pole of the strongest line of the spectrum.
     pub pole: Complex64,
+    /// What that line reads at the first sample.
     pub line: Complex64,
     /// Its place among the modes.
     pub mode: usize,

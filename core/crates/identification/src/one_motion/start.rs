@@ -1,9 +1,9 @@
 //! Where a fit begins: the first cycles of a motion without damping.
 
 use super::readings::Readings;
-use super::torque::{ANGLE, Base, DAMPING, HARDNESS, OF_MOTION, RATE, Restoring};
 use crate::routes::finite_amplitude::pendulum_period_ratio;
-use gyradius_mechanics::one_angle::Law;
+use gyradius_mechanics::one_angle::effects::{Scales, Swinging};
+use gyradius_mechanics::one_angle::{Law, Now, follow};
 use std::f64::consts::{PI, TAU};
 
 /// A reading that is smaller than this share of the largest is too near to rest to have a sign.
@@ -18,21 +18,38 @@ const BISECTIONS: usize = 50;
 /// The widest swing that a start is looked for at, rad: beyond it a pendulum hardly comes back.
 const WIDEST_RAD: f64 = 3.1;
 
+impl Start {
+    /// Frequency and width.
+    pub fn scales(&self) -> Scales {
+        Scales {
+            omega_rad_s: self.omega_rad_s,
+            reach_rad: self.angle_rad.hypot(self.rate_rad_s / self.omega_rad_s),
+        }
+    }
+}
+
 /// A point to begin at.
 #[derive(Debug, Clone, Copy)]
 pub struct Start {
     /// Frequency, rad/s: the fit counts from here.
     pub omega_rad_s: f64,
-    pub numbers: [f64; OF_MOTION],
+    /// Angle, rad, and rate, rad/s, of the first sample.
+    pub angle_rad: f64,
+    /// The rate.
+    pub rate_rad_s: f64,
+    /// α, 1/s.
+    pub damping_per_s: f64,
+    /// κ, where it is fitted.
+    pub hardness: f64,
     /// Reading at rest.
     pub rest: f64,
 }
 
 /// Points to begin at, by the first cycles and by the strongest line of the spectrum.
-pub fn starts(readings: &Readings, restoring: Restoring) -> Vec<Start> {
-    let mut all = vec![by_line(readings, restoring)];
+pub fn starts(readings: &Readings, knows_law: bool) -> Vec<Start> {
+    let mut all = vec![by_line(readings, knows_law)];
     if let Some(cycle) = Cycle::first(readings) {
-        all.extend(cycle.starts(readings, restoring));
+        all.extend(cycle.starts(readings, knows_law));
     }
     all
 }
@@ -47,19 +64,18 @@ fn damping_per_s(readings: &Readings, omega_rad_s: f64) -> f64 {
     }
 }
 
-fn by_line(readings: &Readings, restoring: Restoring) -> Start {
+fn by_line(readings: &Readings, knows_law: bool) -> Start {
     let omega_rad_s = readings.pole.norm();
     let (angle, rate) = match readings.is_angle {
         true => (readings.line, readings.line * readings.pole),
         false => (readings.line / readings.pole, readings.line),
     };
-    let mut numbers = [0.0; OF_MOTION];
-    (numbers[ANGLE], numbers[RATE]) = (angle.re, rate.re);
-    numbers[DAMPING] = damping_per_s(readings, omega_rad_s);
-    numbers[HARDNESS] = f64::from(restoring == Restoring::Unknown);
     Start {
         omega_rad_s,
-        numbers,
+        angle_rad: angle.re,
+        rate_rad_s: rate.re,
+        damping_per_s: damping_per_s(readings, omega_rad_s),
+        hardness: f64::from(!knows_law),
         rest: 0.0,
     }
 }
@@ -113,15 +129,15 @@ impl Cycle {
     }
 
     /// As a pendulum, and as a spring where it may be one.
-    fn starts(&self, readings: &Readings, restoring: Restoring) -> Vec<Start> {
+    fn starts(&self, readings: &Readings, knows_law: bool) -> Vec<Start> {
         let mut all = Vec::new();
         if let Some(amplitude) = self.pendulum_rad(readings.is_angle) {
             let ratio = pendulum_period_ratio(amplitude).unwrap_or(1.0);
             let omega_rad_s = TAU * ratio / self.period_s();
-            let hardness = f64::from(restoring == Restoring::Unknown);
+            let hardness = f64::from(!knows_law);
             all.extend(self.start(readings, (Law::Pendulum, hardness), amplitude, omega_rad_s));
         }
-        if restoring == Restoring::Unknown {
+        if !knows_law {
             let omega_rad_s = TAU / self.period_s();
             let per_rad = if readings.is_angle { 1.0 } else { omega_rad_s };
             let amplitude = self.peak / per_rad;
@@ -167,16 +183,24 @@ impl Cycle {
             true => (0.5 * (first + second), self.sign * amplitude_rad),
             false => (first, -self.sign * amplitude_rad),
         };
-        let mut numbers = [0.0; OF_MOTION];
-        numbers[ANGLE] = angle;
-        let free = Base::new(Restoring::Known(law), omega_rad_s, numbers);
-        let [angle, rate] = *free.motion(&[turned_s])?.first()?;
-        (numbers[ANGLE], numbers[RATE]) = (angle, -rate);
-        numbers[DAMPING] = damping_per_s(readings, omega_rad_s);
-        numbers[HARDNESS] = hardness;
+        let free = Swinging {
+            law,
+            scales: Scales {
+                omega_rad_s,
+                reach_rad: amplitude_rad,
+            },
+            omega_rad_s,
+            damping_per_s: 0.0,
+            effects: vec![],
+        };
+        let motion = follow(&free, Now::start(angle, 0.0), omega_rad_s, &[turned_s])?;
+        let [angle_rad, rate_rad_s] = *motion.first()?;
         Some(Start {
             omega_rad_s,
-            numbers,
+            angle_rad,
+            rate_rad_s: -rate_rad_s,
+            damping_per_s: damping_per_s(readings, omega_rad_s),
+            hardness,
             rest: if readings.is_angle { self.rest } else { 0.0 },
         })
     }

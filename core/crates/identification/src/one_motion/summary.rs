@@ -8,8 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::OneMotion;
 use super::fit::Fitted;
-use super::problem::Problem;
-use super::torque::{Base, DAMPING, DRAG, FREQUENCY, FRICTION, HARDNESS};
+use super::problem::{DAMPING, DRAG, FREQUENCY, FRICTION, HARDNESS_PLACE, Problem};
 
 /// Points in a period at which the motion is looked at: a crossing between two is then right to
 /// 1e-4 of a period.
@@ -32,22 +31,39 @@ pub fn of(fitted: Fitted) -> Option<OneMotion> {
     let wider = wider(&fitted, free, &covariance)?.max(1.0).sqrt();
     let u = |place: usize| wider * covariance[(place, place)].max(0.0).sqrt();
     let quantity = |place: usize| Quantity::new(x[place], u(place));
-    let braked = |place: usize| (x[place], (!held[place]).then(|| u(place)));
+    let scales = &problem.scales;
+    let first = problem.first_effect();
+    let braked =
+        |place: usize, unit: f64| (unit * x[place], (!held[place]).then(|| unit * u(place)));
+    let is_bent = (first + HARDNESS_PLACE) < x.len();
+    // Shares of critical damping at the fastest rate of the start as coefficients.
+    let friction = scales.critical_rad_s2();
+    let drag = friction / scales.rate_rad_s().powi(2);
     let omega = fitted.start.omega_rad_s * x[FREQUENCY].exp();
     let period_s = TAU / omega;
     let path = Path::of(&problem, x, omega)?;
     let decay_per_s = path.decay_per_s().unwrap_or(x[DAMPING]);
-    let decay_u = wider * decay_u_per_s(&covariance, omega, path.middle_rad());
+    let mut by = DVector::zeros(x.len());
+    let middle_rad = path.middle_rad();
+    by[DAMPING] = 1.0;
+    by[first + DRAG] = drag * 4.0 * omega * middle_rad / (3.0 * PI);
+    by[first + FRICTION] = friction * 2.0 / (PI * omega * middle_rad.max(f64::MIN_POSITIVE));
+    // Of the rate of decay at an amplitude, 1/s: α + 4 b ω A/(3π) + 2 c/(π ω A), by the work of a
+    // cycle.
+    let decay_u = wider * by.dot(&(&covariance * &by)).max(0.0).sqrt();
     Some(OneMotion {
         period_s: Quantity::new(period_s, period_s * u(FREQUENCY)),
         observed_s: path.period_s().unwrap_or(period_s),
         amplitude_rad: path.first_rad(),
         decay_per_s: Quantity::new(decay_per_s, decay_u),
         own_rad_s: path.own_rad_s(omega),
-        hardness: quantity(HARDNESS),
-        damping_per_s: braked(DAMPING),
-        drag_per_rad: braked(DRAG),
-        friction_rad_s2: braked(FRICTION),
+        hardness: match is_bent {
+            true => quantity(first + HARDNESS_PLACE),
+            false => Quantity::new(0.0, 0.0),
+        },
+        damping_per_s: braked(DAMPING, 1.0),
+        drag_per_rad: braked(first + DRAG, drag),
+        friction_rad_s2: braked(first + FRICTION, friction),
         rms_over_noise: (left_square / dof as f64).sqrt() / fitted.readings.noise,
         left_rms: (left_square / left.len() as f64).sqrt(),
         is_described: false,
@@ -62,36 +78,45 @@ pub fn own_rad_s(fitted: &Fitted) -> Option<[f64; 2]> {
     Some(Path::of(&fitted.problem(), x, omega)?.own_rad_s(omega))
 }
 
-/// Of the rate of decay at an amplitude, 1/s: α + 4 b ω A/(3π) + 2 c/(π ω A), by the work of a cycle.
-fn decay_u_per_s(covariance: &DMatrix<f64>, omega_rad_s: f64, amplitude_rad: f64) -> f64 {
-    let mut by = DVector::zeros(covariance.nrows());
-    by[DAMPING] = 1.0;
-    by[DRAG] = 4.0 * omega_rad_s * amplitude_rad / (3.0 * PI);
-    by[FRICTION] = 2.0 / (PI * omega_rad_s * amplitude_rad.max(f64::MIN_POSITIVE));
-    by.dot(&(covariance * &by)).max(0.0).sqrt()
+/// By what factor the variance of the frequency is larger than for white noise.
+fn wider(fitted: &Fitted, free: usize, covariance: &DMatrix<f64>) -> Option<f64> {
+    let direction: DVector<f64> = covariance.column(FREQUENCY).into_owned();
+    let of_frequency = DMatrix::from_columns(&[direction]);
+    dispersion(&fitted.problem(), &fitted.fit.x, free, &of_frequency)
 }
 
-/// By what factor the variance of the frequency is larger than for white noise: what is left hangs
-/// together over runs of samples, whose scores are taken as independent (Liang and Zeger 1986). The
-/// largest of all lengths of runs.
-fn wider(fitted: &Fitted, free: usize, covariance: &DMatrix<f64>) -> Option<f64> {
-    let readings = &fitted.readings;
-    let rows = fitted
-        .problem()
-        .rows(0, &fitted.fit.x, &[], Wanted::Jacobian)?;
-    let direction: DVector<f64> = covariance.column(FREQUENCY).into_owned();
-    let scores = (rows.jacobian? * direction).component_mul(&rows.residuals);
-    let variance = covariance[(FREQUENCY, FREQUENCY)];
+/// By what factor the variance along directions in all that is fitted is larger than for white noise,
+/// their mean: what is left hangs together over runs of samples, whose scores are taken as
+/// independent (Liang and Zeger 1986). The largest of all lengths of runs, and of what is left of
+/// all blocks alike; `free` is how many numbers are fitted.
+pub fn dispersion(
+    problem: &Problem,
+    x: &[f64],
+    free: usize,
+    directions: &DMatrix<f64>,
+) -> Option<f64> {
+    let readings = problem.readings;
+    let rows = problem.rows(0, x, &[], Wanted::Jacobian)?;
+    let mut scores = rows.jacobian? * directions;
+    let variances: Vec<f64> = scores.column_iter().map(|c| c.norm_squared()).collect();
+    for (row, residual) in rows.residuals.iter().enumerate() {
+        scores.row_mut(row).scale_mut(*residual);
+    }
     let dof = rows.residuals.len().checked_sub(free).filter(|n| *n > 0)?;
     let mut most = rows.residuals.norm_squared() / dof as f64;
-    let mut run_s = FIRST_RUN * TAU / fitted.start.omega_rad_s;
+    let mut run_s = FIRST_RUN * TAU / problem.scales.omega_rad_s;
     while readings.duration_s() / run_s >= FEWEST_RUNS as f64 {
-        let mut sums = vec![0.0; (readings.duration_s() / run_s) as usize + 1];
-        for (block, score) in readings.blocks.iter().zip(scores.iter()) {
-            sums[(readings.t_s[block.start] / run_s) as usize] += score;
+        let count = (readings.duration_s() / run_s) as usize + 1;
+        let mut sums = DMatrix::<f64>::zeros(count, directions.ncols());
+        for (block, score) in problem.blocks.iter().zip(scores.row_iter()) {
+            let run = (readings.t_s[block.start] / run_s) as usize;
+            let mut sum = sums.row_mut(run);
+            sum += score;
         }
-        let sandwich: f64 = sums.iter().map(|s| s * s).sum();
-        most = most.max(sandwich / variance);
+        let shares = sums.column_iter().zip(&variances);
+        let told = shares.filter(|(_, variance)| **variance > 0.0);
+        let factors: Vec<f64> = told.map(|(c, v)| c.norm_squared() / v).collect();
+        most = most.max(factors.iter().sum::<f64>() / factors.len().max(1) as f64);
         run_s *= 2.0;
     }
     Some(most)
@@ -110,12 +135,9 @@ impl Path {
         let step_s = TAU / omega_rad_s / POINTS;
         let count = (duration_s / step_s) as usize;
         let times: Vec<f64> = (0..=count).map(|i| i as f64 * step_s).collect();
-        let numbers = std::array::from_fn(|k| x[k]);
-        let base = Base::new(problem.restoring, problem.omega_rad_s, numbers);
-        let motion = base.motion(&times)?;
         Some(Self {
             step_s,
-            angles_rad: motion.into_iter().map(|[angle, _]| angle).collect(),
+            angles_rad: problem.angles_rad(x, &times)?,
             in_period: POINTS as usize,
         })
     }

@@ -24,7 +24,7 @@ pub struct Now<R> {
     /// Sense of the motion, 1 or −1.
     pub sense: f64,
     /// How far a bearing has given, 1 where it slides.
-    pub given: f64,
+    pub given: R,
 }
 
 impl<R: Real> Now<R> {
@@ -41,7 +41,7 @@ impl<R: Real> Now<R> {
             angle_rad,
             rate_rad_s,
             sense,
-            given: 0.0,
+            given: R::zero(),
         }
     }
 }
@@ -52,7 +52,7 @@ pub trait Torque<R: Real> {
     fn acceleration(&self, now: &Now<R>) -> R;
 
     /// How far a bearing has given at an angle that is reached in one sense.
-    fn given(&self, now: &Now<R>, _angle_rad: f64) -> f64 {
+    fn given(&self, now: &Now<R>, _angle_rad: R) -> R {
         now.given
     }
 }
@@ -178,7 +178,7 @@ fn step<R: Real>(torque: &impl Torque<R>, now: &Now<R>, h: R) -> Now<R> {
             angle_rad,
             rate_rad_s: now.rate_rad_s + by * slope[1],
             sense: now.sense,
-            given: torque.given(now, angle_rad.value()),
+            given: torque.given(now, angle_rad),
         }
     };
     let slope = |at: &Now<R>| [at.rate_rad_s, torque.acceleration(at)];

@@ -2,6 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use gyradius_mechanics::one_angle::effects::{
+    Acts, AmplitudeAddedMass, AnyEffect, BearingFriction, Jet, Polynomial, PowerLawDamping,
+    PreslidingBearing, QuadraticDrag, RestoringForce, ScaleError, Scales, Swinging, ZeroDrift,
+};
 use gyradius_mechanics::one_angle::{Law, Now, Torque, TwoLines, follow};
 use gyradius_mechanics::{Dual, Real};
 
@@ -130,4 +134,89 @@ fn a_damped_spring_dies_away() {
         let expected = (-alpha * t).exp() * (cos + alpha / damped * sin);
         assert!((now - expected).abs() < 1e-7, "{t}: {now} {expected}");
     }
+}
+
+/// Readings of a pendulum from 0.6 rad with an effect, at every 0.1 s of 10 s.
+fn with_effect<R: Real>(effect: &AnyEffect, numbers: &[R]) -> Vec<R>
+where
+    AnyEffect: Acts<R>,
+{
+    let swinging = Swinging {
+        law: Law::Pendulum,
+        scales: Scales {
+            omega_rad_s: TAU,
+            reach_rad: 0.6,
+        },
+        omega_rad_s: R::constant(TAU),
+        damping_per_s: R::constant(0.05),
+        effects: vec![(effect, numbers)],
+    };
+    let times: Vec<f64> = (1..=100).map(|i| 0.1 * f64::from(i)).collect();
+    let start = [R::constant(0.6), R::constant(0.0)];
+    let mut all = Vec::new();
+    let done = swinging.readings(start, false, &times, |_, reading| all.push(reading));
+    assert!(done.is_some());
+    all
+}
+
+/// Derivatives by every number of every effect against central differences.
+#[test]
+fn every_effect_carries_the_derivatives_of_its_motion() {
+    let terms = vec![[2, 0, 0], [0, 3, 0], [1, 2, 0], [3, 0, 0], [0, 1, 1]];
+    let effects: [(&AnyEffect, &[f64]); 9] = [
+        (&QuadraticDrag, &[0.01]),
+        (&PowerLawDamping, &[0.01, 0.4]),
+        (&BearingFriction, &[0.005]),
+        (&PreslidingBearing, &[0.01, -4.0]),
+        (&AmplitudeAddedMass, &[0.02]),
+        (&RestoringForce, &[0.3]),
+        (&Polynomial { terms }, &[0.01, 0.02, 0.01, -0.02, 0.1]),
+        (&ScaleError, &[0.01]),
+        (&ZeroDrift { duration_s: 10.0 }, &[0.01]),
+    ];
+    for (effect, numbers) in effects {
+        let jets: Vec<Jet> = (numbers.iter().enumerate())
+            .map(|(lane, number)| Jet::parameter(*number, lane))
+            .collect();
+        let exact = with_effect(effect, &jets);
+        for lane in 0..numbers.len() {
+            let step = 1e-5;
+            let moved = |by: f64| {
+                let mut moved = numbers.to_vec();
+                moved[lane] += by;
+                with_effect(effect, &moved)
+            };
+            let (more, less) = (moved(step), moved(-step));
+            let sizes = exact.iter().map(|reading| reading.slope[lane].abs());
+            let largest = sizes.fold(0.0, f64::max);
+            for ((reading, more), less) in exact.iter().zip(&more).zip(&less) {
+                let off = reading.slope[lane] - (more - less) / (2.0 * step);
+                assert!(
+                    off.abs() < 1e-3 * largest,
+                    "{effect:?} {lane}: {off} of {largest}"
+                );
+            }
+        }
+    }
+}
+
+/// A force that hardens has the period that its energy gives.
+#[test]
+fn a_hardening_force_has_its_period() {
+    // mpmath, 30 digits: quad of dθ/√(2 (V(A) − V(θ))), V = θ²/2 + κ (1 − cos θ − θ²/2),
+    // κ = −3, A = 0.6, over 2π for ω = 2π/s.
+    let period_s = 0.9397437869701682;
+    let swinging = Swinging {
+        law: Law::Linear,
+        scales: Scales {
+            omega_rad_s: TAU,
+            reach_rad: 0.6,
+        },
+        omega_rad_s: TAU,
+        damping_per_s: 0.0,
+        effects: vec![(&RestoringForce, &[-3.0][..])],
+    };
+    let motion = follow(&swinging, Now::start(0.6, 0.0), TAU, &[10.0 * period_s]);
+    let off = motion.map_or(f64::NAN, |motion| motion[0][0] - 0.6);
+    assert!(off.abs() < 1e-6, "{off}");
 }
