@@ -14,7 +14,7 @@ use super::cause_id::CauseId;
 
 /// So many causes with a name at once.
 const MOST_CAUSES: usize = 3;
-/// Odds that are told apart: 100 to 1, natural logarithm.
+/// Odds at which the data tell two sets from each other: 100 to 1, natural logarithm.
 pub const TOLD: f64 = 4.6;
 /// What changes the evidence by less (natural logarithm) moves a fit by so little that all of it is
 /// linear: two standard deviations.
@@ -100,7 +100,7 @@ struct Prediction<M> {
 
 struct Search<'a, C: Competing> {
     competing: &'a C,
-    ids: Vec<CauseId>,
+    forms: Vec<Form>,
     sets: Vec<Set>,
     fitted: Vec<Fitted<C::Model, C::Linear>>,
     failed: Vec<Set>,
@@ -114,8 +114,8 @@ pub fn select<C: Competing>(competing: &C, seeds: &[Set]) -> Option<Selection<C:
     let forms = competing.forms();
     let mut search = Search {
         competing,
-        ids: forms.iter().map(|form| form.id).collect(),
         sets: sets(&forms),
+        forms,
         fitted: vec![],
         failed: vec![],
         predictions: vec![],
@@ -136,14 +136,14 @@ pub fn select<C: Competing>(competing: &C, seeds: &[Set]) -> Option<Selection<C:
         search.predict();
     }
     Some(Selection {
+        forms: search.forms.clone(),
         candidates: search.candidates(),
-        forms,
     })
 }
 
 impl<C: Competing> Search<'_, C> {
     fn log_posterior(&self, set: &Set, model: &C::Model) -> Option<f64> {
-        Some(self.competing.log_evidence(model)? + log_prior(&self.ids, set))
+        Some(self.competing.log_evidence(model)? + log_prior(&self.forms, set))
     }
 
     fn add(&mut self, set: Set, model: C::Model) {
@@ -210,7 +210,7 @@ impl<C: Competing> Search<'_, C> {
     }
 
     fn is_weak(&self, one: &Candidate<C::Model>, near: &Fitted<C::Model, C::Linear>) -> bool {
-        let evidence = |set: &Set, log_posterior: f64| log_posterior - log_prior(&self.ids, set);
+        let evidence = |set: &Set, log_posterior: f64| log_posterior - log_prior(&self.forms, set);
         let change =
             evidence(&one.set, one.log_posterior) - evidence(&near.set, near.log_posterior);
         apart(&near.set, &one.set) == 1 && change.abs() < WEAK
@@ -266,17 +266,17 @@ fn sets(forms: &[Form]) -> Vec<Set> {
 /// Before the data each number of causes is half as likely as one less, and sets of as many alike;
 /// the forms of a cause share its odds. A force without a name can be bent to do what causes with a
 /// name do: it has to be told from them.
-fn log_prior(forms: &[CauseId], set: &Set) -> f64 {
-    let mut ids: Vec<CauseId> = forms.to_vec();
+fn log_prior(forms: &[Form], set: &Set) -> f64 {
+    let mut ids: Vec<CauseId> = forms.iter().map(|form| form.id).collect();
     ids.sort_unstable();
     ids.dedup();
     let of_form = |form: &usize| {
-        let same = forms.iter().filter(|id| **id == forms[*form]);
+        let same = forms.iter().filter(|one| one.id == forms[*form].id);
         (same.count() as f64).ln()
     };
     let size = set.len();
     let of_size = (size + 1) as f64 * std::f64::consts::LN_2;
-    let is_nameless = set.iter().any(|form| forms[*form] == CauseId::Unknown);
+    let is_nameless = set.iter().any(|form| forms[*form].id == CauseId::Unknown);
     let nameless = if is_nameless { TOLD } else { 0.0 };
     -of_size
         - ln_binomial(ids.len() as u64, size as u64)
@@ -325,8 +325,7 @@ impl<M> Selection<M> {
 
     /// The logarithm of a candidate's evidence.
     pub fn log_evidence(&self, candidate: &Candidate<M>) -> f64 {
-        let ids: Vec<CauseId> = self.forms.iter().map(|form| form.id).collect();
-        candidate.log_posterior - log_prior(&ids, &candidate.set)
+        candidate.log_posterior - log_prior(&self.forms, &candidate.set)
     }
 
     /// Whether a cause is in a set.
@@ -336,9 +335,8 @@ impl<M> Selection<M> {
 
     /// Without the sets that hold a cause.
     pub fn without(mut self, id: CauseId) -> Self {
-        let forms = &self.forms;
-        self.candidates
-            .retain(|c| c.set.iter().all(|form| forms[*form].id != id));
+        let candidates = std::mem::take(&mut self.candidates).into_iter();
+        self.candidates = candidates.filter(|c| !self.has(&c.set, id)).collect();
         self
     }
 

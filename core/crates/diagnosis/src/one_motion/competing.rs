@@ -6,7 +6,7 @@ use gyradius_base::parallel::in_parallel;
 use gyradius_estimation::{
     Block, ByRows, Fit, Options, Parameter, Rows, Shape, UNSTOPPED, Wanted, minimise,
 };
-use gyradius_identification::one_motion::{FREQUENCY, Fitting, Problem, solve_towards};
+use gyradius_identification::one_motion::{FREQUENCY, solve_towards};
 
 use super::super::selection::{Competing, Form, Set, TOLD};
 use super::catalogue::Cause;
@@ -43,18 +43,13 @@ pub struct Swings<'a>(pub &'a [Swing<'a>]);
 
 /// A swing linearised: numbers of its own and of every form.
 pub struct Linear {
-    /// Values of all, and the rows that hold what the samples say.
-    at: Vec<f64>,
-    rows: LinearRows,
-}
-
-struct LinearRows {
+    /// Values of all, and the rows there that hold what the samples say.
     at: DVector<f64>,
     residuals: DVector<f64>,
     jacobian: DMatrix<f64>,
 }
 
-impl Rows for LinearRows {
+impl Rows for Linear {
     fn shape(&self) -> Shape {
         Shape::single(self.at.len())
     }
@@ -122,17 +117,9 @@ impl Swing<'_> {
         let first = self.first_cause();
         let (places, count) = self.places();
         let mut at = one.x[..first].to_vec();
-        at.resize(count, 0.0);
-        let mut from = first;
-        for (form, cause) in self.catalogue.iter().enumerate() {
-            let own = if set.contains(&form) {
-                let own = &one.x[from..from + cause.known.len()];
-                from += own.len();
-                own.to_vec()
-            } else {
-                cause.absent()
-            };
-            at[places[form]..places[form] + own.len()].copy_from_slice(&own);
+        at.extend(self.catalogue.iter().flat_map(Cause::absent));
+        for (form, _, own) in self.causes_of(set) {
+            at[places[form]..places[form] + own.len()].copy_from_slice(&one.x[own]);
         }
         let effects = self.fittings(set);
         let problem = self.problem(&effects);
@@ -142,18 +129,12 @@ impl Swing<'_> {
         jacobian
             .columns_mut(0, first)
             .copy_from(&own.columns(0, first));
-        let mut from = first;
-        for form in set {
-            let size = self.catalogue[*form].known.len();
-            let mut columns = jacobian.columns_mut(places[*form], size);
-            columns.copy_from(&own.columns(from, size));
-            from += size;
+        for (form, _, from) in self.causes_of(set) {
+            let mut columns = jacobian.columns_mut(places[form], from.len());
+            columns.copy_from(&own.columns(from.start, from.len()));
         }
         self.add_absent(set, &one.x, &mut jacobian)?;
-        Some(Linear {
-            rows: compressed(&at, known.residuals, jacobian),
-            at,
-        })
+        Some(compressed(at, known.residuals, jacobian))
     }
 
     /// Derivatives by the forms that are not in a set, all that do not exclude each other at once.
@@ -172,19 +153,16 @@ impl Swing<'_> {
                 is_alone
             });
             let all: Set = set.iter().chain(&together).copied().collect();
-            let effects: Vec<Fitting> = self.fittings(&all);
-            let problem: Problem = self.problem(&effects);
+            let effects = self.fittings(&all);
+            let problem = self.problem(&effects);
             let mut values = x.to_vec();
             for form in &together {
                 values.extend(self.catalogue[*form].absent());
             }
             let slopes = problem.slopes_by(&values, x.len()..values.len())?;
-            let mut from = x.len();
-            for form in together {
-                let size = self.catalogue[form].known.len();
-                let mut columns = jacobian.columns_mut(places[form], size);
-                columns.copy_from(&slopes.columns(from, size));
-                from += size;
+            for (form, _, from) in self.causes_of(&all).skip(set.len()) {
+                let mut columns = jacobian.columns_mut(places[form], from.len());
+                columns.copy_from(&slopes.columns(from.start, from.len()));
             }
         }
         Some(())
@@ -197,7 +175,7 @@ impl Swing<'_> {
         let problem = self.problem(&[]);
         let mut parameters = problem.parameters();
         parameters.resize(count, Parameter::FREE);
-        let mut start = linear.at.clone();
+        let mut start = linear.at.as_slice().to_vec();
         for (form, cause) in self.catalogue.iter().enumerate() {
             let own = places[form]..places[form] + cause.known.len();
             for (k, place) in own.enumerate() {
@@ -211,7 +189,7 @@ impl Swing<'_> {
                 }
             }
         }
-        let mut rows = ByRows::new(&linear.rows);
+        let mut rows = ByRows::new(linear);
         let fit = minimise(&mut rows, &parameters, &start, &LINEAR, UNSTOPPED).ok()?;
         let all = One::of(fit);
         let kept: Vec<usize> =
@@ -232,14 +210,13 @@ impl Swing<'_> {
 }
 
 /// As many rows as there are numbers, and one more, that say the same as all.
-fn compressed(at: &[f64], residuals: DVector<f64>, jacobian: DMatrix<f64>) -> LinearRows {
+fn compressed(at: Vec<f64>, residuals: DVector<f64>, jacobian: DMatrix<f64>) -> Linear {
     let count = jacobian.ncols();
-    let both = jacobian.insert_column(count, 0.0);
-    let mut both = both;
+    let mut both = jacobian.insert_column(count, 0.0);
     both.set_column(count, &residuals);
     let root = both.qr().r();
-    LinearRows {
-        at: DVector::from_column_slice(at),
+    Linear {
+        at: at.into(),
         residuals: root.column(count).into_owned(),
         jacobian: root.columns(0, count).into_owned(),
     }
@@ -271,13 +248,8 @@ impl Competing for Swings<'_> {
     fn log_evidence(&self, model: &Model) -> Option<f64> {
         let swings = self.0.iter().zip(&model.swings);
         let each = swings.map(|(swing, one)| {
-            let mut from = swing.first_cause();
-            let is_at_edge = model.set.iter().any(|form| {
-                let cause = &swing.catalogue[*form];
-                let own = from..from + cause.known.len();
-                from = own.end;
-                cause.is_at_edge(&one.x[own])
-            });
+            let mut causes = swing.causes_of(&model.set);
+            let is_at_edge = causes.any(|(_, cause, own)| cause.is_at_edge(&one.x[own]));
             one.log_evidence.filter(|_| !is_at_edge)
         });
         each.sum()

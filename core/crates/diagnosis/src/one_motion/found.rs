@@ -6,8 +6,6 @@ use std::collections::BTreeMap;
 use gyradius_base::error::Result;
 use gyradius_base::parallel::in_parallel;
 use gyradius_base::progress::{Progress, tell};
-use gyradius_estimation::{Rows, Wanted};
-use gyradius_identification::one_motion::solve;
 
 use super::super::cause_id::CauseId;
 use super::super::parameter_id::ParameterId;
@@ -108,15 +106,11 @@ fn fitted(swings: &[Swing], set: &Set, larger: &Model) -> Option<Model> {
     let mut from = larger.clone();
     from.set = set.clone();
     for (swing, one) in swings.iter().zip(&mut from.swings) {
-        let first = swing.first_cause();
-        let mut kept = one.x[..first].to_vec();
-        let mut at = first;
-        for form in &larger.set {
-            let size = swing.catalogue[*form].known.len();
-            if set.contains(form) {
-                kept.extend(&one.x[at..at + size]);
+        let mut kept = one.x[..swing.first_cause()].to_vec();
+        for (form, _, places) in swing.causes_of(&larger.set) {
+            if set.contains(&form) {
+                kept.extend(&one.x[places]);
             }
-            at += size;
         }
         one.x = kept;
     }
@@ -142,14 +136,10 @@ fn takes_unknown(
 
 /// χ² of the stretches that are held out, over the noise of the samples, and their rows; the model
 /// fitted to the others.
-pub fn held_out(swings: &[Swing], model: &Model) -> Option<(f64, usize)> {
+fn held_out(swings: &[Swing], model: &Model) -> Option<(f64, usize)> {
     let of_swing = |s: usize| {
         let swing = &swings[s];
-        let effects = swing.fittings(&model.set);
-        let there = solve(&swing.part(&effects, false), &model.swings[s].x)?;
-        let mut problem = swing.part(&effects, true);
-        problem.noise = swing.readings().noise;
-        let rows = problem.rows(0, &there.x, &[], Wanted::Residuals)?.residuals;
+        let rows = swing.held_out(&swing.fittings(&model.set), &model.swings[s].x)?;
         Some((rows.norm_squared(), rows.len()))
     };
     let parts = in_parallel(swings.len(), of_swing);
@@ -177,25 +167,20 @@ fn left(swings: &[Swing], model: &Model) -> Option<Left> {
 /// Numbers of a cause in a model, swing by swing.
 fn parameters(
     swings: &[Swing],
-    selection: &Selection<Model>,
     model: &Model,
     id: CauseId,
 ) -> BTreeMap<ParameterId, ParameterResult> {
     let mut all = BTreeMap::new();
     for (s, (swing, one)) in swings.iter().zip(&model.swings).enumerate() {
-        let mut at = swing.first_cause();
-        for form in &model.set {
-            let parameters = &swing.catalogue[*form].parameters;
+        let of_cause = swing.causes_of(&model.set);
+        for (_, cause, places) in of_cause.filter(|(_, cause, _)| cause.id == id) {
             let own = (swings.len() > 1).then_some(s);
-            for (place, parameter) in (at..).zip(parameters) {
-                if selection.id(*form) == id {
-                    let u = one.covariance.as_ref();
-                    let u = u.map_or(f64::INFINITY, |c| c[(place, place)].max(0.0).sqrt());
-                    let name = ParameterId::of(parameter.name, own);
-                    all.insert(name, parameter.result(one.x[place], u));
-                }
+            for (place, parameter) in places.zip(&cause.parameters) {
+                let u = one.covariance.as_ref();
+                let u = u.map_or(f64::INFINITY, |c| c[(place, place)].max(0.0).sqrt());
+                let name = ParameterId::of(parameter.name, own);
+                all.insert(name, parameter.result(one.x[place], u));
             }
-            at += parameters.len();
         }
     }
     all
@@ -218,9 +203,7 @@ impl Found<'_> {
                 are_one_drag([**known, *id], |k| {
                     let id = [**known, *id][k];
                     let with = self.selection.best(|set| self.selection.has(set, id));
-                    with.map_or_else(BTreeMap::new, |c| {
-                        parameters(self.swings, &self.selection, &c.model, id)
-                    })
+                    with.map_or_else(BTreeMap::new, |c| parameters(self.swings, &c.model, id))
                 })
             });
             known.is_none()
@@ -263,7 +246,7 @@ impl Found<'_> {
                 ..result(
                     id,
                     evidence(with) - evidence(without),
-                    parameters(self.swings, selection, model, id),
+                    parameters(self.swings, model, id),
                 )
             });
         }

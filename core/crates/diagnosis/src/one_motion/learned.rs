@@ -1,7 +1,7 @@
 //! The missing torque where no known cause accounts for it, and the simplest closed form that does
 //! as well.
 
-use gyradius_estimation::{Fit, Rows, Wanted};
+use gyradius_estimation::Fit;
 use gyradius_identification::one_motion::solve;
 
 use super::super::cause_id::CauseId;
@@ -89,7 +89,6 @@ fn closed_form(swing: &Swing, named: &Set, x: &[f64]) -> Option<Closed> {
             effects.push(cause.fitting());
             let start: Vec<f64> = start.iter().copied().chain([0.0]).collect();
             let fit = solve(&swing.problem(&effects), &start)?;
-            drop(effects);
             Some(Closed { terms, cause, fit })
         });
         let next = further.max_by(|a, b| evidence(a).total_cmp(&evidence(b)))?;
@@ -107,9 +106,6 @@ fn closed_form(swing: &Swing, named: &Set, x: &[f64]) -> Option<Closed> {
 fn heldout_rms(swing: &Swing, named: &Set, closed: &Closed) -> Option<f64> {
     let mut effects = swing.fittings(named);
     effects.push(closed.cause.fitting());
-    let there = solve(&swing.part(&effects, false), &closed.fit.x)?;
-    let mut problem = swing.part(&effects, true);
-    problem.noise = swing.readings().noise;
-    let rows = problem.rows(0, &there.x, &[], Wanted::Residuals)?.residuals;
+    let rows = swing.held_out(&effects, &closed.fit.x)?;
     Some((rows.norm_squared() / rows.len().max(1) as f64).sqrt())
 }

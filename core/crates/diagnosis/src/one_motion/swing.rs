@@ -47,6 +47,7 @@ pub struct Swing<'a> {
     /// Noise that a model's evidence counts with: what even the richest model leaves is noise to
     /// all of them.
     pub noise: f64,
+    /// Blocks that are fitted where something is held out, and those held out.
     parts: [Vec<Range<usize>>; 2],
 }
 
@@ -129,17 +130,40 @@ impl<'a> Swing<'a> {
         }
     }
 
-    /// That of a part of it: what is fitted where something is held out, and what is held out.
-    pub fn part<'b>(&'b self, effects: &'b [Fitting<'b>], held_out: bool) -> Problem<'b> {
-        Problem {
-            blocks: &self.parts[usize::from(held_out)],
+    /// What is left of the blocks that are held out, over the noise of the samples; fitted to the others
+    /// from a start.
+    pub fn held_out(&self, effects: &[Fitting], start: &[f64]) -> Option<DVector<f64>> {
+        let [fitted, held_out] = &self.parts;
+        let there = Problem {
+            blocks: fitted,
             ..self.problem(effects)
-        }
+        };
+        let held_out = Problem {
+            blocks: held_out,
+            noise: self.readings().noise,
+            ..self.problem(effects)
+        };
+        let x = solve(&there, start)?.x;
+        Some(held_out.rows(0, &x, &[], Wanted::Residuals)?.residuals)
     }
 
     /// Where the causes' numbers begin.
     pub fn first_cause(&self) -> usize {
         self.problem(&[]).first_effect()
+    }
+
+    /// The causes of a set with the places of their numbers in a model of it.
+    pub fn causes_of<'b>(
+        &'b self,
+        set: &'b [usize],
+    ) -> impl Iterator<Item = (usize, &'b Cause, Range<usize>)> {
+        let mut next = self.first_cause();
+        set.iter().map(move |form| {
+            let cause = &self.catalogue[*form];
+            let from = next;
+            next += cause.known.len();
+            (*form, cause, from..next)
+        })
     }
 
     /// The form of each cause with the widest prior.
@@ -212,9 +236,10 @@ impl<'a> Swing<'a> {
         let eigen = covariance.clone().symmetric_eigen();
         let scale = eigen.eigenvalues.map(|value| value.max(0.0).sqrt());
         let directions = &eigen.eigenvectors * DMatrix::from_diagonal(&scale);
-        let of_all = dispersion(&problem, x, free, &directions)?;
+        let rows = problem.rows(0, x, &[], Wanted::Jacobian)?;
+        let of_all = dispersion(&problem, &rows, free, &directions)?;
         let frequency = DMatrix::from_columns(&[covariance.column(FREQUENCY)]);
-        Some(of_all.max(dispersion(&problem, x, free, &frequency)?))
+        Some(of_all.max(dispersion(&problem, &rows, free, &frequency)?))
     }
 
     /// What is left of the blocks, over the noise of the samples.
@@ -248,14 +273,10 @@ impl<'a> Swing<'a> {
     /// right: a force acts beside them that is so large a share of theirs. None where they have none.
     pub fn frequency_u(&self, set: &[usize], x: &[f64], share: f64) -> Option<f64> {
         let scales = self.scales();
-        let mut at = self.first_cause();
         let mut forces = [0.0; 2];
-        for form in set {
-            let cause = &self.catalogue[*form];
-            let numbers = &x[at..at + cause.known.len()];
-            at += numbers.len();
+        for (_, cause, places) in self.causes_of(set) {
             if cause.id != CauseId::Unknown {
-                let own = cause.shares(numbers, &scales);
+                let own = cause.shares(&x[places], &scales);
                 forces = [forces[0] + share * own[0], forces[1] + share * own[1]];
             }
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use gyradius_estimation::{Rows, Wanted};
+use gyradius_estimation::{Block, Rows, Wanted};
 use gyradius_recording::Quantity;
 use nalgebra::{DMatrix, DVector};
 
@@ -82,22 +82,24 @@ pub fn own_rad_s(fitted: &Fitted) -> Option<[f64; 2]> {
 fn wider(fitted: &Fitted, free: usize, covariance: &DMatrix<f64>) -> Option<f64> {
     let direction: DVector<f64> = covariance.column(FREQUENCY).into_owned();
     let of_frequency = DMatrix::from_columns(&[direction]);
-    dispersion(&fitted.problem(), &fitted.fit.x, free, &of_frequency)
+    let problem = fitted.problem();
+    let rows = problem.rows(0, &fitted.fit.x, &[], Wanted::Jacobian)?;
+    dispersion(&problem, &rows, free, &of_frequency)
 }
 
 /// By what factor the variance along directions in all that is fitted is larger than for white noise,
 /// their mean: what is left hangs together over runs of samples, whose scores are taken as
 /// independent (Liang and Zeger 1986). The largest of all lengths of runs, and of what is left of
-/// all blocks alike; `free` is how many numbers are fitted.
+/// all blocks alike. `rows` are those of the fit, with derivatives; `free` is how many numbers are
+/// fitted.
 pub fn dispersion(
     problem: &Problem,
-    x: &[f64],
+    rows: &Block,
     free: usize,
     directions: &DMatrix<f64>,
 ) -> Option<f64> {
     let readings = problem.readings;
-    let rows = problem.rows(0, x, &[], Wanted::Jacobian)?;
-    let mut scores = rows.jacobian? * directions;
+    let mut scores = rows.jacobian.as_ref()? * directions;
     let variances: Vec<f64> = scores.column_iter().map(|c| c.norm_squared()).collect();
     for (row, residual) in rows.residuals.iter().enumerate() {
         scores.row_mut(row).scale_mut(*residual);

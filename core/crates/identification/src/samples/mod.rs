@@ -26,7 +26,7 @@ mod turn;
 pub use expected::expected_statements;
 pub use model::Statement;
 pub(crate) use record::{BLOCK_OF_PERIOD, blocks, inside};
-pub use record::{Recorded, Samples, Sensor, Stream, Turning};
+pub use record::{Recorded, Samples, Sensor, Stream};
 pub use scene::{LANES, Own, SHARED_LANES, SwingSetup, place};
 pub use session::{FittedSwing, WHITE, Ways};
 pub use turn::turn_slopes;

@@ -48,30 +48,6 @@ pub(crate) fn inside(evidence: &Evidence) -> (f64, f64) {
     (start_s, evidence.span.end_s - MARGIN_S - start_s)
 }
 
-/// What the gyroscope alone says of a swing.
-pub struct Turning {
-    /// Its samples.
-    pub stream: Stream,
-    /// Start by the phone's clock, s.
-    pub start_s: f64,
-    /// Duration, s.
-    pub duration_s: f64,
-}
-
-impl Turning {
-    /// From what was found in a phone's record; `None` without a gyroscope.
-    pub fn of(evidence: &Evidence, fastest_period_s: f64) -> Option<Self> {
-        let block_s = fastest_period_s * BLOCK_OF_PERIOD;
-        let stream = Stream::of(evidence, Sensor::Gyroscope, evidence.rates(), block_s)?;
-        let (start_s, duration_s) = inside(evidence);
-        (duration_s > 0.0).then_some(Self {
-            stream,
-            start_s,
-            duration_s,
-        })
-    }
-}
-
 impl Stream {
     /// The channels of one sensor, averaged over blocks no longer than `block_s`; `None` without
     /// any. Those of a sensor that lacks axes come first: what they read along does not matter where
