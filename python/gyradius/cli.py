@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 from json import dumps
 from pathlib import Path
 from typing import Annotated, Any
@@ -108,10 +109,17 @@ def measure(session: SessionPath, json: Json = None, limit: Limits = None, map_:
 
 
 @app.command()
-def critique(session: SessionPath, json: Json = None) -> None:
+def critique(
+    session: SessionPath,
+    json: Json = None,
+    by_sets: Annotated[
+        bool,
+        typer.Option("--by-sets", help="Weigh all sets of causes at once, not one cause after another (being tried)."),
+    ] = False,
+) -> None:
     """What the simulation gets wrong, why, the extended model and the gain."""
     with reported(error_console(), json, CRITIQUE):
-        found = _criticised(_loaded(session))
+        found = _criticised(_loaded(session), by_sets)
         if json is not None:
             write_json(found.to_json(), json)
         show_critique(output_console(json), found)
@@ -478,9 +486,12 @@ def _measured(session: Session, limits: list[str] | None = None) -> Measurement:
         return heard_during(session.measure, limits or [])
 
 
-def _criticised(session: Session) -> Critique:
+def _criticised(session: Session, by_sets: bool = False) -> Critique:
+    def criticised(progress: Callable[[float, str], object]) -> Critique:
+        return session.critique(progress, by_sets=by_sets)
+
     with counted(error_console(), "criticising") as told:
-        return heard_during(session.critique, told)
+        return heard_during(criticised, told)
 
 
 def _critique_or_reason(session: Session) -> Critique | str:

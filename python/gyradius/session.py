@@ -47,13 +47,14 @@ class Session:
         """
         return view(self._core.measure(list(limits)))
 
-    def critique(self, progress: Callable[[float, str], object] | None = None) -> Critique:
+    def critique(self, progress: Callable[[float, str], object] | None = None, *, by_sets: bool = False) -> Critique:
         """What the simulation gets wrong, why, and what mending it gains.
 
         This may take minutes. ``progress`` is told the share that is done and what is being done, and stops the work by
-        answering False (``CancelledError``); Ctrl-C stops it too.
+        answering False (``CancelledError``); Ctrl-C stops it too. ``by_sets`` weighs all sets of up to three causes at
+        once, instead of looking for one cause after another; it is being tried.
         """
-        return critiques.view(self._core.critique(progress))
+        return critiques.view(self._core.critique(progress, by_sets))
 
     def plot(self, swing_id: str | None = None) -> Figure:
         """Each recording with its fit, the residual and the spectrum (one swing, or all)."""

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use gyradius_core::Result;
-use gyradius_core::diagnosis::{CauseId, Progress, criticise};
+use gyradius_core::diagnosis::{CauseId, Progress, Search, criticise_by};
 use gyradius_core::identification::{Analysis, MeasureOptions, analyse, measure_recording};
 use gyradius_core::import::{self, Loaded, load_any};
 use gyradius_core::planning::{Request, plan_on, plan_to_tell_apart};
@@ -42,15 +42,27 @@ impl Session {
     }
 
     /// Criticise the simulation; the callback is told a share and a text, and stops it by answering
-    /// false.
-    #[pyo3(signature = (progress=None))]
-    fn critique(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Criticism> {
+    /// false. All sets of causes are weighed at once, or causes one after another.
+    #[pyo3(signature = (progress=None, by_sets=false))]
+    fn critique(
+        &self,
+        py: Python<'_>,
+        progress: Option<Py<PyAny>>,
+        by_sets: bool,
+    ) -> PyResult<Criticism> {
         let loaded = self
             .loaded
             .with_dimensions()
             .map_err(|error| raise(py, &error))?;
-        watched(py, progress, |progress| criticise(loaded, progress))
-            .map(|inner| Criticism { inner })
+        let search = if by_sets {
+            Search::BySets
+        } else {
+            Search::InRounds
+        };
+        watched(py, progress, |progress| {
+            criticise_by(search, loaded, progress)
+        })
+        .map(|inner| Criticism { inner })
     }
 
     /// The plan from what was measured so far; the request is JSON.

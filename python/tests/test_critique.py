@@ -66,7 +66,9 @@ def engine(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Every session gets the hand-written criticism; answers the titles of those that asked."""
     asked = []
 
-    def critique(session: gyradius.Session, progress: Callable[[float, str], object]) -> gyradius.Critique:
+    def critique(
+        session: gyradius.Session, progress: Callable[[float, str], object], *, by_sets: bool = False
+    ) -> gyradius.Critique:
         asked.append(session.title)
         progress(0.5, "fitting quadratic drag")
         return made()
@@ -265,7 +267,7 @@ def test_demo_criticises_only_when_asked(engine: list[str], tmp_path: Path) -> N
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
-    def critique(session: gyradius.Session, progress: object) -> gyradius.Critique:
+    def critique(session: gyradius.Session, progress: object, *, by_sets: bool = False) -> gyradius.Critique:
         raise error
 
     monkeypatch.setattr(gyradius.Session, "critique", critique)
@@ -390,3 +392,22 @@ def test_the_paper_s_keelboat_is_flagged() -> None:
     assert any(d.sigma > 5 for d in critique.discrepancies)
     # Every cause that the paper's section 6 thinks of is ranked.
     assert {"stated_length", "support_compliance"} <= {c.id for c in critique.causes}
+
+
+def test_all_sets_at_once_say_the_same_of_the_boat_park() -> None:
+    session = gyradius.load(gyradius.shipped_session("boat-park"))
+    shares: list[float] = []
+
+    def watch(share: float, _: str) -> bool:
+        shares.append(share)
+        return True
+
+    critique = session.critique(watch, by_sets=True)
+    assert critique.verdict.status == session.critique().verdict.status
+    assert shares == sorted(shares)
+
+    def stop(share: float, _: str) -> bool:
+        return share < 0.3
+
+    with pytest.raises(gyradius.CancelledError):
+        session.critique(stop, by_sets=True)

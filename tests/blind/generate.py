@@ -159,9 +159,9 @@ def log_uniform(rng, low: float, high: float) -> float:
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
-def draw_hull(rng, tilted: bool) -> Hull:
-    """A hull between an 8 kg model and a 700 kg keelboat."""
-    mass = log_uniform(rng, 8, 700)
+def draw_hull(rng, tilted: bool, mass_kg: tuple = (8, 700)) -> Hull:
+    """A hull, between an 8 kg model and a 700 kg keelboat unless asked for otherwise."""
+    mass = log_uniform(rng, *mass_kg)
     length = 1.87 * (mass / 13.18) ** 0.317 * np.exp(rng.normal(0, 0.12))  # through model hull and Yngling
     k_yaw = length * rng.uniform(0.18, 0.30)
     psi = np.radians(rng.uniform(-5, 5)) if tilted or rng.random() < 0.5 else 0.0
@@ -370,7 +370,10 @@ def draw_session(rng, kind: str) -> tuple[Hull, list[Hung]]:
     return hull, hungs
 
 
-def modal_start(rng, hung: Hung, from_rest: bool) -> tuple[np.ndarray, dict]:
+SIZES = {"yaw": (3, 10), "sway": (2, 6), "pitch": (1, 5)}  # degrees, of the hull or of the lines, by motion
+
+
+def modal_start(rng, hung: Hung, from_rest: bool, sizes: dict = SIZES) -> tuple[np.ndarray, dict]:
     """Displacement and rate (6,) of a start in the modes wanted, with parasites 30 to 45 dB down in energy."""
     line = hung.plan.line_m
     energy, amplitudes = 0.0, {}
@@ -378,8 +381,7 @@ def modal_start(rng, hung: Hung, from_rest: bool) -> tuple[np.ndarray, dict]:
         shape = hung.modes[name].shape
         point = np.abs(shape[:3] + np.cross(shape[3:], [0, 0, hung.rig.points[2, 0, 0]])).max() / line
         size = {"yaw": abs(shape[5]), "sway": point}.get(name, max(point, np.abs(shape[3:]).max()))
-        low, high = {"yaw": (3, 10), "sway": (2, 6)}.get(name, (1, 5))
-        amplitudes[name] = np.radians(rng.uniform(low, high)) / size
+        amplitudes[name] = np.radians(rng.uniform(*sizes.get(name, sizes["pitch"]))) / size
         energy = max(energy, (amplitudes[name] * hung.modes[name].omega_rad_s) ** 2)
     for name, mode in hung.modes.items():
         if name not in amplitudes and rng.random() < 0.7:

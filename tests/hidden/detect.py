@@ -20,7 +20,7 @@ from borrowed import rb
 from effects import ALL, EFFECTS, OUTSIDE, Session
 from scene import move, sense
 
-EVERY = 5  # samples taken for sensitivities; each counts as so many
+KEPT_HZ = 20.0  # rate of the samples taken for sensitivities; each counts as all that it stands for
 STEP_S = 0.05
 BACK = 0.02  # share of the hidden strength over which its sensitivity is taken, to both sides
 MOMENT_S = 0.05  # by which a moment is taken to be off: readings kept are so far apart
@@ -53,7 +53,7 @@ class Study:
     within: list = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.motions = [move(s, STEP_S, EVERY) for s in self.session.scenes]
+        self.motions = [move(s, STEP_S, every(s)) for s in self.session.scenes]
         self.looks = [look(s, m) for s, m in zip(self.session.scenes, self.motions)]
         self.within = [np.abs(v) < limits(s, v.size) for s, v in zip(self.session.scenes, self.looks)]
 
@@ -70,7 +70,7 @@ class Study:
             if change.own not in (None, n):
                 parts.append(np.zeros(self.looks[n].size))
                 continue
-            at = self.motions[n] if change.phone_only else move(scene, STEP_S, EVERY)
+            at = self.motions[n] if change.phone_only else move(scene, STEP_S, every(scene))
             parts.append(self.changed(n, scene, look(scene, at)) / change.unit)
         parts.append((stated(other) - stated(self.session)) / change.unit)
         return parts
@@ -88,16 +88,21 @@ class Study:
         return [(a + b) / 2 for a, b in zip(self.difference(more), self.difference(less))]
 
 
+def every(scene) -> int:
+    """One sample in so many is taken."""
+    return max(1, round(scene.phone.gyro_rate_hz / KEPT_HZ))
+
+
 def look(scene, at: np.ndarray) -> np.ndarray:
-    """Readings over their noise, as one row, of sensors without limits; each stands for EVERY of them."""
-    gyro, acc = sense(scene, at, EVERY)
-    return np.sqrt(EVERY) * np.concatenate([np.ravel(gyro) / scene.phone.gyro_noise, np.ravel(acc) / scene.phone.acc_noise])
+    """Readings over their noise, as one row, of sensors without limits; each stands for `every` of them."""
+    gyro, acc = sense(scene, at, every(scene))
+    return np.sqrt(every(scene)) * np.concatenate([np.ravel(gyro) / scene.phone.gyro_noise, np.ravel(acc) / scene.phone.acc_noise])
 
 
 def limits(scene, size: int) -> np.ndarray:
     """The sensors' limits, reading by reading, as `look` has them."""
     of_each = [scene.flaws.gyro_limit / scene.phone.gyro_noise, scene.flaws.acc_limit / scene.phone.acc_noise]
-    return np.sqrt(EVERY) * np.repeat(of_each, size // 2)
+    return np.sqrt(every(scene)) * np.repeat(of_each, size // 2)
 
 
 def stated(session: Session) -> np.ndarray:
@@ -156,7 +161,7 @@ def turn_phone(session: Session, way: np.ndarray) -> None:
 
 
 def swing_changes(session: Session, n: int) -> list[Change]:
-    """A swing's release along its four small motions, and its five damping rates."""
+    """A swing's release along its four small motions, and its six damping rates."""
     changes, tiny = [], 1e-5
 
     def released(name: str, shape: np.ndarray) -> Callable:
@@ -169,7 +174,7 @@ def swing_changes(session: Session, n: int) -> list[Change]:
         shape = mode.shape / np.abs(mode.shape).max()
         changes.append(Change(released("move", tiny * shape), tiny, n))
         changes.append(Change(released("rate", tiny * shape), tiny, n))
-    for axis in (0, 1, 2, 4, 5):
+    for axis in range(6):
         amount = 1e-3 * session.scenes[n].extras["linear"][0, axis]
         changes.append(Change(damped(axis, amount), 1e-3, n))
     return changes
@@ -177,7 +182,7 @@ def swing_changes(session: Session, n: int) -> list[Change]:
 
 def biases(session: Session, n: int, size: int, drift: bool) -> np.ndarray:
     """Columns of a constant, and of a line in time, on each channel of both sensors."""
-    times = session.scenes[n].shown_s[::EVERY]
+    times = session.scenes[n].shown_s[:: every(session.scenes[n])]
     shapes = [np.ones_like(times)] + ([times - times.mean()] if drift else [])
     columns = []
     for sensor in (0, 1):
@@ -331,15 +336,22 @@ def beyond(signal: np.ndarray, columns: np.ndarray) -> float:
     return float(np.linalg.norm(signal - u @ (u.T @ signal)))
 
 
+def standing_out(session: Session, hidden: list) -> tuple[Study, Reduced, list[np.ndarray]]:
+    """The session linearised, the base model's freedoms, and each hidden effect's signal beside these."""
+    from sessions import spoiled
+
+    make = lambda shares: spoiled(session, hidden, shares)
+    linear = Study(make([1.0] * len(hidden)))
+    reduced = Reduced(linear, not any(h.name in CAUSES_IN_BASE for h in hidden))
+    return linear, reduced, [reduced.orthogonal(tangent(linear, make, n, hidden)) for n in range(len(hidden))]
+
+
 def study(session: Session, hidden: list) -> dict:
     """Signals in standard deviations and cosines, for the truth file."""
     from sessions import spoiled
 
-    make = lambda shares: spoiled(session, hidden, shares)
     drawn = lambda other: spoiled(session, other)
-    linear = Study(make([1.0] * len(hidden)))
-    reduced = Reduced(linear, not any(h.name in CAUSES_IN_BASE for h in hidden))
-    signals = [reduced.orthogonal(tangent(linear, make, n, hidden)) for n in range(len(hidden))]
+    linear, reduced, signals = standing_out(session, hidden)
     others = planes(linear, reduced, hidden)
     report = {"others": {name: float(np.linalg.norm(c, 2)) for name, c in others.items()}, "effects": []}
     for n, signal in enumerate(signals):

@@ -40,12 +40,23 @@ OUT = 16  # centre, quaternion, rate (hull), acceleration of the centre (world),
 
 
 @njit
+def crept(p, t):
+    """By how much a line has crept, its rate and its acceleration: by the logarithm of time, or by a power of it."""
+    late, n = p.creep[1] + t, p.creep_power
+    if n == 0:
+        size = p.creep[0] / np.log1p(CREEP_SPAN / p.creep[1])
+        return size * np.log(late / p.creep[1]), size / late, -size / late**2
+    size = p.creep[0] / ((p.creep[1] + CREEP_SPAN) ** n - p.creep[1] ** n)
+    return size * (late**n - p.creep[1] ** n), size * n * late ** (n - 1), size * n * (n - 1) * late ** (n - 2)
+
+
+@njit
 def length(p, i, t):
-    """Length of a line at a time, its rate and its acceleration: creep by the logarithm of time, and a slip."""
+    """Length of a line at a time, its rate and its acceleration: creep, and a slip."""
     l, dl, ddl = p.line[i], 0.0, 0.0
     if p.creep[0] != 0 and t > 0:
-        size, late = p.creep[0] / np.log1p(CREEP_SPAN / p.creep[1]), p.creep[1] + t
-        l, dl, ddl = l + size * np.log(late / p.creep[1]), size / late, -size / late**2
+        more, dl, ddl = crept(p, t)
+        l += more
     if p.slip[i] != 0:
         s, ds, dds = rise((t - p.slip[2]) / p.slip[3])
         l, dl, ddl = l + p.slip[i] * s, dl + p.slip[i] * ds / p.slip[3], ddl + p.slip[i] * dds / p.slip[3] ** 2

@@ -80,6 +80,7 @@ class Scene:
     phone: blind.Phone
     extras: np.ndarray = field(default_factory=motion.blank)  # a rig's fields that effects fill
     flaws: Flaws = field(default_factory=Flaws)
+    acc_shown_s: np.ndarray | None = None  # the accelerometer's own times; None: the gyroscope's
 
     def copy(self) -> "Scene":
         """For changing; times are shared."""
@@ -146,9 +147,9 @@ def longest_step_s(scene: Scene, smooth_s: float) -> float:
         step = min(step, STIFF_SHARE / np.sqrt(2 * e["stiffness"] / lightest))
     if e["support"][0]:
         step = min(step, STIFF_SHARE / np.sqrt(e["support"][1] / e["support"][0]))
-    for mass, spring in zip(e["slider_mass"], e["slider_spring"]):
+    for mass, spring, rod in zip(e["slider_mass"], e["slider_spring"], e["slider_rod"]):
         if mass:
-            step = min(step, STIFF_SHARE / np.sqrt(spring / mass))
+            step = min(step, STIFF_SHARE / np.sqrt(scene.gravity_m_s2 / rod if rod else spring / mass))
     return step
 
 
@@ -156,6 +157,21 @@ def move(scene: Scene, smooth_s: float = 0.005, every: int = 1) -> np.ndarray:
     """The motion (N, motion.OUT) at every so-manieth of the scene's times."""
     rig, times = rig_of(scene), np.ascontiguousarray(scene.true_s()[::every])
     return motion.swing(rig, start_of(scene, rig), -WARM_UP_S, times, longest_step_s(scene, smooth_s))
+
+
+def tensions(scene: Scene, at: np.ndarray) -> np.ndarray:
+    """Pull of each line (N, 2), N, that a motion needs: Newton's and Euler's equations by least squares, drag and the like left out."""
+    rig = rig_of(scene)[0]
+    q, w, a, dw = at[:, 3:7].T, at[:, 7:10].T, at[:, 10:13].T, at[:, 13:16].T
+    force = rig["mass"] * rb.rotate(rb.conjugate(q), a + np.array([[0.0], [0], [scene.gravity_m_s2]]))
+    torque = rig["inertia"] @ dw + rb.cross(w, rig["inertia"] @ w)
+    arms = [np.repeat(point[:, None], len(at), 1) for point in rig["point"]]
+    ways = [rb.rotate(rb.conjugate(q), anchor[:, None] - at[:, :3].T) - arm for anchor, arm in zip(rig["anchor"], arms)]
+    ways = [way / np.linalg.norm(way, axis=0) for way in ways]
+    per_newton = np.array([np.concatenate([way, rb.cross(arm, way) / scene.spacing_m]) for way, arm in zip(ways, arms)])
+    wanted = np.concatenate([force, torque / scene.spacing_m])
+    normal, side = np.einsum("jin,kin->njk", per_newton, per_newton), np.einsum("jin,in->nj", per_newton, wanted)
+    return np.linalg.solve(normal, side[:, :, None])[:, :, 0]
 
 
 def held(scene: Scene, at: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -216,4 +232,9 @@ def clipped(scene: Scene, gyro: np.ndarray, acc: np.ndarray) -> tuple[np.ndarray
 
 def readings(scene: Scene, smooth_s: float = 0.005, every: int = 1) -> tuple[np.ndarray, np.ndarray]:
     """Gyroscope and accelerometer (N, 3), without noise."""
-    return clipped(scene, *sense(scene, move(scene, smooth_s, every), every))
+    gyro, acc = sense(scene, move(scene, smooth_s, every), every)
+    if scene.acc_shown_s is not None:
+        other = scene.copy()
+        other.shown_s = scene.acc_shown_s
+        acc = sense(other, move(other, smooth_s, every), every)[1]
+    return clipped(scene, gyro, acc)

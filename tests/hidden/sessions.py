@@ -14,7 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -54,6 +54,9 @@ class Kind:
     styles: tuple  # of one rig: for each swing what is set going
     lasting_s: tuple = (110, 130)
     one_rig: bool = False  # else some are swung at two line lengths or at two spacings
+    lines_differ: float = 0.5  # how often two rigs differ in their lines; else in their spacing
+    on_two_rigs: tuple = (("yaw", "sway"), ("pitch",))  # what is set going at each of the two
+    mass_kg: tuple = (8, 700)
 
 
 def draw_plans(rng, hull: blind.Hull, two_rigs: bool, kind: Kind) -> list[blind.Plan]:
@@ -61,7 +64,7 @@ def draw_plans(rng, hull: blind.Hull, two_rigs: bool, kind: Kind) -> list[blind.
     spacing, line = hull.k_yaw_m * rng.uniform(0.7, 1.8), draw_line(rng, hull)
     lines = blind.stated(rng, line, 0.001, 0.003)
     rigs = [(line, lines, spacing, blind.stated(rng, spacing, 0.0005, 0.001))]
-    if two_rigs and rng.random() < 0.5:
+    if two_rigs and rng.random() < kind.lines_differ:
         other = line
         while abs(np.log(other / line)) < 0.3:
             other = draw_line(rng, hull)
@@ -69,7 +72,7 @@ def draw_plans(rng, hull: blind.Hull, two_rigs: bool, kind: Kind) -> list[blind.
     elif two_rigs:
         other = spacing * rng.choice([rng.uniform(0.6, 0.8), rng.uniform(1.25, 1.6)])
         rigs.append((line, lines, other, blind.stated(rng, other, 0.0005, 0.001)))
-    swings = [("yaw", "sway"), ("pitch",)] if two_rigs else kind.styles[rng.integers(len(kind.styles))]
+    swings = kind.on_two_rigs if two_rigs else kind.styles[rng.integers(len(kind.styles))]
     plans = []
     for rig in rigs:
         for excited in swings:
@@ -100,17 +103,17 @@ def draw_hung(rng, two_rigs: bool, kind: Kind) -> tuple[blind.Hull, list]:
     """A hull and its swings; half keep 4 % from the Kane-Tseng resonances."""
     kane = 0.04 if rng.random() < 0.5 else 0.0
     while True:
-        hull = blind.draw_hull(rng, False)
+        hull = blind.draw_hull(rng, False, kind.mass_kg)
         drag = blind.damping(rng, hull)
         hungs = [blind.hang(rng, hull, plan, drag) for plan in draw_plans(rng, hull, two_rigs, kind)]
         if all(blind.acceptable(h, 0.03, kane) for h in hungs):
             return hull, hungs
 
 
-def draw_scene(rng, hull: blind.Hull, hung, phone: blind.Phone) -> tuple[Scene, dict]:
+def draw_scene(rng, hull: blind.Hull, hung, phone: blind.Phone, sizes: dict = blind.SIZES) -> tuple[Scene, dict]:
     """A swing of the base model, and the size of each motion set going."""
     plan = hung.plan
-    start, amplitudes = blind.modal_start(rng, hung, bool(rng.random() < 0.5))
+    start, amplitudes = blind.modal_start(rng, hung, bool(rng.random() < 0.5), sizes)
     true_s = blind.stamps(rng, phone.gyro_rate_hz, plan.duration_s)
     scene = Scene(
         hull.mass_kg, np.array([0.0, 0.0, -hull.depth_m]), hull.inertia(), hull.gravity_m_s2,
@@ -162,13 +165,16 @@ def write(rng, folder: Path, title: str, session: Session) -> None:
         gyro, acc = readings(scene)
         noisy = lambda clean, sigma: clean + rng.normal(0, sigma, clean.shape)
         gyro, acc = clipped(scene, noisy(gyro, scene.phone.gyro_noise), noisy(acc, scene.phone.acc_noise))
-        write_csv(folder / f"{hung.plan.id}.csv", scene.shown_s, gyro, acc)
+        write_csv(folder / f"{hung.plan.id}.csv", scene, gyro, acc)
 
 
-def write_csv(path: Path, times_s: np.ndarray, gyro: np.ndarray, acc: np.ndarray) -> None:
-    """All six channels at the phone's own times."""
+def write_csv(path: Path, scene: Scene, gyro: np.ndarray, acc: np.ndarray) -> None:
+    """All six channels at the phone's own times; a sensor with times of its own leaves the other's cells empty."""
+    if scene.acc_shown_s is not None:
+        phone = replace(scene.phone, one_clock=False, clock_error=0.0)  # the times are the shown ones
+        return blind.write_recording(path, phone, scene.shown_s, gyro, scene.acc_shown_s, acc, 0.0, DECIMALS)
     formats = [f"%.{DECIMALS.time}f"] + [f"%.{DECIMALS.gyro}f"] * 3 + [f"%.{DECIMALS.acc}f"] * 3
-    table = np.column_stack([times_s, gyro, acc])
+    table = np.column_stack([scene.shown_s, gyro, acc])
     np.savetxt(path, table, formats, ",", header="t,gx,gy,gz,ax,ay,az", comments="")
 
 

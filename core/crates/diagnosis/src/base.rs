@@ -12,7 +12,9 @@ use gyradius_identification::theory::{swing_periods, world_from_hull};
 use gyradius_recording::Quantity;
 
 use super::fitted_swing::{Base, FittedSwing, HORIZONS_S};
-use super::point::{BIAS, Model, Mount, OWN, Part, Point};
+use super::fitting::Fitted;
+use super::point::{BIAS, DAMPING, HEAVE_DAMPING, Model, Mount, OWN, Part, Point};
+use super::white::levels;
 
 /// Phones turned against each other by less than this may be one phone that slipped, rad; beyond,
 /// it was taped anew.
@@ -141,6 +143,19 @@ impl<'a> Base<'a> {
         Ok(Some((base, start)))
     }
 
+    /// Fits all swings together from a start, with the noise that they show.
+    pub fn fit(&mut self, start: &Point) -> Result<Fitted> {
+        let model = Model::of(self).precise();
+        let fitted = model.fit_from_afar(start)?;
+        let levels = levels(&model, &fitted.point)?;
+        for (swing, levels) in self.swings.iter_mut().zip(levels) {
+            for (stream, level) in swing.samples.streams.iter_mut().zip(levels) {
+                stream.noise.component_mul_assign(&level);
+            }
+        }
+        Model::of(self).precise().fit(&fitted.point, &|_| false)
+    }
+
     /// A start with that set of the session's parameters which is nearest to the first seconds of
     /// the recordings. Swings that contradict each other agree on no body that there can be, or on
     /// one that cannot hang; from rest every body can.
@@ -223,12 +238,14 @@ fn median(layout: &Layout, begun: &[Begun]) -> Vec<f64> {
 
 fn own_of(own: &Own) -> [f64; OWN] {
     let mut values = [0.0; OWN];
-    values[..BIAS].copy_from_slice(&own.values[..BIAS]);
+    values[..HEAVE_DAMPING].copy_from_slice(&own.values[..HEAVE_DAMPING]);
     values[BIAS..].copy_from_slice(&own.values[place::BIAS]);
     // A single swing that lost its way may even gain energy: such a start runs away.
     values[place::DAMPING]
         .iter_mut()
         .for_each(|rate| *rate = rate.clamp(0.0, MOST_DAMPING_PER_S));
+    // That of heave, which single swings are fitted without, begins as that of sway does.
+    values[HEAVE_DAMPING] = values[DAMPING + 1];
     values
 }
 

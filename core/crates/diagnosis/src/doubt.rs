@@ -40,7 +40,7 @@ pub struct Otherwise {
 impl Otherwise {
     /// No model counts for more than the one that is believed: what is passed over for the
     /// structure that it leaves may have gained far more.
-    fn new(odds: f64, quantities: BTreeMap<QuantityName, QuantityResult>) -> Self {
+    pub fn new(odds: f64, quantities: BTreeMap<QuantityName, QuantityResult>) -> Self {
         Self {
             odds: odds.min(1.0),
             quantities,

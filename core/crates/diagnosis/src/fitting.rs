@@ -10,10 +10,10 @@ use gyradius_base::parallel::in_parallel;
 use gyradius_estimation::{
     Keep, Normal, Options, Parameter, Problem, Progress, Shape, Slopes, UNSTOPPED, minimise,
 };
-use gyradius_identification::samples::Own;
+use gyradius_identification::samples::{Own, place};
 
 use super::fitted_swing::HORIZONS_S;
-use super::point::{BIAS, DAMPING, Model, OWN, Part, Point};
+use super::point::{BIAS, DAMPING, HEAVE_DAMPING, Model, OWN, Part, Point};
 
 /// A fit may take new derivatives so often …
 const MOST_STEPS: usize = 20;
@@ -539,7 +539,12 @@ impl Model<'_> {
         });
         let u = Own::prior_u();
         let of_own = |k: usize| {
-            let known = Parameter::FREE.with_prior(0.0, if k < BIAS { u[k] } else { u[k + 6] });
+            let place = match k {
+                HEAVE_DAMPING => DAMPING,
+                _ if k < BIAS => k,
+                _ => place::BIAS.start + k - BIAS,
+            };
+            let known = Parameter::FREE.with_prior(0.0, u[place]);
             // What hangs makes no motion of itself: no rate of damping is below zero. What nobody
             // set going had a rate of any sign, and where it was below zero a fit stopped.
             if (DAMPING..BIAS).contains(&k) {

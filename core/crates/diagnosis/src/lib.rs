@@ -8,6 +8,7 @@ mod cause_id;
 mod causes;
 mod closed_form;
 mod coordinate;
+mod decision;
 mod doubt;
 mod evidence;
 mod findings;
@@ -37,6 +38,7 @@ mod trial;
 mod unit;
 mod verdict;
 mod white;
+mod whole;
 mod words;
 
 pub use by_periods::criticise_periods;
@@ -76,8 +78,27 @@ use traces::traces;
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-critique/1";
 
+/// How causes are looked for in sessions whose whole body is simulated.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Search {
+    /// One after another while it pays.
+    #[default]
+    InRounds,
+    /// All sets of up to three are weighed.
+    BySets,
+}
+
 /// Criticises a session.
 pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticism> {
+    criticise_by(Search::default(), loaded, progress)
+}
+
+/// The same by a search of one's own choice.
+pub fn criticise_by(
+    search_for: Search,
+    loaded: &LoadedSession,
+    progress: &Progress,
+) -> Result<Criticism> {
     tell(progress, 0.0, "reading the swings")?;
     let by_periods_alone = || {
         let analysis = analyse(loaded, &MeasureOptions::default())?;
@@ -102,7 +123,7 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
         warnings,
         findings,
     } = prepared;
-    let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
+    let Some((mut base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
         let turning = one_motion::criticise(loaded, &system, (&works, &x), warnings, progress)?;
         let told = |judged: Criticism| {
             let critique = judged.critique.with(findings);
@@ -111,12 +132,23 @@ pub fn criticise(loaded: &LoadedSession, progress: &Progress) -> Result<Criticis
         return turning.map_or_else(by_periods_alone, told);
     };
     tell(progress, 0.15, "fitting all swings together")?;
-    let model = Model::of(&base);
-    let Ok(fitted) = model.precise().fit_from_afar(&start) else {
+    let Ok(fitted) = base.fit(&start) else {
         let mut judged = by_periods_alone()?;
         judged.critique.warn(words::message("no_fit", []));
         return Ok(judged);
     };
+    let model = Model::of(&base);
+    if search_for == Search::BySets {
+        let judged = whole::criticise(
+            loaded,
+            (model, start, fitted),
+            &inclines,
+            warnings,
+            progress,
+        )?;
+        let critique = judged.critique.with(findings);
+        return Ok(Criticism { critique, ..judged });
+    }
     let found = search(model.clone(), start, fitted, progress)?;
     tell(progress, 0.9, "judging by samples held out")?;
     let judged = conclude(loaded, &model, &found, &inclines, warnings)?;

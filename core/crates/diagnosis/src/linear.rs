@@ -393,7 +393,6 @@ mod tests {
     use std::path::Path as FilePath;
 
     use gyradius_identification::measure::prepare;
-    use gyradius_identification::samples::place;
     use gyradius_recording::load_session;
 
     use super::super::base::by_periods;
@@ -402,7 +401,7 @@ mod tests {
         Scales, TERMS, catalogue, knock_at, learned_force, line_slip_at, mounts, ringing, slip_at,
     };
     use super::super::fitted_swing::Base;
-    use super::super::point::{BIAS, Cause};
+    use super::super::point::{BIAS, Cause, DAMPING};
     use super::*;
 
     const UNTIL_S: f64 = 10.0;
@@ -418,7 +417,7 @@ mod tests {
             all.map(|(p, _)| 1e-3 * p.prior.1).collect::<Vec<_>>()
         });
         let of_own = (0..OWN).map(|k| {
-            if place::DAMPING.contains(&k) {
+            if (DAMPING..BIAS).contains(&k) {
                 1e-4
             } else if k < BIAS {
                 1e-5

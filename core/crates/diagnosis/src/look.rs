@@ -86,7 +86,7 @@ pub struct Glimpse {
 
 impl Look {
     /// What is seen of a cause beside what is fitted; none where it has no parameters like that.
-    fn at(standing: &Standing, cause: &Cause, sensitivities: &[DMatrix<f64>]) -> Option<Self> {
+    pub fn at(standing: &Standing, cause: &Cause, sensitivities: &[DMatrix<f64>]) -> Option<Self> {
         let Some(alike) = &cause.look else {
             return Some(Self::straight(standing, cause, sensitivities));
         };
@@ -375,16 +375,28 @@ impl Part {
         sensitivity: &DMatrix<f64>,
         residual: &DVector<f64>,
     ) -> Self {
+        // Not `tr_mul`, which multiplies matrices element by element.
+        let by_rows = sensitivity.transpose();
         Self {
-            outer: jacobian.tr_mul(sensitivity),
-            inner: sensitivity.tr_mul(sensitivity),
-            score: sensitivity.tr_mul(residual),
+            outer: (&by_rows * jacobian).transpose(),
+            inner: &by_rows * sensitivity,
+            score: &by_rows * residual,
         }
     }
 }
 
 /// First looks at causes; none at those that cannot be simulated here.
 pub fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
+    let seen = seen(standing, causes);
+    let looks = in_parallel(causes.len(), |k| {
+        Look::at(standing, &causes[k], seen[k].as_ref()?)
+    });
+    looks.into_iter().flatten().collect()
+}
+
+/// Derivatives by the strengths of causes, cause by cause and swing by swing; none of those that
+/// cannot be simulated here.
+pub fn seen(standing: &Standing, causes: &[Cause]) -> Vec<Option<Vec<DMatrix<f64>>>> {
     let seen: Vec<&Cause> = causes.iter().map(Cause::as_seen).collect();
     let groups = side_by_side(&seen);
     let sensitivities = in_parallel(groups.len(), |g| {
@@ -406,10 +418,7 @@ pub fn looks_at(standing: &Standing, causes: &[Cause]) -> Vec<Look> {
     {
         of_each[*k] = found;
     }
-    let looks = in_parallel(causes.len(), |k| {
-        Look::at(standing, &causes[k], of_each[k].as_ref()?)
-    });
-    looks.into_iter().flatten().collect()
+    of_each
 }
 
 /// Which causes are looked at in one simulation: as many as its derivatives have room for. At

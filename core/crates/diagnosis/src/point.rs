@@ -20,13 +20,15 @@ use super::parameter_id::ParameterName;
 use super::result::ParameterResult;
 use super::unit::UnitName;
 
-/// What belongs to one swing alone: its start (8), damping rates (5), biases of gyroscope and
+/// What belongs to one swing alone: its start (8), damping rates (6), biases of gyroscope and
 /// accelerometer (6).
 pub const OWN: usize = BIAS + place::BIAS.end - place::BIAS.start;
 /// Where the damping rates begin.
 pub const DAMPING: usize = place::DAMPING.start;
+/// Damping rate of heave: what yaws wide on two lines rises and falls.
+pub const HEAVE_DAMPING: usize = place::DAMPING.end;
 /// Where the biases begin.
-pub const BIAS: usize = place::DAMPING.end;
+pub const BIAS: usize = HEAVE_DAMPING + 1;
 
 /// Where a phone sits, hull axes.
 #[derive(Debug, Clone)]

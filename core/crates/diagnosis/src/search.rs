@@ -307,7 +307,7 @@ impl Found<'_> {
     /// less is gained than it lacks in the place of something else, or a shape without a name
     /// stands for what they may account for, and they pay. What cannot make up for what the wind
     /// lacks beside the best of those tried is left at that. Their gain.
-    fn blow(&mut self, lacking: f64, is_instead: bool) -> f64 {
+    pub fn blow(&mut self, lacking: f64, is_instead: bool) -> f64 {
         let wanted = if is_instead { lacking } else { 0.0 };
         let (mut gained, mut most): (f64, f64) = (0.0, f64::INFINITY);
         let has_unnamed = self

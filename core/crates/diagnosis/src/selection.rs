@@ -16,9 +16,11 @@ use super::cause_id::CauseId;
 const MOST_CAUSES: usize = 3;
 /// Odds at which the data tell two sets from each other: 100 to 1, natural logarithm.
 pub const TOLD: f64 = 4.6;
-/// What changes the evidence by less (natural logarithm) moves a fit by so little that all of it is
-/// linear: two standard deviations.
+/// A cause that changes the evidence by less (natural logarithm) moves a fit by so little that all of it
+/// is linear: two standard deviations.
 const WEAK: f64 = 2.0;
+/// What is linear tells gains to this share: laws are not.
+const LINEAR: f64 = 0.03;
 /// So many sets are fitted in full at most: as many as there are pairs of a dozen causes.
 const MOST_FITS: usize = 66;
 
@@ -189,19 +191,35 @@ impl<C: Competing> Search<'_, C> {
         }
     }
 
-    /// What promises most of what is not fitted, within reach of the best, and is not weak.
+    /// Of what is not fitted, is within reach of the best and is not weak, what promises most; of
+    /// promises that are not told from each other, the one with the fewest numbers.
     fn next(&self) -> Option<Candidate<C::Model>> {
         let all = self.fitted.iter().map(|fitted| fitted.log_posterior);
         let best = all.fold(f64::NEG_INFINITY, f64::max);
         let promising = self.predictions.iter().filter_map(|prediction| {
             let candidate = prediction.candidate.as_ref()?;
+            let near = &self.fitted[prediction.by];
             let is_worth = candidate.log_posterior > best - TOLD
                 && self.is_open(&candidate.set)
-                && !self.is_weak(candidate, &self.fitted[prediction.by]);
-            is_worth.then_some(candidate)
+                && !self.is_weak(candidate, near);
+            let gain = (candidate.log_posterior - near.log_posterior).max(0.0);
+            is_worth.then_some((candidate, TOLD + LINEAR * gain))
         });
-        let most = promising.max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior));
-        most.cloned()
+        let promising: Vec<(&Candidate<C::Model>, f64)> = promising.collect();
+        let by_promise = |a: &&Candidate<C::Model>, b: &&Candidate<C::Model>| {
+            a.log_posterior.total_cmp(&b.log_posterior)
+        };
+        let (most, told) = promising
+            .iter()
+            .copied()
+            .max_by(|a, b| by_promise(&a.0, &b.0))?;
+        let near = promising.iter().map(|(candidate, _)| *candidate);
+        let near = near.filter(|one| one.log_posterior > most.log_posterior - told);
+        let numbers = |one: &Candidate<C::Model>| -> usize {
+            one.set.iter().map(|form| self.forms[*form].numbers).sum()
+        };
+        let simplest = near.min_by(|a, b| numbers(a).cmp(&numbers(b)).then(by_promise(b, a)));
+        simplest.cloned()
     }
 
     fn is_open(&self, set: &Set) -> bool {
@@ -209,11 +227,13 @@ impl<C: Competing> Search<'_, C> {
             && self.fitted.iter().all(|known| known.set != *set)
     }
 
+    /// Whether a set has one cause more than a model, which hardly changes its evidence.
     fn is_weak(&self, one: &Candidate<C::Model>, near: &Fitted<C::Model, C::Linear>) -> bool {
         let evidence = |set: &Set, log_posterior: f64| log_posterior - log_prior(&self.forms, set);
         let change =
             evidence(&one.set, one.log_posterior) - evidence(&near.set, near.log_posterior);
-        apart(&near.set, &one.set) == 1 && change.abs() < WEAK
+        let is_one_more = apart(&near.set, &one.set) == 1 && one.set.len() > near.set.len();
+        is_one_more && change.abs() < WEAK
     }
 
     /// Those that were fitted, and what is told of the others, the best first.

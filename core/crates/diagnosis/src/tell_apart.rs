@@ -57,13 +57,13 @@ pub fn tell_apart(
         inclines,
         ..
     } = prepared;
-    let Some((base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
+    let Some((mut base, start)) = Base::begin(&system, &works, &inclines, &x)? else {
         let reason = "no swing on two lines that a simulation can be fitted to";
         return Err(Error::no_result("telling causes apart", reason));
     };
     tell(progress, 0.3, "fitting all swings together")?;
+    let fitted = base.fit(&start)?;
     let model = Model::of(&base);
-    let fitted = model.precise().fit_from_afar(&start)?;
     let found = Found::begun(model, start, fitted)?;
     tell(progress, 0.5, "fitting the two causes")?;
     let [one, other] = [found.by_name(causes[0])?, found.by_name(causes[1])?];

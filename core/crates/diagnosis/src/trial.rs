@@ -88,8 +88,9 @@ impl Found<'_> {
             let Some(start) = self.near(form, &model) else {
                 continue;
             };
-            let known = model.each(|s| model.widened(&self.fitted.jacobians[s], &start, s));
-            let known = known.into_iter().collect::<Result<Vec<_>>>();
+            let known = self.fitted.jacobians.iter().enumerate();
+            let known = known.map(|(s, known)| model.widened(known, &start, s));
+            let known = known.collect::<Result<Vec<_>>>();
             let known = known.map_or(Derivatives::Taken, Derivatives::Known);
             let fitted = model.fit_with(&start, known, CONVERGED_SHARE, &|pace| {
                 self.is_hopeless(pace, to_beat)

@@ -349,7 +349,7 @@ pub fn parameters(tried: &Tried) -> BTreeMap<ParameterId, ParameterResult> {
 }
 
 /// Parameters of one of the causes of a fitted model, in units of the rig.
-fn parameters_of(
+pub fn parameters_of(
     causes: &[Cause],
     fitted: &Fitted,
     number: usize,

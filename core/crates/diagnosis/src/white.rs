@@ -9,6 +9,7 @@ use rustfft::num_complex::Complex64;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use gyradius_base::error::Result;
+use gyradius_base::frames::Vec3;
 
 use super::point::{Model, Point, first_settled};
 
@@ -112,6 +113,37 @@ impl Left {
     }
 }
 
+/// Noise by what a fitted model leaves, as a share of what it was thought to be: by swing, by stream, by
+/// axis. Samples alone tell noise from motion as far as the motion is slow against their rate.
+pub fn levels(model: &Model, point: &Point) -> Result<Vec<Vec<Vec3>>> {
+    let of_swing = |s: usize| -> Result<Vec<Vec3>> {
+        let residuals = model.residuals(point, s)?;
+        let of_stream = |(stream, residuals): (usize, &Vec<Vec3>)| {
+            let first = first_settled(&model.swing(s).samples.streams[stream].t_s);
+            Vec3::from_fn(|axis, _| {
+                let values: Vec<f64> = residuals[first..].iter().map(|r| r[axis]).collect();
+                level(&values).unwrap_or(1.0)
+            })
+        };
+        Ok(residuals.iter().enumerate().map(of_stream).collect())
+    };
+    model.each(of_swing).into_iter().collect()
+}
+
+/// Standard deviation of white noise in a record that has lines, too: by the median of its spectrum,
+/// which is ln 2 of the mean of what noise gives. Hann's window keeps the lines from all the rest.
+fn level(values: &[f64]) -> Option<f64> {
+    let count = values.len() as f64;
+    let windowed = values.iter().enumerate().map(|(k, value)| {
+        let window = 1.0 - (std::f64::consts::TAU * k as f64 / count).cos();
+        value * window / 1.5f64.sqrt()
+    });
+    let mut power = spectrum(&windowed.collect::<Vec<f64>>());
+    power.sort_by(f64::total_cmp);
+    let median = power.get(power.len() / 2)?;
+    (*median > 0.0).then(|| (median / std::f64::consts::LN_2).sqrt())
+}
+
 /// Bands of one channel's residuals, over their noise, in a session of so many channels.
 pub fn in_record(
     place: (usize, usize),
@@ -206,4 +238,28 @@ fn edges(count: usize) -> Vec<usize> {
         edges.push(at);
     }
     edges
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    use super::*;
+
+    /// Noise of 1.7 beside a line of a hundred times that.
+    #[test]
+    fn a_line_does_not_raise_the_level_of_noise() {
+        let mut rng = ChaCha8Rng::seed_from_u64(7);
+        let values: Vec<f64> = (0..6000)
+            .map(|k| {
+                let noise: f64 = StandardNormal.sample(&mut rng);
+                1.7 * noise + 170.0 * (0.0531 * f64::from(k)).sin()
+            })
+            .collect();
+        // The median of so many is known to 1/√3000 of the power, 1 % of the level.
+        let found = level(&values).unwrap();
+        assert!((found / 1.7 - 1.0).abs() < 0.03, "{found}");
+    }
 }

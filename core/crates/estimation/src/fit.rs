@@ -236,8 +236,9 @@ impl Fit {
     }
 }
 
-/// `ln ∫₀^∞ exp(−slope·x − information·x²/2) dx/√(2π)`.
-fn log_tail(slope: f64, information: f64) -> f64 {
+/// `ln ∫₀^∞ exp(−slope·x − information·x²/2) dx/√(2π)`, for a slope that is not negative: what a
+/// parameter held at its bound adds to the evidence.
+pub fn log_tail(slope: f64, information: f64) -> f64 {
     let z = slope / (2.0 * information).sqrt();
     log_scaled_erfc(z) - 2f64.ln() - 0.5 * information.ln()
 }

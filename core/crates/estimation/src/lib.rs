@@ -52,7 +52,7 @@ mod shape;
 mod solver;
 
 pub use factor::Factor;
-pub use fit::{Edge, Ending, Error, Fit};
+pub use fit::{Edge, Ending, Error, Fit, log_tail};
 pub use normal::{Normal, Own};
 pub use parameter::{Parameter, Side};
 pub use problem::{Block, ByRows, Problem, Rows, Slopes, Wanted};

@@ -22,7 +22,8 @@ pub fn causes(scales: &Scales) -> Vec<Cause> {
     let mut all: Vec<Cause> = [8.0, 40.0].map(|t| line_creep(scales, t)).to_vec();
     all.extend([
         line_stretch(scales),
-        line_torsion(scales),
+        line_torsion(scales, true),
+        line_torsion(scales, false),
         nonparallel_lines(scales, true),
         nonparallel_lines(scales, false),
         unequal_lines(scales, true),
@@ -116,18 +117,26 @@ fn line_stretch(scales: &Scales) -> Cause {
     }
 }
 
-/// G J of both lines, as a share of what the lines' own stiffness in yaw times their length is.
-fn line_torsion(scales: &Scales) -> Cause {
-    let rigidity = scales.gravity_m_s2 * (0.5 * scales.spacing_m).powi(2);
-    let parameters = vec![strength(
-        ParameterName::RigidityNM2,
-        UnitName::NewtonMetreSquared,
-        rigidity * scales.mass_kg,
-        0.01,
-    )];
+/// A spring in yaw: G J of both lines over their length, or of something that does not go with it (a
+/// cable, a swivel). Strengths are shares of the lines' own stiffness in yaw.
+fn line_torsion(scales: &Scales, by_length: bool) -> Cause {
+    let own = scales.gravity_m_s2 * (0.5 * scales.spacing_m).powi(2);
+    let (name, unit, per_mass) = if by_length {
+        let name = ParameterName::RigidityNM2;
+        (name, UnitName::NewtonMetreSquared, own)
+    } else {
+        let name = ParameterName::StiffnessNMRad;
+        (name, UnitName::NewtonMetrePerRadian, own / scales.line_m)
+    };
+    let parameters = vec![strength(name, unit, per_mass * scales.mass_kg, 0.01)];
     let law = put(move |q, _, e| {
-        let stiffness = q[0] * rigidity / e.scene.dimensions.line_length_m;
-        add(e, "line_torsion", &[("stiffness_n_m_rad", stiffness)])
+        let line_length_m = e.scene.dimensions.line_length_m;
+        let length_m = if by_length { line_length_m } else { fixed(1.0) };
+        add(
+            e,
+            "line_torsion",
+            &[("stiffness_n_m_rad", q[0] * per_mass / length_m)],
+        )
     });
     Cause {
         one_sided: true,

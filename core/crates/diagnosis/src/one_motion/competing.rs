@@ -32,12 +32,6 @@ pub struct Model {
     pub swings: Vec<One>,
 }
 
-impl Model {
-    pub fn chi2(&self) -> f64 {
-        self.swings.iter().map(|one| one.chi2).sum()
-    }
-}
-
 /// All swings.
 pub struct Swings<'a>(pub &'a [Swing<'a>]);
 

@@ -25,7 +25,7 @@ pub fn findings(found: &Found) -> Vec<Discrepancy> {
 }
 
 fn of_swing(found: &Found, s: usize) -> Vec<Discrepancy> {
-    let (swing, x) = (&found.swings[s], &found.base.swings[s].x);
+    let (swing, x) = (&found.swings[s], &found.decision.base.swings[s].x);
     let readings = swing.readings();
     let mut all = Vec::new();
     let bands: Vec<_> = found

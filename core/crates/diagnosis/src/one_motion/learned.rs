@@ -25,15 +25,17 @@ struct Closed {
 
 /// The torque over inertia that the model has in the first swing beside causes with a name.
 pub fn force(found: &Found) -> Option<LearnedForce> {
-    let is_unknown = |form: &&usize| found.selection.id(**form) == CauseId::Unknown;
+    let is_unknown = |form: &&usize| found.decision.selection.id(**form) == CauseId::Unknown;
     let form = *found
+        .decision
         .best
         .set
         .iter()
         .find(is_unknown)
-        .filter(|_| found.is_unknown)?;
-    let (swing, one) = (&found.swings[0], &found.best.swings[0]);
+        .filter(|_| found.decision.is_unknown)?;
+    let (swing, one) = (&found.swings[0], &found.decision.best.swings[0]);
     let named: Set = found
+        .decision
         .best
         .set
         .iter()
@@ -58,7 +60,7 @@ pub fn force(found: &Found) -> Option<LearnedForce> {
     });
     let sum: Vec<String> = sum.collect();
     let looks = shapes(closed.terms.iter().copied());
-    let (_, after, rows) = found.held_out;
+    let (_, after, rows) = found.decision.held_out;
     Some(LearnedForce {
         coordinate: swing.mode.into(),
         unit: UnitName::RadianPerSecondSquared.into(),

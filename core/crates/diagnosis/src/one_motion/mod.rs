@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::FORMAT;
+use super::decision::NEARLY;
 use super::doubt::half_width_95;
 use super::gain;
 use super::point::{SETTLING_S, first_settled};
@@ -27,7 +28,7 @@ use super::unit::UnitName;
 use super::words;
 use competing::{Model, One};
 use findings::findings;
-use found::{Found, NEARLY, find};
+use found::{Found, find};
 use gyradius_base::error::{Error, Result};
 use gyradius_base::message::Message;
 use gyradius_base::progress::{Progress, tell};
@@ -95,7 +96,7 @@ fn conclude(
     found: &Found,
     mut warnings: Vec<Message>,
 ) -> Option<Criticism> {
-    let (before, after, rows) = found.held_out;
+    let (before, after, rows) = found.decision.held_out;
     let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
     let result = |model: &Model, chi2: f64, periods: Vec<Option<Quantity>>| ModelResult {
         rms_over_noise: Some(found.rms(model)),
@@ -104,9 +105,9 @@ fn conclude(
     };
     let each = 0..found.swings.len();
     let alone = each.clone().map(|s| base_period_s(found, s));
-    let baseline = result(&found.base, before, alone.collect());
+    let baseline = result(&found.decision.base, before, alone.collect());
     let averaged = each.map(|s| averaged_period_s(found, s));
-    let extended = result(&found.best, after, averaged.collect());
+    let extended = result(&found.decision.best, after, averaged.collect());
     let gain = gain((before, after), rows, &baseline, &extended);
     let next = next_swing(found);
     warnings.push(words::message("turns_alone", []));
@@ -143,26 +144,27 @@ fn period_s(swing: &Swing, one: &One, wider: f64) -> Option<Quantity> {
 
 /// That of the base.
 fn base_period_s(found: &Found, s: usize) -> Option<Quantity> {
-    let (swing, one) = (&found.swings[s], &found.base.swings[s]);
-    period_s(swing, one, one.wider(swing, &found.base.set))
+    let (swing, one) = (&found.swings[s], &found.decision.base.swings[s]);
+    period_s(swing, one, one.wider(swing, &found.decision.base.set))
 }
 
 /// The same by the model that is believed, with an uncertainty that holds 95 % of all models by their
 /// shares of the posterior. Where none explains the swing, the law that is stated is as likely as
 /// all of them.
 fn averaged_period_s(found: &Found, s: usize) -> Option<Quantity> {
-    let (swing, best) = (&found.swings[s], &found.best.swings[s]);
-    let wider = best.wider(swing, &found.best.set);
+    let (swing, best) = (&found.swings[s], &found.decision.best.swings[s]);
+    let wider = best.wider(swing, &found.decision.best.set);
     let mut believed = period_s(swing, best, wider)?;
     // The laws of the causes are nearly right, no more.
-    let nearly = swing.frequency_u(&found.best.set, &best.x, NEARLY.sqrt());
+    let nearly = swing.frequency_u(&found.decision.best.set, &best.x, NEARLY.sqrt());
     believed.u = (believed.u).max(nearly.unwrap_or(0.0) * wider * believed.value);
     let off = |period: Quantity, share: f64| (share, period.value - believed.value, period.u);
     let models = found
+        .decision
         .selection
         .candidates
         .iter()
-        .zip(found.selection.weights());
+        .zip(found.decision.selection.weights());
     let mut all: Vec<(f64, f64, f64)> = models
         .filter(|(_, share)| *share > LEAST_SHARE)
         .filter_map(|(model, share)| {
@@ -239,8 +241,8 @@ fn traces(found: &Found) -> Option<Vec<SwingTrace>> {
             noise: readings.noise,
             t_s: readings.t_s[first..].to_vec(),
             measured: readings.values[first..].to_vec(),
-            base: of(&found.base)?,
-            extended: of(&found.best)?,
+            base: of(&found.decision.base)?,
+            extended: of(&found.decision.best)?,
         })
     };
     (0..found.swings.len()).map(one).collect()

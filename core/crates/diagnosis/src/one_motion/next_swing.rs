@@ -23,10 +23,17 @@ const WIDEST_RAD: f64 = 1.0;
 /// one like the first of the session.
 pub fn next_swing(found: &Found) -> Option<NextSwing> {
     let other = *found.instead().first()?;
-    let selection = &found.selection;
-    let lacks = |set: &Vec<usize>| found.names.iter().any(|id| !selection.has(set, *id));
+    let selection = &found.decision.selection;
+    let lacks = |set: &Vec<usize>| {
+        found
+            .decision
+            .names
+            .iter()
+            .any(|id| !selection.has(set, *id))
+    };
     let rival = selection.best(|set| selection.has(set, other) && lacks(set))?;
     let one = found
+        .decision
         .names
         .iter()
         .find(|id| !selection.has(&rival.set, **id))?;
@@ -44,7 +51,7 @@ pub fn next_swing(found: &Found) -> Option<NextSwing> {
             amplitude_deg: (wider * reach_rad).to_degrees(),
             duration_s: swing.readings().duration_s(),
             hull_pitch_deg: stated(suspension.hull_pitch_deg),
-            sigma: apart(swing, &found.best, &rival.model, *wider)?,
+            sigma: apart(swing, &found.decision.best, &rival.model, *wider)?,
             message: Message::default(),
         })
     });

@@ -81,7 +81,8 @@ impl SwingSetup<'_> {
         self.scene_of(x, &own.values[..PLACE])
     }
 
-    /// The same over numbers that may have derivatives, from the start and the damping rates.
+    /// The same over numbers that may have derivatives, from the start and the damping rates, behind
+    /// which that of heave may stand.
     pub fn scene_of<S: Real>(&self, x: &[S], v: &[S]) -> Result<Scene<S>> {
         let body = swing_body(self.layout, x, self.swing, self.index)?;
         // Asked for the lines' sake: a length that is no length is an error with its name.
@@ -90,8 +91,9 @@ impl SwingSetup<'_> {
         let value = |i: Option<usize>| i.map_or(S::zero(), |i| x[i]);
         let body = Body::new(S::one(), &(body.inertia_kg_m2 / body.mass_kg), &body.cm_m);
         let scales = damping_scales(&body);
-        let damping: Vec<(&str, S)> = (0..5)
-            .map(|k| (scales[k].0, v[DAMPING + k] * scales[k].1))
+        let rates = v[DAMPING..].iter().zip(scales);
+        let damping: Vec<(&str, S)> = rates
+            .map(|(rate, (name, scale))| (name, *rate * scale))
             .collect();
         Ok(Scene {
             hanging: Hanging::Bifilar(axis(self.swing.suspension.orientation)),
@@ -149,18 +151,20 @@ impl SwingSetup<'_> {
 
     /// Change of the scene's damping numbers by the swing's damping rates.
     pub fn damping_slopes(&self, scene: &Scene) -> [f64; 5] {
-        damping_scales(&scene.body).map(|(_, scale)| scale)
+        let [rates @ .., _] = damping_scales(&scene.body).map(|(_, scale)| scale);
+        rates
     }
 }
 
 /// Numbers of the linear damping, and the mass or inertia that makes them of a rate, 1/s.
-fn damping_scales<S: Real>(body: &Body<S>) -> [(&'static str, S); 5] {
+fn damping_scales<S: Real>(body: &Body<S>) -> [(&'static str, S); 6] {
     [
         ("surge_n_s_m", body.mass_kg),
         ("sway_n_s_m", body.mass_kg),
         ("roll_n_m_s", body.inertia_xx_kg_m2),
         ("pitch_n_m_s", body.inertia_yy_kg_m2),
         ("yaw_n_m_s", body.inertia_zz_kg_m2),
+        ("heave_n_s_m", body.mass_kg),
     ]
 }
 

@@ -1,0 +1,291 @@
+//! From the selection to what is said.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use gyradius_base::error::{Error, Result};
+use gyradius_base::message::Message;
+use gyradius_base::progress::{Progress, tell};
+use gyradius_identification::measure::title;
+use gyradius_identification::{QuantityName, QuantityResult};
+use gyradius_recording::{LoadedSession, Quantity};
+
+use super::super::cause_id::CauseId;
+use super::super::decision::{Decision, NEARLY, decide};
+use super::super::doubt::{Otherwise, widen};
+use super::super::findings::findings;
+use super::super::fitting::Fitted;
+use super::super::found::Found;
+use super::super::learned::learned;
+use super::super::next_swing::{self, next_swing};
+use super::super::parameter_id::ParameterId;
+use super::super::point::{Form, Model, Point};
+use super::super::quantities::quantities;
+use super::super::result::{
+    CauseVerdict, Criticism, Critique, ModelResult, NextSwing, ParameterResult,
+};
+use super::super::selection::{Set, select};
+use super::super::traces::traces;
+use super::super::verdict::{MOST_LEFT_RMS, are_one_drag, judged, parameters_of, saturation};
+use super::super::{FORMAT, gain};
+use super::competing::{Explained, Session};
+
+/// Models of a smaller share of the posterior move no interval of 95 %.
+const LEAST_SHARE: f64 = 1e-3;
+/// Gusts are irregular: a few tones account for most of them.
+const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
+
+struct Judged<'a> {
+    session: Session<'a>,
+    decision: Decision<Explained<'a>>,
+    base: Arc<Found<'a>>,
+    best: Found<'a>,
+}
+
+/// Criticises a session whose base simulation was fitted.
+pub fn criticise<'a>(
+    loaded: &LoadedSession,
+    (base, begin, fitted): (Model<'a>, Point, Fitted),
+    inclines: &[Option<Quantity>],
+    warnings: Vec<Message>,
+    progress: &'a Progress,
+) -> Result<Criticism> {
+    let failed = || Error::no_result("criticism", "no set of causes can be weighed");
+    let session = Session::of(base, begin, fitted, progress)?;
+    let selection = select(&session, &[]);
+    session.not_stopped()?;
+    let selection = selection.ok_or_else(failed)?;
+    tell(progress, 0.9, "judging by samples held out")?;
+    let decision = decide(&session, selection);
+    session.not_stopped()?;
+    let decision = decision.ok_or_else(failed)?;
+    let (Explained::Fitted(base), Explained::Fitted(best)) = (&decision.base, &decision.best)
+    else {
+        return Err(failed());
+    };
+    let base = base.clone();
+    let best = Found {
+        base: base.fitted.clone(),
+        ..polished(best)?
+    };
+    let judged = Judged {
+        session,
+        decision,
+        base,
+        best,
+    };
+    judged.concluded(loaded, inclines, warnings)
+}
+
+/// With all derivatives, and what has no name last.
+fn polished<'a>(found: &Found<'a>) -> Result<Found<'a>> {
+    let mut model = found.model.clone();
+    let mut point = found.fitted.point.clone();
+    let pairs = model.causes.into_iter().zip(point.causes);
+    let (last, first): (Vec<_>, Vec<_>) = pairs.partition(|(c, _)| c.id == CauseId::Unknown);
+    (model.causes, point.causes) = first.into_iter().chain(last).unzip();
+    model.fine = true;
+    let fitted = if model.causes.is_empty() {
+        found.fitted.clone()
+    } else {
+        model.whole().fit(&point, &|_| false)?
+    };
+    let looked_from = found.looked_from.clone();
+    Ok(Found {
+        looked_from,
+        ..Found::begun(model, found.begin.clone(), fitted)?
+    })
+}
+
+impl<'a> Judged<'a> {
+    fn is_unexplained(&self) -> bool {
+        let (base, best) = (&self.base, &self.best);
+        let gusts = best
+            .model
+            .causes
+            .iter()
+            .any(|cause| cause.form == Form::Gust);
+        let took = base.left.excess().max(base.fitted.cost - best.fitted.cost);
+        let of_gusts = gusts && best.left.excess() <= LEFT_SHARE_OF_GUSTS * took;
+        let is_little = of_gusts || best.left.excess() <= NEARLY * base.left.excess();
+        self.decision.is_unknown || !is_little || best.fitted.rms() > MOST_LEFT_RMS
+    }
+
+    fn parameters(&self, model: &Explained, id: CauseId) -> BTreeMap<ParameterId, ParameterResult> {
+        let found: &Found = match model {
+            Explained::Fitted(found) => found,
+            Explained::Promised(..) => return BTreeMap::new(),
+        };
+        let causes = &found.model.causes;
+        let place = causes.iter().position(|cause| cause.id == id);
+        place.map_or_else(BTreeMap::new, |k| parameters_of(causes, &found.fitted, k))
+    }
+
+    fn instead(&self) -> Vec<CauseId> {
+        if self.is_unexplained() {
+            return vec![];
+        }
+        let selection = &self.decision.selection;
+        let is_other = |id: &CauseId| {
+            !self.decision.names.iter().any(|known| {
+                are_one_drag([*known, *id], |k| {
+                    let id = [*known, *id][k];
+                    let with = selection.best(|set| selection.has(set, id));
+                    with.map_or_else(BTreeMap::new, |c| self.parameters(&c.model, id))
+                })
+            })
+        };
+        let all = selection.instead(&self.decision.names).into_iter();
+        all.filter(is_other).collect()
+    }
+
+    fn verdict(&self) -> CauseVerdict {
+        let mut names = self.decision.names.clone();
+        if self.decision.is_unknown {
+            names.push(CauseId::Unknown);
+        }
+        names.extend(saturation(self.base.model.base).map(|cause| cause.id));
+        judged(names, self.instead(), self.is_unexplained())
+    }
+
+    /// The body by all models, by their shares of the posterior. Where none explains the session,
+    /// the base is as likely as all of them.
+    fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
+        let selection = &self.decision.selection;
+        let weights = selection.weights();
+        let own: f64 = selection
+            .candidates
+            .iter()
+            .zip(&weights)
+            .filter(|(c, _)| c.set == self.decision.set)
+            .map(|(_, w)| w)
+            .sum();
+        let mut all: Vec<Otherwise> = vec![];
+        for (candidate, share) in selection.candidates.iter().zip(&weights) {
+            if *share < LEAST_SHARE || candidate.set == self.decision.set {
+                continue;
+            }
+            let body = self.body(&candidate.model, &candidate.set, inclines);
+            all.extend(body.map(|body| Otherwise::new(share / own.max(LEAST_SHARE), body)));
+        }
+        if self.is_unexplained() {
+            let base = quantities(
+                &self.base.model,
+                self.base.fitted.at(),
+                self.base.left.inflation(),
+                inclines,
+            );
+            all.extend(base.ok().map(|body| Otherwise::new(1.0, body)));
+        }
+        all
+    }
+
+    fn body(
+        &self,
+        model: &Explained,
+        set: &Set,
+        inclines: &[Option<Quantity>],
+    ) -> Option<BTreeMap<QuantityName, QuantityResult>> {
+        match model {
+            Explained::Fitted(found) => {
+                quantities(&found.model, found.fitted.at(), 1.0, inclines).ok()
+            }
+            Explained::Promised(linear, _) => {
+                let (model, point) = linear.start(set, &self.session.kinds, 1.0)?;
+                let information = linear.information_of(set, &self.session.kinds)?;
+                quantities(&model, (&point, &information), 1.0, inclines).ok()
+            }
+        }
+    }
+
+    /// The swing that would tell the causes named from what does as well.
+    fn next(&self) -> Option<NextSwing> {
+        let rival = *self.instead().first()?;
+        let selection = &self.decision.selection;
+        let with = selection.best(|set| selection.has(set, rival))?;
+        let (model, point) = match &with.model {
+            Explained::Fitted(found) => (found.model.clone(), found.fitted.point.clone()),
+            Explained::Promised(linear, _) => linear.start(&with.set, &self.session.kinds, 1.0)?,
+        };
+        let own = self
+            .decision
+            .names
+            .iter()
+            .find(|id| !selection.has(&with.set, **id))?;
+        next_swing(
+            &next_swing::Explained {
+                model: &self.best.model,
+                point: &self.best.fitted.point,
+                id: *own,
+            },
+            &next_swing::Explained {
+                model: &model,
+                point: &point,
+                id: rival,
+            },
+        )
+    }
+
+    fn concluded(
+        &self,
+        loaded: &LoadedSession,
+        inclines: &[Option<Quantity>],
+        warnings: Vec<Message>,
+    ) -> Result<Criticism> {
+        let (base, best) = (&self.base, &self.best);
+        let (before, after, rows) = self.decision.held_out;
+        let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
+        let result = |found: &Found, chi2: f64| -> Result<ModelResult> {
+            Ok(ModelResult {
+                rms_over_noise: Some(found.fitted.rms()),
+                heldout_rms_over_noise: Some(rms(chi2)),
+                quantities: quantities(
+                    &found.model,
+                    found.fitted.at(),
+                    found.left.inflation(),
+                    inclines,
+                )?,
+            })
+        };
+        let baseline = result(base, before)?;
+        let mut extended = result(best, after)?;
+        widen(&mut extended.quantities, &self.otherwise(inclines));
+        let left = self.is_unexplained().then(|| best.left.excess());
+        let mut causes = self.decision.causes(
+            |model, id| match self.decision.names.contains(&id) {
+                true => {
+                    let place = best.model.causes.iter().position(|cause| cause.id == id);
+                    place.map_or_else(BTreeMap::new, |k| {
+                        parameters_of(&best.model.causes, &best.fitted, k)
+                    })
+                }
+                false => self.parameters(model, id),
+            },
+            left,
+        );
+        causes.extend(saturation(base.model.base));
+        causes
+            .sort_by(|a, b| (b.taken.cmp(&a.taken)).then(b.probability.total_cmp(&a.probability)));
+        let gain = gain((before, after), rows, &baseline, &extended);
+        let critique = Critique {
+            format: FORMAT.into(),
+            title: title(&loaded.session),
+            discrepancies: findings(&base.model, &base.fitted, &base.left)?,
+            causes,
+            verdict: CauseVerdict {
+                next_swing: self.next(),
+                ..self.verdict()
+            },
+            baseline,
+            extended,
+            gain,
+            learned: learned(best, rms(after)),
+            findings: Vec::new(),
+            warnings,
+        };
+        Ok(Criticism {
+            critique,
+            traces: traces(&base.model, best)?,
+        })
+    }
+}
