@@ -7,7 +7,7 @@ use super::point::{Cause, Model, Point};
 use super::white::Left;
 
 /// A fit whose last step gained more of χ² than this has not come to its end.
-const STILL_GAINS: f64 = 1.0;
+pub const STILL_GAINS: f64 = 1.0;
 
 /// One round: what was tried, the best first.
 #[derive(Clone)]

@@ -5,9 +5,10 @@ use gyradius_base::error::Result;
 use super::evidence::gain;
 use super::fitted_swing::HORIZONS_S;
 use super::fitting::{CONVERGED_SHARE, Derivatives, FAR, Fitted, Pace};
-use super::found::{Found, Tried};
+use super::found::{Found, STILL_GAINS, Tried};
 use super::look::Look;
 use super::point::{Cause, Model, Point};
+use super::verdict::NOT_TOLD;
 use super::white::Left;
 
 /// Shares of the way to where the first look points, from which a full fit may begin.
@@ -15,6 +16,9 @@ const SHARES: [f64; 5] = [1.0, 0.5, 0.2, 0.05, 0.01];
 /// Shares of a cause's strengths, and of what each swing has of it by itself, that a fit begins
 /// with where the whole led astray.
 const GENTLE: [f64; 3] = [0.3, 0.1, 0.03];
+/// A fit that used up its steps short of what a look promised goes on so often: what the base has bent
+/// itself to is given up in small steps.
+const MORE: usize = 4;
 /// So many forms of a cause are fitted near the data.
 const FORMS: usize = 3;
 /// A form that leaves more than so many times what the best does (χ²) over a part of the recordings
@@ -92,9 +96,15 @@ impl Found<'_> {
             let known = known.map(|(s, known)| model.widened(known, &start, s));
             let known = known.collect::<Result<Vec<_>>>();
             let known = known.map_or(Derivatives::Taken, Derivatives::Known);
-            let fitted = model.fit_with(&start, known, CONVERGED_SHARE, &|pace| {
-                self.is_hopeless(pace, to_beat)
-            });
+            let hopeless = |pace: Pace| self.is_hopeless(pace, to_beat);
+            let mut fitted = model.fit_with(&start, known, CONVERGED_SHARE, &hopeless);
+            for _ in 0..MORE {
+                let Some(short) = fitted.as_ref().ok().filter(|end| self.is_short(end, form))
+                else {
+                    break;
+                };
+                fitted = model.fit(&short.point, &hopeless);
+            }
             ends.extend(
                 fitted
                     .ok()
@@ -120,6 +130,12 @@ impl Found<'_> {
             ends: others.collect(),
             ..first
         })
+    }
+
+    /// Whether a fit used up its steps on the way to what a look promised.
+    fn is_short(&self, end: &Fitted, look: &Look) -> bool {
+        let gained = 0.5 * (self.fitted.cost - end.cost);
+        end.last_gained >= STILL_GAINS && gained + NOT_TOLD < look.gain
     }
 
     /// From a cause alone as looks at its forms have it, but weaker: from the best of several such
