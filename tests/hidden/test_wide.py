@@ -291,7 +291,7 @@ def test_a_run_goes_on_where_it_was_stopped(tmp_path, monkeypatch):
     monkeypatch.setattr(
         wide.judge, "critique", lambda command, folder: (asked.append(folder.name), (short.result | answer, ""))[1]
     )
-    options = lambda count: SimpleNamespace(program="gyradius", first=0, count=count, kind=None)
+    options = lambda count: SimpleNamespace(command="gyradius critique", first=0, count=count, kind=None)
     wide.judge_all(options(2), 1, tmp_path)
     wide.judge_all(options(3), 1, tmp_path)
     assert asked == ["0000", "0001", "0002"]
