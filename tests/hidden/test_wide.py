@@ -89,7 +89,7 @@ def with_pendulum(s, share: float, rod_m: float, start_m: float) -> None:
     e["slider_rod"][0], e["slider_start"][0] = rod_m, [start_m, 0.0]
 
 
-def test_a_pendulum_aboard_and_the_hull_swing_as_two_masses():
+def test_an_internal_pendulum_and_the_hull_swing_as_two_masses():
     """In sway the hull only translates: K = diag(M g / l, m g / L), the bob's mass in both; let go in a mode, they stay in it."""
     rod_m, m = 0.5, 0.05 * MASS
     mass, stiffness = np.array([[MASS, m], [m, m]]), np.diag([MASS * G / LINE, m * G / rod_m])

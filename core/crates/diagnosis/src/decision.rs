@@ -6,12 +6,15 @@ use super::cause_id::CauseId;
 use super::parameter_id::ParameterId;
 use super::result::{CauseResult, ParameterResult};
 use super::selection::{Candidate, Competing, Selection, Set};
-use super::verdict::result;
+use super::verdict::{are_one_drag, result, taken_first};
 
 /// A law is nearly right where no more than this share of what it does is done otherwise, squared: the
 /// share of what causes take of χ² that a force of unknown form may take beside them, and that a
 /// residual may be beside that of the base ([`Left`](super::white::Left)).
 pub const NEARLY: f64 = 1e-3;
+
+/// Models of a smaller share of the posterior move no interval of 95 %.
+pub const LEAST_SHARE: f64 = 1e-3;
 
 /// What competes and can be judged by what is held out.
 pub trait Decided: Competing {
@@ -104,11 +107,12 @@ fn takes_unknown<C: Decided>(
 impl<M> Decision<M> {
     /// Every cause with its share of the posterior and what the best set with it gains over the best
     /// without; those asked for first. `parameters` are those of a cause in a model, `left` what no
-    /// cause explains, χ².
+    /// cause explains, χ², `by_itself` what shows beside them without a fit.
     pub fn causes(
         &self,
         parameters: impl Fn(&M, CauseId) -> BTreeMap<ParameterId, ParameterResult>,
         left: Option<f64>,
+        by_itself: Option<CauseResult>,
     ) -> Vec<CauseResult> {
         let selection = &self.selection;
         let mut all: Vec<CauseResult> = Vec::new();
@@ -139,7 +143,32 @@ impl<M> Decision<M> {
             all.retain(|cause| cause.id != CauseId::Unknown);
             all.push(result(CauseId::Unknown, 0.5 * left, BTreeMap::new()));
         }
-        all.sort_by(|a, b| (b.taken.cmp(&a.taken)).then(b.probability.total_cmp(&a.probability)));
+        all.extend(by_itself);
+        taken_first(&mut all);
         all
+    }
+
+    /// Causes that do as well in the place of those asked for, the best first.
+    pub fn instead(
+        &self,
+        parameters: impl Fn(&M, CauseId) -> BTreeMap<ParameterId, ParameterResult>,
+    ) -> Vec<CauseId> {
+        let selection = &self.selection;
+        let best = |id| {
+            let with = selection.best(|set| selection.has(set, id));
+            with.map_or_else(BTreeMap::new, |c| parameters(&c.model, id))
+        };
+        let is_other = |id: &CauseId| {
+            let mut names = self.names.iter();
+            !names.any(|known| are_one_drag([*known, *id], |k| best([*known, *id][k])))
+        };
+        let all = selection.instead(&self.names).into_iter();
+        all.filter(is_other).collect()
+    }
+
+    /// The causes asked for, an unknown force among them.
+    pub fn all_names(&self) -> Vec<CauseId> {
+        let unknown = self.is_unknown.then_some(CauseId::Unknown);
+        self.names.iter().copied().chain(unknown).collect()
     }
 }

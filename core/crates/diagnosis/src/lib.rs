@@ -67,6 +67,7 @@ use base::by_periods;
 use doubt::widen;
 use findings::findings;
 use fitted_swing::Base;
+use fitting::Fitted;
 use found::{Found, Tried};
 use learned::learned;
 use next_swing::{Explained, next_swing};
@@ -74,6 +75,7 @@ use point::Model;
 use quantities::quantities;
 use search::search;
 use traces::traces;
+use white::Left;
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-critique/1";
@@ -169,21 +171,10 @@ fn conclude(
         _ => Found::held_out(&found.model, &found.fitted)?.0,
     };
     let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
-    let baseline = ModelResult {
-        rms_over_noise: Some(found.base.rms()),
-        heldout_rms_over_noise: Some(rms(before)),
-        quantities: quantities(base, found.base.at(), found.base_left.inflation(), inclines)?,
-    };
-    let mut extended = ModelResult {
-        rms_over_noise: Some(found.fitted.rms()),
-        heldout_rms_over_noise: Some(rms(after)),
-        quantities: quantities(
-            &found.model,
-            found.fitted.at(),
-            found.left.inflation(),
-            inclines,
-        )?,
-    };
+    let base_fit = (&found.base, &found.base_left);
+    let baseline = model_result(base, base_fit, rms(before), inclines)?;
+    let fit = (&found.fitted, &found.left);
+    let mut extended = model_result(&found.model, fit, rms(after), inclines)?;
     let otherwise = found.otherwise(inclines);
     widen(&mut extended.quantities, &otherwise);
     let next = found
@@ -211,6 +202,21 @@ fn conclude(
     Ok(Criticism {
         critique,
         traces: traces(base, found)?,
+    })
+}
+
+/// What a fitted model says of the body, by what it leaves and by its residual over noise where that
+/// was held out.
+fn model_result(
+    model: &Model,
+    (fitted, left): (&Fitted, &Left),
+    heldout_rms: f64,
+    inclines: &[Option<Quantity>],
+) -> Result<ModelResult> {
+    Ok(ModelResult {
+        rms_over_noise: Some(fitted.rms()),
+        heldout_rms_over_noise: Some(heldout_rms),
+        quantities: quantities(model, fitted.at(), left.inflation(), inclines)?,
     })
 }
 

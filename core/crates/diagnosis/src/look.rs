@@ -16,6 +16,8 @@ use super::point::{Cause, Model, Point, Seen};
 /// So many strengths of a cause that is looked at alone are in it at once: each of them makes the
 /// simulation longer for all.
 const A_FEW: usize = 2;
+/// First looks are right to this share, where laws are not linear.
+pub const RIVAL_SHARE: f64 = 0.3;
 /// Gains that differ by a smaller share are those of one law: rounding is below it.
 const SAME: f64 = 1e-6;
 
@@ -165,9 +167,16 @@ impl Look {
         }
     }
 
+    /// Keeps another form of the same cause beside this one if it promises nearly as much.
+    pub fn keep(&mut self, other: &Self) {
+        if other.gain > RIVAL_SHARE * self.gain && !self.is_seen_as(other) {
+            self.others.push(other.clone());
+        }
+    }
+
     /// Whether another form of the same cause promises just the same: a length is a share of the
     /// spacing where there is but one.
-    pub fn is_seen_as(&self, other: &Self) -> bool {
+    fn is_seen_as(&self, other: &Self) -> bool {
         let mut looks = [self].into_iter().chain(&self.others);
         looks.any(|known| (known.gain - other.gain).abs() < SAME * known.gain.abs())
     }
@@ -242,6 +251,10 @@ impl<'a> Equations<'a> {
             let mut sum = self.sums.outer.row_mut(place);
             sum += part.outer.row(row);
         }
+    }
+
+    pub fn into_sums(self) -> Sums {
+        self.sums
     }
 
     /// With everything else made the best of; strengths that cannot be negative at zero or above.

@@ -14,7 +14,7 @@ use super::causes::{
 use super::evidence::{DOUBTFUL, FURTHER_GAIN, LEAST_GAIN, asked, gain, is_missed, pays};
 use super::fitting::{CONVERGED_SHARE, Derivatives, Fitted, Places};
 use super::found::{Found, Looked, Round, Tried};
-use super::look::{Look, Standing, looks_at};
+use super::look::{Look, RIVAL_SHARE, Standing, looks_at};
 use super::moments::moments;
 use super::parameter_id::ParameterName;
 use super::point::{Cause, Form, Model, Part, Point};
@@ -51,14 +51,12 @@ const SLOW_GUSTS: u32 = 8;
 /// Gusts are looked for up to this frequency, Hz: faster ones act on a part of the hull only.
 const FASTEST_GUST_HZ: f64 = 0.35;
 /// Something that rings inside is looked for at so many frequencies where most is left.
-const PEAKS: usize = 4;
+pub const PEAKS: usize = 4;
 /// Derivatives without a cause can put the logarithm of its evidence off by so much: 3 of it were
 /// seen, and 4.6 are what a verdict turns on.
 const CLOSE: f64 = 15.0;
 /// … this is what was seen.
 const SEEN_OFF: f64 = 3.0;
-/// First looks are right to this share, where laws are not linear.
-const RIVAL_SHARE: f64 = 0.3;
 /// Shapes without a name come first where they leave less than this share of what the best cause
 /// does.
 pub const UNNAMED_LEAVES: f64 = 0.1;
@@ -817,10 +815,7 @@ fn foremost(looks: &[Look]) -> Vec<Look> {
         };
         match leading.iter_mut().find(|known| is_form_of(&known.cause)) {
             None => leading.push(look.clone()),
-            Some(best) if look.gain > RIVAL_SHARE * best.gain && !best.is_seen_as(look) => {
-                best.others.push(look.clone());
-            }
-            Some(_) => {}
+            Some(best) => best.keep(look),
         }
     }
     leading

@@ -42,6 +42,11 @@ impl Found<'_> {
             .causes
             .iter()
             .any(|cause| cause.id == CauseId::Unknown);
+        many || unnamed || !self.leaves_little()
+    }
+
+    /// Whether what is left beyond noise is next to nothing beside what the base left.
+    pub fn leaves_little(&self) -> bool {
         let gusts = self
             .model
             .causes
@@ -53,7 +58,7 @@ impl Found<'_> {
             .max(self.base.cost - self.fitted.cost);
         let of_gusts = gusts && self.left.excess() <= LEFT_SHARE_OF_GUSTS * explained;
         let is_little = of_gusts || self.left.is_next_to_nothing(&self.base_left);
-        many || unnamed || !is_little || self.fitted.rms() > MOST_LEFT_RMS
+        is_little && self.fitted.rms() <= MOST_LEFT_RMS
     }
 
     /// The round in which the last cause was taken.
@@ -207,12 +212,16 @@ pub fn ranked(
         list.push(result(CauseId::Unknown, 0.5 * excess, BTreeMap::new()));
     }
     list.extend(by_itself);
-    list.sort_by(|a, b| {
-        b.taken
-            .cmp(&a.taken)
-            .then(b.probability.total_cmp(&a.probability))
-    });
+    taken_first(&mut list);
     list
+}
+
+/// Causes that were taken before all others, each the most probable first.
+pub fn taken_first(causes: &mut [CauseResult]) {
+    causes.sort_by(|a, b| {
+        let by = b.taken.cmp(&a.taken);
+        by.then(b.probability.total_cmp(&a.probability))
+    });
 }
 
 /// A verdict as a sentence.

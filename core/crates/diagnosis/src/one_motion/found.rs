@@ -12,7 +12,7 @@ use super::super::decision::{Decided, Decision, decide};
 use super::super::parameter_id::ParameterId;
 use super::super::result::{CauseResult, CauseVerdict, ParameterResult};
 use super::super::selection::{Competing, Set, select};
-use super::super::verdict::{MOST_LEFT_RMS, are_one_drag, judged};
+use super::super::verdict::{MOST_LEFT_RMS, judged};
 use super::super::white::{Left, in_record};
 use super::competing::{Model, Swings};
 use super::swing::Swing;
@@ -131,40 +131,23 @@ impl Found<'_> {
         if self.is_unexplained() {
             return vec![];
         }
-        let is_other = |id: &CauseId| {
-            let known = self.decision.names.iter().find(|known| {
-                are_one_drag([**known, *id], |k| {
-                    let id = [**known, *id][k];
-                    let with = self
-                        .decision
-                        .selection
-                        .best(|set| self.decision.selection.has(set, id));
-                    with.map_or_else(BTreeMap::new, |c| parameters(self.swings, &c.model, id))
-                })
-            });
-            known.is_none()
-        };
-        self.decision
-            .selection
-            .instead(&self.decision.names)
-            .into_iter()
-            .filter(is_other)
-            .collect()
+        let of = |model: &Model, id| parameters(self.swings, model, id);
+        self.decision.instead(of)
     }
 
     pub fn verdict(&self) -> CauseVerdict {
-        let mut names = self.decision.names.clone();
-        if self.decision.is_unknown {
-            names.push(CauseId::Unknown);
-        }
-        judged(names, self.instead(), self.is_unexplained())
+        judged(
+            self.decision.all_names(),
+            self.instead(),
+            self.is_unexplained(),
+        )
     }
 
     /// Every cause with its share of the posterior.
     pub fn causes(&self) -> Vec<CauseResult> {
         let left = self.is_unexplained().then(|| self.left.excess());
         let of = |model: &Model, id| parameters(self.swings, model, id);
-        self.decision.causes(of, left)
+        self.decision.causes(of, left, None)
     }
 
     /// Residual over noise of a model.

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::FORMAT;
-use super::decision::NEARLY;
+use super::decision::{LEAST_SHARE, NEARLY};
 use super::doubt::half_width_95;
 use super::gain;
 use super::point::{SETTLING_S, first_settled};
@@ -43,8 +43,6 @@ use swing::Swing;
 /// Periods beyond what is left out that a record must hold to be judged: fewer do not tell how the
 /// period and the damping go with the amplitude.
 const LEAST_PERIODS: f64 = 6.0;
-/// Models of a smaller share of the posterior move no interval of 95 %.
-const LEAST_SHARE: f64 = 1e-3;
 
 /// Criticises every swing of a session whose turn a sensor tells, each in its strongest motion; `x`
 /// are the session's parameters by the periods. `None` where there is no such swing, or one of them

@@ -11,7 +11,7 @@ use gyradius_identification::{QuantityName, QuantityResult};
 use gyradius_recording::{LoadedSession, Quantity};
 
 use super::super::cause_id::CauseId;
-use super::super::decision::{Decision, NEARLY, decide};
+use super::super::decision::{Decision, LEAST_SHARE, decide};
 use super::super::doubt::{Otherwise, widen};
 use super::super::findings::findings;
 use super::super::fitting::Fitted;
@@ -19,21 +19,14 @@ use super::super::found::Found;
 use super::super::learned::learned;
 use super::super::next_swing::{self, next_swing};
 use super::super::parameter_id::ParameterId;
-use super::super::point::{Form, Model, Point};
+use super::super::point::{Model, Point};
 use super::super::quantities::quantities;
-use super::super::result::{
-    CauseVerdict, Criticism, Critique, ModelResult, NextSwing, ParameterResult,
-};
+use super::super::result::{CauseVerdict, Criticism, Critique, NextSwing, ParameterResult};
 use super::super::selection::{Set, select};
 use super::super::traces::traces;
-use super::super::verdict::{MOST_LEFT_RMS, are_one_drag, judged, parameters_of, saturation};
-use super::super::{FORMAT, gain};
+use super::super::verdict::{judged, parameters_of, saturation};
+use super::super::{FORMAT, gain, model_result};
 use super::competing::{Explained, Session};
-
-/// Models of a smaller share of the posterior move no interval of 95 %.
-const LEAST_SHARE: f64 = 1e-3;
-/// Gusts are irregular: a few tones account for most of them.
-const LEFT_SHARE_OF_GUSTS: f64 = 0.3;
 
 struct Judged<'a> {
     session: Session<'a>,
@@ -66,6 +59,7 @@ pub fn criticise<'a>(
     let base = base.clone();
     let best = Found {
         base: base.fitted.clone(),
+        base_left: base.left.clone(),
         ..polished(best)?
     };
     let judged = Judged {
@@ -97,53 +91,34 @@ fn polished<'a>(found: &Found<'a>) -> Result<Found<'a>> {
     })
 }
 
-impl<'a> Judged<'a> {
-    fn is_unexplained(&self) -> bool {
-        let (base, best) = (&self.base, &self.best);
-        let gusts = best
-            .model
-            .causes
-            .iter()
-            .any(|cause| cause.form == Form::Gust);
-        let took = base.left.excess().max(base.fitted.cost - best.fitted.cost);
-        let of_gusts = gusts && best.left.excess() <= LEFT_SHARE_OF_GUSTS * took;
-        let is_little = of_gusts || best.left.excess() <= NEARLY * base.left.excess();
-        self.decision.is_unknown || !is_little || best.fitted.rms() > MOST_LEFT_RMS
+/// Numbers of a cause in a model that was fitted.
+fn parameters(model: &Explained, id: CauseId) -> BTreeMap<ParameterId, ParameterResult> {
+    match model {
+        Explained::Fitted(found) => parameters_in(found, id),
+        Explained::Promised(..) => BTreeMap::new(),
     }
+}
 
-    fn parameters(&self, model: &Explained, id: CauseId) -> BTreeMap<ParameterId, ParameterResult> {
-        let found: &Found = match model {
-            Explained::Fitted(found) => found,
-            Explained::Promised(..) => return BTreeMap::new(),
-        };
-        let causes = &found.model.causes;
-        let place = causes.iter().position(|cause| cause.id == id);
-        place.map_or_else(BTreeMap::new, |k| parameters_of(causes, &found.fitted, k))
+fn parameters_in(found: &Found, id: CauseId) -> BTreeMap<ParameterId, ParameterResult> {
+    let causes = &found.model.causes;
+    let place = causes.iter().position(|cause| cause.id == id);
+    place.map_or_else(BTreeMap::new, |k| parameters_of(causes, &found.fitted, k))
+}
+
+impl Judged<'_> {
+    fn is_unexplained(&self) -> bool {
+        self.decision.is_unknown || !self.best.leaves_little()
     }
 
     fn instead(&self) -> Vec<CauseId> {
         if self.is_unexplained() {
             return vec![];
         }
-        let selection = &self.decision.selection;
-        let is_other = |id: &CauseId| {
-            !self.decision.names.iter().any(|known| {
-                are_one_drag([*known, *id], |k| {
-                    let id = [*known, *id][k];
-                    let with = selection.best(|set| selection.has(set, id));
-                    with.map_or_else(BTreeMap::new, |c| self.parameters(&c.model, id))
-                })
-            })
-        };
-        let all = selection.instead(&self.decision.names).into_iter();
-        all.filter(is_other).collect()
+        self.decision.instead(parameters)
     }
 
     fn verdict(&self) -> CauseVerdict {
-        let mut names = self.decision.names.clone();
-        if self.decision.is_unknown {
-            names.push(CauseId::Unknown);
-        }
+        let mut names = self.decision.all_names();
         names.extend(saturation(self.base.model.base).map(|cause| cause.id));
         judged(names, self.instead(), self.is_unexplained())
     }
@@ -235,37 +210,24 @@ impl<'a> Judged<'a> {
         let (base, best) = (&self.base, &self.best);
         let (before, after, rows) = self.decision.held_out;
         let rms = |chi2: f64| (chi2 / rows.max(1) as f64).sqrt();
-        let result = |found: &Found, chi2: f64| -> Result<ModelResult> {
-            Ok(ModelResult {
-                rms_over_noise: Some(found.fitted.rms()),
-                heldout_rms_over_noise: Some(rms(chi2)),
-                quantities: quantities(
-                    &found.model,
-                    found.fitted.at(),
-                    found.left.inflation(),
-                    inclines,
-                )?,
-            })
+        let result = |found: &Found, chi2: f64| {
+            let fit = (&found.fitted, &found.left);
+            model_result(&found.model, fit, rms(chi2), inclines)
         };
         let baseline = result(base, before)?;
         let mut extended = result(best, after)?;
         widen(&mut extended.quantities, &self.otherwise(inclines));
         let left = self.is_unexplained().then(|| best.left.excess());
-        let mut causes = self.decision.causes(
-            |model, id| match self.decision.names.contains(&id) {
-                true => {
-                    let place = best.model.causes.iter().position(|cause| cause.id == id);
-                    place.map_or_else(BTreeMap::new, |k| {
-                        parameters_of(&best.model.causes, &best.fitted, k)
-                    })
-                }
-                false => self.parameters(model, id),
-            },
-            left,
-        );
-        causes.extend(saturation(base.model.base));
-        causes
-            .sort_by(|a, b| (b.taken.cmp(&a.taken)).then(b.probability.total_cmp(&a.probability)));
+        let of_model = |model: &Explained, id: CauseId| {
+            if self.decision.names.contains(&id) {
+                parameters_in(best, id)
+            } else {
+                parameters(model, id)
+            }
+        };
+        let causes = self
+            .decision
+            .causes(of_model, left, saturation(base.model.base));
         let gain = gain((before, after), rows, &baseline, &extended);
         let critique = Critique {
             format: FORMAT.into(),

@@ -8,12 +8,10 @@ use super::super::causes::{
 use super::super::look::Standing;
 use super::super::moments::moments;
 use super::super::point::{Cause, Form};
+use super::super::search::PEAKS;
 use super::super::selection;
 use super::super::white::Left;
 use gyradius_base::error::Result;
-
-/// Something that moves inside is looked for at so many frequencies where most is left.
-const PEAKS: usize = 4;
 
 /// A cause, whatever of its numbers a look begins at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,15 +9,11 @@ use gyradius_base::error::{Error, Result};
 
 use super::super::fitting::Places;
 use super::super::found::Found;
-use super::super::look::{Look, Standing, seen};
+use super::super::look::{Equations, Look, Part, Standing, Sums, seen};
 use super::super::point::{Cause, Model, Point};
 use super::super::selection::Set;
 use super::kind::{Kind, instances};
 use super::quadratic::{Number, Quadratic, Solved};
-
-/// Other instances of a cause are kept where they promise this share of what the best does: looks are
-/// right to that where laws are not linear.
-const NEARLY_AS_MUCH: f64 = 0.3;
 
 /// A cause that is not in the model, as that sees it.
 pub struct Sight {
@@ -71,9 +67,7 @@ fn sights(
         let mut looks = looks.into_iter();
         let (mut best, place) = looks.next()?;
         for (look, _) in looks {
-            if look.gain > NEARLY_AS_MUCH * best.gain && !best.is_seen_as(&look) {
-                best.others.push(look);
-            }
+            best.keep(&look);
         }
         columns.push(sensitivities[place].take()?);
         let glimpse = best.glimpse.as_ref()?;
@@ -95,39 +89,21 @@ fn sights(
     (sights, columns)
 }
 
-/// Sums over all swings of products of new strengths: with everything that is fitted, with each other
-/// and with what is left.
-fn products(
-    standing: &Standing,
-    columns: &[Sensitivity],
-) -> (DMatrix<f64>, DMatrix<f64>, DVector<f64>) {
-    let (model, fitted) = (&standing.model, &standing.fitted);
-    let places = Places::of(model);
-    let count = columns.iter().map(|column| column[0].ncols()).sum();
-    let mut outer = DMatrix::zeros(places.all(), count);
-    let (mut inner, mut score) = (DMatrix::zeros(count, count), DVector::zeros(count));
+/// What all swings say of new strengths together.
+fn sums(standing: &Standing, columns: &[Sensitivity], new: &[Number]) -> Sums {
+    let u = DVector::from_iterator(new.len(), new.iter().map(|number| number.prior.1));
+    let mut equations = Equations::new(standing, u);
     for (s, residual) in standing.residuals.iter().enumerate() {
-        let mut all = DMatrix::zeros(residual.len(), count);
+        let mut all = DMatrix::zeros(residual.len(), new.len());
         let mut at = 0;
         for column in columns {
             let width = column[s].ncols();
             all.columns_mut(at, width).copy_from(&column[s]);
             at += width;
         }
-        // Not `tr_mul`, which multiplies matrices element by element.
-        let by_rows = all.transpose();
-        let by_fitted = &by_rows * &fitted.jacobians[s];
-        for (column, place) in places.of_swing(model, s).into_iter().enumerate() {
-            let mut sum = outer.row_mut(place);
-            sum += by_fitted.column(column).transpose();
-        }
-        inner += &by_rows * &all;
-        score += &by_rows * residual;
+        equations.add(s, &Part::of(&standing.fitted.jacobians[s], &all, residual));
     }
-    for place in &fitted.held {
-        outer.row_mut(*place).fill(0.0);
-    }
-    (outer, inner, score)
+    equations.into_sums()
 }
 
 impl<'a> Linearised<'a> {
@@ -137,12 +113,11 @@ impl<'a> Linearised<'a> {
         let causes = instances(&standing, &found.left)?;
         let (mut numbers, inside) = of_model(&found, kinds);
         let (outside, columns) = sights(&standing, &causes, kinds, &mut numbers);
-        let (outer, mut inner, score) = products(&standing, &columns);
         let places = Places::of(&found.model);
         let (first, count) = (places.first_cause(), places.causes);
-        for k in 0..score.len() {
-            inner[(k, k)] += numbers[count + k].prior.1.powi(-2);
-        }
+        let sums = sums(&standing, &columns, &numbers[count..]);
+        let outer = sums.beside_held(&standing.fitted);
+        let (inner, score) = (sums.inner, sums.score);
         // Everything else is eliminated.
         let own: Vec<usize> = (first..first + count).collect();
         let others: Vec<usize> = (0..first).chain(first + count..places.all()).collect();
@@ -171,12 +146,8 @@ impl<'a> Linearised<'a> {
             set,
             inside,
             outside,
-            quadratic: Quadratic {
-                numbers,
-                information,
-                pull,
-                log_evidence,
-            },
+            quadratic: Quadratic::of(numbers, information, pull, log_evidence)
+                .ok_or_else(failed)?,
             rest: factor.solve(&gradient),
             absorbed,
             outer,

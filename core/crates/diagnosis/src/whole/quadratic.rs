@@ -3,7 +3,7 @@
 
 use std::f64::consts::LN_2;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use gyradius_estimation::log_tail;
@@ -24,13 +24,13 @@ pub struct Number {
 
 /// Half of χ² of samples and priors about the model, as a quadratic form of changes of the numbers.
 pub struct Quadratic {
-    pub numbers: Vec<Number>,
+    numbers: Vec<Number>,
     /// Priors included.
-    pub information: DMatrix<f64>,
+    information: DMatrix<f64>,
     /// Downhill.
-    pub pull: DVector<f64>,
-    /// Logarithm of the model's evidence.
-    pub log_evidence: f64,
+    pull: DVector<f64>,
+    /// Logarithm of the model's evidence, but for the determinant of its own numbers' information.
+    log_evidence: f64,
 }
 
 /// The best changes with some of the numbers.
@@ -42,6 +42,25 @@ pub struct Solved {
 }
 
 impl Quadratic {
+    /// Of a model with its evidence. `None` where its own numbers are not all known.
+    pub fn of(
+        numbers: Vec<Number>,
+        information: DMatrix<f64>,
+        pull: DVector<f64>,
+        log_evidence: f64,
+    ) -> Option<Self> {
+        let all = 0..numbers.len();
+        let own: Vec<usize> = all.filter(|k| !numbers[*k].is_new).collect();
+        let part = information.select_rows(&own).select_columns(&own);
+        let half = half_log_determinant(&part.cholesky()?);
+        Some(Self {
+            numbers,
+            information,
+            pull,
+            log_evidence: log_evidence + half,
+        })
+    }
+
     /// With some of the numbers, places among all, and without the model's others. Strengths that would
     /// fall below zero stay there.
     pub fn solved(&self, with: &[usize]) -> Option<Solved> {
@@ -52,12 +71,8 @@ impl Quadratic {
         for k in gone.iter().filter(|k| self.numbers[**k].is_strength) {
             delta[*k] = -self.numbers[*k].value;
         }
-        // The model's evidence has the determinant of its own numbers in it.
-        let mut log_evidence = self.log_evidence + self.half_log_determinant(&self.inside())?;
-        log_evidence += gone
-            .iter()
-            .map(|k| self.without(*k, delta[*k]))
-            .sum::<f64>();
+        let left_out = gone.iter().map(|k| self.without(*k, delta[*k]));
+        let mut log_evidence = self.log_evidence + left_out.sum::<f64>();
         let (mut open, mut closed) = (with.to_vec(), vec![]);
         loop {
             let pull = &self.pull - &self.information * &delta;
@@ -71,7 +86,7 @@ impl Quadratic {
                 closed.push(place);
                 continue;
             }
-            let half: f64 = factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum();
+            let half = half_log_determinant(&factor);
             let variances = factor.inverse().diagonal();
             for (i, k) in open.iter().enumerate() {
                 log_evidence += self.opened(*k, found[i], variances[i].sqrt());
@@ -93,17 +108,6 @@ impl Quadratic {
                 delta,
             });
         }
-    }
-
-    fn inside(&self) -> Vec<usize> {
-        let all = 0..self.numbers.len();
-        all.filter(|k| !self.numbers[*k].is_new).collect()
-    }
-
-    fn half_log_determinant(&self, of: &[usize]) -> Option<f64> {
-        let part = self.information.select_rows(of).select_columns(of);
-        let factor = part.cholesky()?;
-        Some(factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum())
     }
 
     /// What the evidence gains by a number of the model that is left out: its prior, at the value that
@@ -154,6 +158,10 @@ impl Quadratic {
     }
 }
 
+fn half_log_determinant(factor: &Cholesky<f64, Dyn>) -> f64 {
+    factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -195,13 +203,13 @@ mod tests {
                 one_sided: self.one_sided[k],
                 is_new: k > 0,
             };
-            Quadratic {
-                numbers: (0..3).map(number).collect(),
-                information: self.columns.tr_mul(&self.columns)
-                    + DMatrix::identity(3, 3) * U.powi(-2),
+            Quadratic::of(
+                (0..3).map(number).collect(),
+                self.columns.tr_mul(&self.columns) + DMatrix::identity(3, 3) * U.powi(-2),
                 pull,
-                log_evidence: -0.5 * square - U.ln() - 0.5 * information.ln(),
-            }
+                -0.5 * square - U.ln() - 0.5 * information.ln(),
+            )
+            .unwrap()
         }
 
         /// Logarithm of the density of the readings, up to that of the noise alone: normal, with the
