@@ -49,12 +49,42 @@ impl Otherwise {
 }
 
 impl Found<'_> {
-    /// What else may be: rivals of the cause taken last, and what was not taken where no more is to
-    /// be seen.
+    /// What else may be: rivals of the cause taken last, what was not taken where no more is to be
+    /// seen, and the causes with a name alone.
     pub fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
         let mut all = self.instead(inclines);
         all.extend(self.besides(inclines));
+        all.extend(self.named_alone(inclines));
         all
+    }
+
+    /// The body by the causes with a name alone, where something without one is beside them. What that
+    /// does to the body's figures is known no better than its law: the truth may be anywhere from
+    /// there to here.
+    pub fn named_alone(&self, inclines: &[Option<Quantity>]) -> Option<Otherwise> {
+        let causes = self.model.causes.iter().cloned();
+        let all = causes.zip(self.fitted.point.causes.iter().cloned());
+        let (causes, values): (Vec<_>, Vec<_>) = all
+            .filter(|(cause, _)| cause.id != CauseId::Unknown)
+            .unzip();
+        if causes.len() == self.model.causes.len() {
+            return None;
+        }
+        let model = Model {
+            causes,
+            ..self.model.whole()
+        };
+        let fitted = if model.causes.is_empty() {
+            self.base.clone()
+        } else {
+            let start = Point {
+                causes: values,
+                ..self.fitted.point.clone()
+            };
+            model.fit(&start, &|_| false).ok()?
+        };
+        let body = quantities(&model, fitted.at(), 1.0, inclines).ok()?;
+        Some(Otherwise::new(1.0, body))
     }
 
     /// Rivals of the cause taken last, and other valleys of its own. Rivals that a verdict calls

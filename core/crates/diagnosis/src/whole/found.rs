@@ -123,8 +123,7 @@ impl Judged<'_> {
         judged(names, self.instead(), self.is_unexplained())
     }
 
-    /// The body by all models, by their shares of the posterior. Where none explains the session,
-    /// the base is as likely as all of them.
+    /// The body by all models, by their shares of the posterior, and by the causes with a name alone.
     fn otherwise(&self, inclines: &[Option<Quantity>]) -> Vec<Otherwise> {
         let selection = &self.decision.selection;
         let weights = selection.weights();
@@ -143,15 +142,7 @@ impl Judged<'_> {
             let body = self.body(&candidate.model, &candidate.set, inclines);
             all.extend(body.map(|body| Otherwise::new(share / own.max(LEAST_SHARE), body)));
         }
-        if self.is_unexplained() {
-            let base = quantities(
-                &self.base.model,
-                self.base.fitted.at(),
-                self.base.left.inflation(),
-                inclines,
-            );
-            all.extend(base.ok().map(|body| Otherwise::new(1.0, body)));
-        }
+        all.extend(self.best.named_alone(inclines));
         all
     }
 
