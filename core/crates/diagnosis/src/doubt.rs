@@ -20,7 +20,7 @@ use super::fitting::{Fitted, Places};
 use super::found::Found;
 use super::found::Tried;
 use super::look::{Beside, Glimpse, Look, Sums, laid_out, strengths};
-use super::point::{Model, Point};
+use super::point::{Cause, Model, Point};
 use super::quantities::quantities;
 
 /// Odds below this move no interval of 95 %.
@@ -62,25 +62,14 @@ impl Found<'_> {
     /// does to the body's figures is known no better than its law: the truth may be anywhere from
     /// there to here.
     pub fn named_alone(&self, inclines: &[Option<Quantity>]) -> Option<Otherwise> {
-        let causes = self.model.causes.iter().cloned();
-        let all = causes.zip(self.fitted.point.causes.iter().cloned());
-        let (causes, values): (Vec<_>, Vec<_>) = all
-            .filter(|(cause, _)| cause.id != CauseId::Unknown)
-            .unzip();
-        if causes.len() == self.model.causes.len() {
+        let has_name = |_, cause: &Cause| cause.id != CauseId::Unknown;
+        let (model, start) = self.model.whole().only(&self.fitted.point, has_name);
+        if model.causes.len() == self.model.causes.len() {
             return None;
         }
-        let model = Model {
-            causes,
-            ..self.model.whole()
-        };
         let fitted = if model.causes.is_empty() {
             self.base.clone()
         } else {
-            let start = Point {
-                causes: values,
-                ..self.fitted.point.clone()
-            };
             model.fit(&start, &|_| false).ok()?
         };
         let body = quantities(&model, fitted.at(), 1.0, inclines).ok()?;

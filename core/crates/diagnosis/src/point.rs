@@ -390,9 +390,14 @@ impl Model<'_> {
     /// The model and its point without those of the first so many causes that derivatives are taken
     /// apart from.
     pub fn reduced(&self, point: &Point, count: usize) -> (Self, Point) {
+        self.only(point, |k, cause| k >= count || !cause.apart)
+    }
+
+    /// The model and its point with some of its causes, by their places and what they are.
+    pub fn only(&self, point: &Point, stays: impl Fn(usize, &Cause) -> bool) -> (Self, Point) {
         let all = self.causes.iter().zip(&point.causes).enumerate();
-        let stays = all.filter(|(k, (cause, _))| *k >= count || !cause.apart);
-        let (causes, values) = stays
+        let some = all.filter(|(k, (cause, _))| stays(*k, cause));
+        let (causes, values) = some
             .map(|(_, (cause, values))| (cause.clone(), values.clone()))
             .unzip();
         (

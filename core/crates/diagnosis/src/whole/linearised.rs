@@ -293,16 +293,5 @@ fn kept(model: &Model, set: &Set, kinds: &[Kind]) -> Vec<bool> {
 
 /// A model and its point with those of its causes alone that are in a set.
 pub fn only<'a>(model: &Model<'a>, point: &Point, set: &Set, kinds: &[Kind]) -> (Model<'a>, Point) {
-    let all = model.causes.iter().zip(&point.causes);
-    let some = all.filter(|(cause, _)| is_in(cause, set, kinds));
-    let (causes, values) = some.map(|(c, v)| (c.clone(), v.clone())).unzip();
-    let model = Model {
-        causes,
-        ..model.clone()
-    };
-    let point = Point {
-        causes: values,
-        ..point.clone()
-    };
-    (model, point)
+    model.only(point, |_, cause| is_in(cause, set, kinds))
 }
