@@ -38,6 +38,10 @@ impl Search<'_> {
         while self.fit.model.modes.is_empty() && self.take_more_drift() {
             self.add_lines();
         }
+        // No drift stands in front of them: they may hide each other.
+        if self.fit.model.modes.is_empty() && self.add_strongest_pair() {
+            self.add_lines_above_floor();
+        }
         self.simplify();
         self.finish();
     }
@@ -74,6 +78,42 @@ impl Search<'_> {
         self.add_lines_above_floor();
         if self.fit.model.modes.is_empty() && !self.is_complete() && self.add_strongest_line() {
             self.add_lines_above_floor();
+        }
+    }
+
+    /// The two strongest lines together, where neither was found: each may pass for the floor that
+    /// hides the other.
+    fn add_strongest_pair(&mut self) -> bool {
+        let most = self.options.mode_count.unwrap_or(self.options.max_modes);
+        if most < 2 {
+            return false;
+        }
+        let flat = self.whiten(&self.fit).over_mean_power();
+        let Some(peak) = flat.peak(self.band(), &[], &self.fit) else {
+            return false;
+        };
+        let before = self.make_cells_for(peak.k * std::f64::consts::TAU);
+        let none = self.fit.clone();
+        let first = proposals(self, &peak, true, &[]).into_iter().next();
+        let pair = first.and_then(|(_, first)| {
+            self.fit = first;
+            let flat = self.whiten(&self.fit).over_mean_power();
+            let other = flat.peak(self.band(), &[], &self.fit)?;
+            self.best_trial(&other, &[])
+        });
+        self.fit = none;
+        let least = DRIFT_GAIN * self.bound;
+        match pair.filter(|(fit, after)| self.gain(fit, after, peak.k) > least) {
+            Some((fit, _)) => {
+                self.fit = fit;
+                true
+            }
+            None => {
+                if let Some(before) = before {
+                    (self.cells, self.width, self.fit) = before;
+                }
+                false
+            }
         }
     }
 

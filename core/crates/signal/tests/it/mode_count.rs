@@ -387,3 +387,32 @@ fn a_mode_forty_decibels_down_is_not_missed() {
     println!("wrong: {wrong} of {RECORDS}");
     assert!(wrong <= MOST_ERRORS, "{wrong}");
 }
+
+/// Two lines of equal size a sixth apart, at spans from one beat to three: alone each leaves the other,
+/// whose skirts pass for the floor, and at spans about 50 s neither stood.
+#[test]
+fn two_lines_that_beat_are_found_at_every_span() {
+    const PERIODS_S: [f64; 2] = [4.394, 3.802];
+    const STEP_S: f64 = 0.02;
+    let rng = &mut rng();
+    for tenths in (300..900).step_by(9) {
+        let samples = tenths * 5;
+        let t_s: Vec<f64> = (0..samples).map(|i| i as f64 * STEP_S).collect();
+        let y = t_s.iter().map(|t| {
+            let lines = PERIODS_S.map(|period| 0.1 * (TAU * t / period + period).cos());
+            lines.iter().sum::<f64>() + 1e-4 * normal(rng)
+        });
+        let channels = vec![y.collect()];
+        let found = decompose(
+            &[ChannelGroup { t_s, channels }],
+            &DecomposeOptions::default(),
+        );
+        let found = found.unwrap_or_else(|error| panic!("{} s: {error}", tenths / 10));
+        for period_s in PERIODS_S {
+            let is_it = |omega: f64| (omega * period_s / TAU - 1.0).abs() < 1e-4;
+            let holds = found.modes.iter().any(|mode| is_it(mode.omega_rad_s));
+            assert!(holds, "{} s: {period_s} s", tenths / 10);
+        }
+        assert_eq!(found.modes.len(), 2, "{} s", tenths / 10);
+    }
+}
