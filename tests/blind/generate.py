@@ -651,8 +651,8 @@ def said(plan: Plan) -> list[str]:
 
 def mode_name(name: str, plan: Plan) -> str:
     """The format's name of a motion."""
-    twin = "roll_" if plan.fore_and_aft else "pitch_"
-    return twin + name if name in ("in_phase", "out_of_phase") else name
+    axis = "roll_" if plan.fore_and_aft else "pitch_"
+    return axis + name if name in ("in_phase", "out_of_phase") else name
 
 
 def swing_truth(motion) -> dict:

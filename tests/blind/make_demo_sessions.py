@@ -89,13 +89,13 @@ def double_pendulum(line: float, depth: float, k: float) -> tuple[float, float]:
     return tuple(2 * pi / sqrt(G / (2 * line * k * k) * (b + sign * root)) for sign in (-1, 1))
 
 
-def model_periods(line: float, d: float, k_yaw: float, twin: tuple | None = None) -> dict:
+def model_periods(line: float, d: float, k_yaw: float, pendulum: tuple | None = None) -> dict:
     """Yaw (5), sway (7) and, given (prefix, depth, gyradius), the two modes of (16)."""
     u = 0.004
     sway = 2 * pi * sqrt(line / G)
     periods = {"yaw": q(k_yaw / d * sway, u), "sway": q(sway, u)}
-    if twin:
-        prefix, depth, k = twin
+    if pendulum:
+        prefix, depth, k = pendulum
         long, short = double_pendulum(line, depth, k)
         periods |= {f"{prefix}_in_phase": q(long, u), f"{prefix}_out_of_phase": q(short, u)}
     return periods

@@ -55,7 +55,7 @@ def test_answers_on_unseen_sessions(tmp_path):
 
 
 def draw_heavy_slide(folder, seed: int, number: int) -> str:
-    """A session with something aboard of one to two hundredths of the hull's mass, at the pace of the hull's own motions."""
+    """A session with something inside of one to two hundredths of the hull's mass, at the pace of the hull's own motions."""
     rng = np.random.default_rng([seed, number])
     session, hidden = sessions.draw(rng, "internal_motion", SMALL)
     omegas = [mode.omega_rad_s for mode in session.hungs[0].modes.values()]

@@ -34,7 +34,7 @@ import detect
 import judge
 import numpy as np
 import sessions
-from aboard import draw_slider, put_sliders
+from bodies_inside import draw_slider, put_sliders
 from borrowed import blind, promises
 from effect import Effect, Session, everywhere, none_of, relative, sign
 from effects import ALL

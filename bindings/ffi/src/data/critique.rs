@@ -1,4 +1,4 @@
-//! Plain data of the room `critique`: what the simulation gets wrong, and why.
+//! Plain data of the module `critique`: what the simulation gets wrong, and why.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Plain data of the room `inertia`: the result of a measurement.
+//! Plain data of the module `inertia`: the result of a measurement.
 
 use gyradius_core::identification::{
     AmplitudePoint, BudgetLine, Claim, Finding, Measurement, ModeResult, ModulationResult,

@@ -1,4 +1,4 @@
-//! Plain data of the room `live`: what the operator is told while the hull swings.
+//! Plain data of the module `live`: what the operator is told while the hull swings.
 
 use gyradius_core::online::{
     Advice, Estimate, Gap, GapList, Line, LineKind, SensorState, SwingState, TimeLeft,

@@ -1,4 +1,4 @@
-//! The plain data of the core as UniFFI sees them, one file for each room; the procedure's are
+//! The plain data of the core as UniFFI sees them, one file for each module; the procedure's are
 //! three.
 //!
 //! `#[uniffi::remote]` stands before a copy of a type's fields: no type is made, the core's own

@@ -1,4 +1,4 @@
-//! Plain data of the room `plan`: what is asked of the planner, and what it advises.
+//! Plain data of the module `plan`: what is asked of the planner, and what it advises.
 
 use gyradius_core::diagnosis::NextSwing;
 use gyradius_core::planning::{

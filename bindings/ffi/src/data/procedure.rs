@@ -1,4 +1,4 @@
-//! Plain data of the room `procedure`: what happens, and everything that a screen shows.
+//! Plain data of the module `procedure`: what happens, and everything that a screen shows.
 
 use gyradius_core::procedure::{
     Action, Batch, Channel, CritiqueView, Event, Judgement, Measured, Phase, PhoneInfo,

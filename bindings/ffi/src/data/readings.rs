@@ -1,4 +1,4 @@
-//! Plain data of the room `procedure`: what sensors and recordings say.
+//! Plain data of the module `procedure`: what sensors and recordings say.
 
 use gyradius_core::online::{GapList, SwingState};
 use gyradius_core::procedure::{

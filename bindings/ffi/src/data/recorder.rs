@@ -1,4 +1,4 @@
-//! Plain data of the room `recorder`: the file that a phone appends to.
+//! Plain data of the module `recorder`: the file that a phone appends to.
 
 use gyradius_core::procedure::Channel;
 use gyradius_core::recorder::{Damage, DamageKind, Event, Header, SensorInfo, Stream, Written};

@@ -1,4 +1,4 @@
-//! Plain data of the room `recording`: what is stated of a session, what its recordings needed.
+//! Plain data of the module `recording`: what is stated of a session, what its recordings needed.
 
 use super::{Count, Vector3};
 

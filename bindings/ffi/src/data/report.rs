@@ -1,4 +1,4 @@
-//! Plain data of the room `report`: pictures, their curves already thinned.
+//! Plain data of the module `report`: pictures, their curves already thinned.
 
 use gyradius_core::report::{Curve, Figure, Peak, RecordingFigureData, SpectrumFigureData, Trace};
 

@@ -19,7 +19,7 @@ use super::cause_id::CauseId;
 use super::fitting::{Fitted, Places};
 use super::found::Found;
 use super::found::Tried;
-use super::look::{Beside, Glimpse, Look, Sums, laid_out, strengths};
+use super::look::{Beside, Look, ScoreTest, Sums, laid_out, strengths};
 use super::point::{Cause, Model, Point};
 use super::quantities::quantities;
 
@@ -145,7 +145,7 @@ impl Found<'_> {
             .iter()
             .filter(|look| tried.iter().all(|t| t.cause.id != look.cause.id));
         let weak = weak.filter_map(|look| {
-            let weak = Weak::of(look.glimpse.as_ref()?, &self.model, &looked.fitted)?;
+            let weak = Weak::of(look.score_test.as_ref()?, &self.model, &looked.fitted)?;
             // The forms of a cause share its odds.
             let odds = odds_before * weak.gain.exp() / of_name(look.cause.id) as f64;
             let body = || quantities(&weak.model, (&weak.point, &weak.matrix), 1.0, inclines).ok();
@@ -183,12 +183,12 @@ struct Weak<'a> {
 }
 
 impl<'a> Weak<'a> {
-    fn of(glimpse: &Glimpse, model: &Model<'a>, fitted: &Fitted) -> Option<Self> {
-        let Glimpse {
+    fn of(score_test: &ScoreTest, model: &Model<'a>, fitted: &Fitted) -> Option<Self> {
+        let ScoreTest {
             cause,
             places,
             sums,
-        } = glimpse;
+        } = score_test;
         if fitted.matrix.nrows() != Places::of(model).all() {
             return None;
         }

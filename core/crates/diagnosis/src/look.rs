@@ -73,12 +73,12 @@ pub struct Look {
     /// Other forms of the same cause that promise nearly as much.
     pub others: Vec<Look>,
     /// What it was seen by, where all swings were looked at alike.
-    pub glimpse: Option<Glimpse>,
+    pub score_test: Option<ScoreTest>,
 }
 
 /// Strengths of a cause as a first look sees them.
 #[derive(Clone)]
-pub struct Glimpse {
+pub struct ScoreTest {
     /// The cause, or what is seen in its place.
     pub cause: Cause,
     /// Places of the strengths among its values.
@@ -97,9 +97,9 @@ impl Look {
         let swings = model.base.swings.len();
         let (split, size) = (Places::of(model).first_own(0), alike.cause.size(swings));
         let beside = look
-            .glimpse
+            .score_test
             .as_ref()
-            .and_then(|glimpse| Beside::of(&standing.fitted, &glimpse.sums));
+            .and_then(|score_test| Beside::of(&standing.fitted, &score_test.sums));
         let beside = beside?;
         let strengths = look.delta.rows(split, size).into_owned();
         let seen = Seen {
@@ -144,7 +144,7 @@ impl Look {
                 gain,
                 delta,
                 others: vec![],
-                glimpse: None,
+                score_test: None,
             };
         };
         let mut values = vec![0.0; cause.size(swings)];
@@ -153,7 +153,7 @@ impl Look {
             .zip(solved.strength.iter())
             .for_each(|(place, strength)| values[*place] = *strength);
         let delta = laid_out(model, &solved.rest, &values);
-        let glimpse = Glimpse {
+        let score_test = ScoreTest {
             cause: cause.clone(),
             places: strengths,
             sums: equations.sums,
@@ -163,7 +163,7 @@ impl Look {
             gain: solved.gain,
             delta,
             others: vec![],
-            glimpse: Some(glimpse),
+            score_test: Some(score_test),
         }
     }
 

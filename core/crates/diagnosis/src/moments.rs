@@ -315,7 +315,7 @@ impl Scan<'_> {
             gain: seen.gain,
             delta,
             others: vec![],
-            glimpse: None,
+            score_test: None,
         }
     }
 }

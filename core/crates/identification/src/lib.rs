@@ -4,6 +4,7 @@
 //! May know `recording`, `signal`, `modes`, `dynamics` and what they may know.
 
 mod alternatives;
+mod amplitude_correction;
 mod beats;
 mod breaks;
 pub mod by_samples;
@@ -30,7 +31,6 @@ mod suspects;
 mod swing_work;
 pub mod theory;
 mod traced;
-mod twin;
 mod value;
 pub mod words;
 

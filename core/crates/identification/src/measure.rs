@@ -20,6 +20,7 @@ use gyradius_signal::{
 };
 
 use super::alternatives::{RouteCalculation, routes};
+use super::amplitude_correction::{Correction, corrections};
 use super::beats;
 use super::by_samples::by_samples;
 use super::consistency::{ConsistencyTests, FLAG_SIGMA, Hidden, consistency_tests};
@@ -46,7 +47,6 @@ use super::spread::Spread;
 pub use super::swing_work::SwingWork;
 use super::swing_work::WEAKEST_DB;
 use super::theory::has_motion;
-use super::twin::{Correction, corrections};
 
 /// Name and version of the result's format.
 pub const FORMAT: &str = "gyradius-measurement/1";

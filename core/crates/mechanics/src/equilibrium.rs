@@ -39,7 +39,7 @@ pub(crate) fn equilibrium(rig: &Rig, body: &RigidBody) -> Result<Equilibrium> {
 }
 
 const MAX_ITERATIONS: usize = 60;
-/// Longest step, m and rad together: keeps Newton's method from leaving the valley.
+/// Longest step, m and rad together: keeps Newton's method from leaving the local minimum.
 const MAX_STEP: f64 = 0.3;
 /// Newton's method doubles the digits: a step this small leaves an error below rounding.
 const CONVERGED: f64 = 1e-9;

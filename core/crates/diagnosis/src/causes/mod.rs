@@ -4,8 +4,8 @@
 //! A cause may come in several forms (`variants`): laws with a number that a first look cannot find
 //! by itself (an exponent, a frequency, a moment) are tried from several values of it.
 
-mod aboard;
 mod friction;
+mod internal;
 mod outside;
 mod phone;
 mod rigging;
@@ -24,8 +24,8 @@ use super::parameter_id::ParameterName;
 use super::point::{Cause, CauseParameter, Form, NO_LIMITS, Point, Put};
 use super::unit::UnitName;
 
-pub use aboard::{ringing, seconds};
 pub use friction::{GUSTS, gust};
+pub use internal::{ringing, seconds};
 pub use outside::{GIVES_S, TERMS, knock_at, learned_force, line_slip_at, reach};
 pub use phone::{SLIP_S, mounts, slip_at};
 
@@ -95,7 +95,7 @@ pub fn catalogue(scales: &Scales) -> Vec<Cause> {
     [
         friction::causes(scales),
         rigging::causes(scales),
-        aboard::causes(scales),
+        internal::causes(scales),
         phone::causes(),
     ]
     .concat()

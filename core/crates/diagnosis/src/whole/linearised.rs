@@ -61,8 +61,9 @@ fn sights(
             ))
         };
         let looks = instances.filter_map(look);
-        let mut looks: Vec<(Look, usize)> =
-            looks.filter(|(look, _)| look.glimpse.is_some()).collect();
+        let mut looks: Vec<(Look, usize)> = looks
+            .filter(|(look, _)| look.score_test.is_some())
+            .collect();
         looks.sort_by(|a, b| b.0.gain.total_cmp(&a.0.gain));
         let mut looks = looks.into_iter();
         let (mut best, place) = looks.next()?;
@@ -70,14 +71,14 @@ fn sights(
             best.keep(&look);
         }
         columns.push(sensitivities[place].take()?);
-        let glimpse = best.glimpse.as_ref()?;
-        let known = glimpse.cause.expanded(swings);
+        let score_test = best.score_test.as_ref()?;
+        let known = score_test.cause.expanded(swings);
         let first = numbers.len();
-        numbers.extend(glimpse.places.iter().map(|k| Number {
+        numbers.extend(score_test.places.iter().map(|k| Number {
             value: 0.0,
             prior: known[*k].0.prior,
             is_strength: true,
-            one_sided: glimpse.cause.one_sided,
+            one_sided: score_test.cause.one_sided,
             is_new: true,
         }));
         Some(Sight {
@@ -188,7 +189,7 @@ impl<'a> Linearised<'a> {
             let Some(sight) = &self.outside[*form] else {
                 continue;
             };
-            let (cause, glimpse) = (&sight.look.cause, sight.look.glimpse.as_ref()?);
+            let (cause, score_test) = (&sight.look.cause, sight.look.score_test.as_ref()?);
             let mut values = cause.start(swings);
             if cause.look.is_some() {
                 // What it is nearest to by itself.
@@ -196,7 +197,7 @@ impl<'a> Linearised<'a> {
                 let all = values.iter_mut().zip(by_itself.iter());
                 all.for_each(|(value, change)| *value += share * change);
             } else {
-                for (k, place) in glimpse.places.iter().zip(sight.places.clone()) {
+                for (k, place) in score_test.places.iter().zip(sight.places.clone()) {
                     values[*k] += share * delta[place];
                 }
             }
@@ -220,9 +221,9 @@ impl<'a> Linearised<'a> {
             .map(|k| first + k);
         let mut all: Vec<From> = (0..first).chain(own).map(From::Fitted).collect();
         for sight in set.iter().filter_map(|form| self.outside[*form].as_ref()) {
-            let (cause, glimpse) = (&sight.look.cause, sight.look.glimpse.as_ref()?);
+            let (cause, score_test) = (&sight.look.cause, sight.look.score_test.as_ref()?);
             for (k, (parameter, _)) in cause.expanded(swings).into_iter().enumerate() {
-                let strength = glimpse.places.iter().position(|place| *place == k);
+                let strength = score_test.places.iter().position(|place| *place == k);
                 all.push(match strength.filter(|_| cause.look.is_none()) {
                     Some(n) => From::New(sight.places.start + n - places.causes),
                     None => From::Prior(parameter.prior.1.powi(-2)),

@@ -82,7 +82,7 @@ fn period_ratio(bench: &Bench) -> Option<RouteCalculation> {
     )
 }
 
-/// (13): the count gives the ratio of the periods as they were swung; the twin's corrections bring
+/// (13): the count gives the ratio of the periods as they were swung; the corrections for finite amplitude bring
 /// it to small amplitude.
 fn beat_count(bench: &Bench, beat: &CountedBeat) -> Option<RouteCalculation> {
     let count = Traced::input(

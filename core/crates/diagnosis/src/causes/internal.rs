@@ -63,10 +63,10 @@ const RINGING_SHARE: f64 = 1e-3;
 /// Where a thing is when a recording begins, times its share of the hull, m, and its speed so, m/s:
 /// what shows of it is in proportion to both together, whatever it weighs.
 const START_M: f64 = 3e-3;
-/// What is aboard is no further from where it is looked for than so many widths of its priors: one
+/// What moves inside is no further from where it is looked for than so many widths of its priors: one
 /// and a half times half the hull's length fore and aft. Far outside a light thing does by its
-/// lever what a heavy one does aboard, and fits stay there.
-const ABOARD: f64 = 3.0;
+/// lever what a heavy one does inside, and fits stay there.
+const INSIDE: f64 = 3.0;
 /// Places of the look's slides, shares of half the hull's length.
 const FORE: f64 = 0.5;
 /// So many ways round half a turn, and places on either side of the middle, are tried for the slide
@@ -113,7 +113,7 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
         factor: scales.mass_kg,
         ..number(name, unit, 0.0, START_M)
     };
-    let aboard = |name, mean: f64, u: f64| within(ABOARD, number(name, UnitName::Metre, mean, u));
+    let inside = |name, mean: f64, u: f64| within(INSIDE, number(name, UnitName::Metre, mean, u));
     let parameters = vec![
         share(scales),
         logarithm(
@@ -129,9 +129,9 @@ fn seen_by(scales: &Scales, (frequency_hz, damping_ratio): (f64, f64), look: Loo
             1.0,
         ),
         number(ParameterName::DirectionRad, UnitName::Radian, 0.0, 1.6),
-        aboard(ParameterName::PlaceXM, 0.0, 0.5 * half_m),
-        aboard(ParameterName::PlaceYM, 0.0, 0.2 * half_m),
-        aboard(ParameterName::PlaceZM, -depth_m, depth_m.max(0.3 * half_m)),
+        inside(ParameterName::PlaceXM, 0.0, 0.5 * half_m),
+        inside(ParameterName::PlaceYM, 0.0, 0.2 * half_m),
+        inside(ParameterName::PlaceZM, -depth_m, depth_m.max(0.3 * half_m)),
         of_start(ParameterName::StartKgM, UnitName::KilogramMetre),
         of_start(ParameterName::StartKgMS, UnitName::KilogramMetrePerSecond),
     ];
@@ -413,7 +413,7 @@ mod tests {
     }
 
     #[test]
-    fn a_light_thing_starts_aboard() {
+    fn a_light_thing_starts_inside_the_hull() {
         // As far as given: 2 mm of the hull are 0.2 m of a hundredth of it.
         let start = |by_share: [f64; 2], share: f64| {
             let start = start(by_share.map(fixed), fixed(share), fixed(2.0), 1.4);
@@ -434,7 +434,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_inside_weighs_something_and_is_aboard() {
+    fn what_moves_inside_weighs_something_and_is_in_the_hull() {
         for cause in moving(&HULL, &[0.5]) {
             let limits = cause.limits(2);
             let of = |name: ParameterName| {

@@ -1,9 +1,9 @@
 //! Finite amplitude: what the full motion does to the observed periods.
 //!
-//! The small-oscillation theory holds at no amplitude. A twin of each swing (the estimated body on
+//! The small-oscillation theory holds at no amplitude. A simulation of each swing (the estimated body on
 //! the stated lines, with the amplitudes, phases and decays that were observed) is simulated, its
 //! modal coordinates are fitted as the record was, and the ratio of the theory's period to the
-//! twin's takes finite amplitude out of the observed period: the exact yaw law with heave included,
+//! simulation's takes finite amplitude out of the observed period: the exact yaw law with heave included,
 //! the pendulum law, the influence of each mode on the others and the damping at once.
 
 use nalgebra::{DMatrix, DVector, Vector6};
@@ -23,7 +23,7 @@ use super::routes::yaw::{Lines, yaw_period_s};
 use super::theory::{axis, mode_names, swing_body, swing_lines, swing_rig};
 
 /// Share of a correction that counts as its standard uncertainty: amplitudes are known to a percent
-/// or two, and the twin knows no air and no bearing.
+/// or two, and the simulation knows no air and no bearing.
 const CORRECTION_U_SHARE: f64 = 0.05;
 /// Samples per period of the fastest mode.
 const SAMPLES_PER_PERIOD: f64 = 12.0;
@@ -100,7 +100,7 @@ impl Correction {
     }
 }
 
-/// A mode of the twin.
+/// A mode of the simulated swing.
 struct Part {
     /// Index into the swing's modes.
     observed: usize,
