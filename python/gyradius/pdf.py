@@ -28,10 +28,10 @@ from reportlab.platypus import Flowable, KeepTogether, Paragraph, SimpleDocTempl
 from .drawings import NAMESPACE, drawn
 from .files import write_whole
 
-MARGIN = 18 * mm
+MARGIN = 15 * mm
 WIDTH, HEIGHT = A4[0] - 2 * MARGIN, A4[1] - 2 * MARGIN
-# A unit of the drawings is a pixel of CSS, 1/96 inch, in points.
-PIXEL = 0.75
+# Points for a unit of the drawings: letters of 12 units are then printed at 6 points.
+SCALE = 0.5
 # The standard fonts of PDF have no Greek letters, no ± in all encodings, no arrows: matplotlib brings one that has.
 FONT = "DejaVuSans"
 BOLD = "DejaVuSans-Bold"
@@ -65,6 +65,17 @@ KEPT_MARKUP = {
     "sub": "sub",
     "sup": "super",
 }
+# Pictures stand in so many columns.
+COLUMNS, GAP = 2, 5 * mm
+PICTURES = TableStyle(
+    [
+        ("VALIGN", (0, 0), (-1, -1), "TOP"),
+        ("LEFTPADDING", (0, 0), (-1, -1), 0),
+        ("RIGHTPADDING", (0, 0), (-1, -1), GAP),
+        ("TOPPADDING", (0, 0), (-1, -1), 0),
+        ("BOTTOMPADDING", (0, 0), (-1, -1), 2 * mm),
+    ]
+)
 GRID = TableStyle(
     [
         ("FONT", (0, 0), (-1, -1), FONT, 7.5),
@@ -132,7 +143,7 @@ def _number(canvas: Any, document: Any) -> None:
 
 def _styles() -> dict[str, ParagraphStyle]:
     sheet = getSampleStyleSheet()
-    body = ParagraphStyle("body", sheet["BodyText"], fontName=FONT, fontSize=8.5, leading=11.5)
+    body = ParagraphStyle("body", sheet["BodyText"], fontName=FONT, fontSize=8, leading=10, spaceBefore=3)
     heads = {f"h{level}": (18 - 3 * level, 4 + 2 * (3 - level)) for level in (1, 2, 3)}
     styles = {
         name: ParagraphStyle(
@@ -142,6 +153,9 @@ def _styles() -> dict[str, ParagraphStyle]:
     }
     styles["h4"] = styles["summary"] = styles["caption"] = styles["h3"]
     styles["figcaption"] = ParagraphStyle("small", body, fontSize=7.5, leading=10, textColor=colors.dimgrey)
+    styles["picture"] = ParagraphStyle("picture", body, fontName=BOLD, fontSize=7, leading=9, keepWithNext=1)
+    styles["picture_caption"] = ParagraphStyle("pictured", styles["figcaption"], fontSize=6, leading=7.5)
+    styles["term"] = ParagraphStyle("term", body, fontSize=7.5, leading=9, spaceBefore=1)
     styles["cell"] = ParagraphStyle("cell", body, fontSize=7.5, leading=9.5, spaceBefore=0, spaceAfter=0)
     styles["p"] = body
     return styles
@@ -168,14 +182,25 @@ def _block(node: Element, styles: dict[str, ParagraphStyle]) -> Iterator[Flowabl
         yield from _drawing(node)
     elif node.tag == "table":
         yield from _table(node, styles)
+    elif node.get("class") == "figures":
+        yield from _pictures(node, styles)
     elif node.tag == "figure":
         yield KeepTogether(list(_walk(node, styles)))
     elif node.tag == "li":
         yield from _paragraph("• " + _inner(node), styles["p"])
+    elif node.tag == "dl":
+        yield from _terms(node, styles)
     elif node.tag == "hr":
         yield Spacer(1, 3 * mm)
     else:
         yield from _walk(node, styles)
+
+
+def _terms(node: Element, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
+    """Each term with its meaning in one paragraph."""
+    texts = [_inner(child) for child in node if child.tag in ("dt", "dd")]
+    for term, meaning in zip(texts[::2], texts[1::2], strict=False):
+        yield from _paragraph(f"<b>{term}.</b> {meaning}", styles["term"])
 
 
 def _style_of(node: Element, styles: dict[str, ParagraphStyle]) -> ParagraphStyle:
@@ -244,10 +269,21 @@ def _widths(node: Element, columns: int) -> list[float]:
     return [WIDTH * length / sum(longest) for length in longest]
 
 
+def _pictures(node: Element, styles: dict[str, ParagraphStyle]) -> Iterator[Flowable]:
+    """Figures side by side, each with its title and caption."""
+    small = {**styles, "h4": styles["picture"], "figcaption": styles["picture_caption"]}
+    cells = [list(_walk(figure, small)) for figure in node.iter("figure")]
+    rows = [cells[i : i + COLUMNS] for i in range(0, len(cells), COLUMNS)]
+    padded = [row + [[]] * (COLUMNS - len(row)) for row in rows]
+    if padded:
+        yield Table(padded, colWidths=[WIDTH / COLUMNS] * COLUMNS, style=PICTURES)
+
+
 def _drawing(node: Element) -> Iterator[Flowable]:
     drawing = drawn(node, FONT)
-    # Half a page at most, so that picture and caption stay together; never larger than drawn: one size of type.
-    scale = min(WIDTH / drawing.width, HEIGHT / 2 / drawing.height, PIXEL)
+    # All in one size of type; half a page at most, so that picture and caption stay together.
+    room = WIDTH / COLUMNS - GAP
+    scale = min(room / drawing.width, HEIGHT / 2 / drawing.height, SCALE)
     drawing.scale(scale, scale)
     drawing.width, drawing.height = drawing.width * scale, drawing.height * scale
     yield drawing

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::source::{
-    BodyFacts, Curve, Peak, PeriodsFigureData, RecordingFigureData, ReportSource,
+    BodyFacts, Curve, Peak, PeriodsFigureData, RecordingFigureData, ReportSource, RigFigureData,
     SpectrumFigureData, StatedFigure, Trace,
 };
 use super::thin::{MOST_POINTS, thinned};
@@ -40,6 +40,8 @@ impl ReportSource {
             stated: session
                 .map(|session| stated(session, language))
                 .unwrap_or_default(),
+            rig: session.and_then(rig),
+            recorded_by: session.map(recorded_by).unwrap_or_default(),
             recordings: evidence
                 .map(|evidence| recording(evidence, language))
                 .collect(),
@@ -103,6 +105,25 @@ fn body(session: &Session) -> BodyFacts {
         mass_kg: body.mass_kg,
         length_overall_m: body.length_overall_m,
     }
+}
+
+/// The first hanging on two lines.
+fn rig(session: &Session) -> Option<RigFigureData> {
+    session.swings.iter().find_map(|swing| {
+        let hung = &swing.suspension;
+        Some(RigFigureData {
+            swing: swing.id.clone(),
+            line_length_m: hung.line_length_m?,
+            spacing_m: hung.spacing_m?,
+            top_spacing_m: hung.top_spacing_m,
+        })
+    })
+}
+
+/// Phone and recording program of the session.
+fn recorded_by(session: &Session) -> Vec<String> {
+    let names = [&session.phone, &session.logger].into_iter();
+    names.filter(|name| !name.is_empty()).cloned().collect()
 }
 
 /// Every stated figure, the same figure of several swings once.

@@ -23,7 +23,7 @@ mod words;
 pub use page::{figures, html};
 pub use pictures::Figure;
 pub use source::{
-    BodyFacts, Curve, Peak, PeriodsFigureData, RecordingFigureData, ReportSource,
+    BodyFacts, Curve, Peak, PeriodsFigureData, RecordingFigureData, ReportSource, RigFigureData,
     SpectrumFigureData, StatedFigure, Trace,
 };
 pub use thin::{MOST_POINTS, thinned};

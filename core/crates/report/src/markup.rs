@@ -109,6 +109,15 @@ impl Markup {
         self.within(name, attributes, |inner| inner.write(text));
     }
 
+    /// A part of the report that is shown once its heading is clicked; open on paper.
+    pub fn folded(&mut self, id: &str, heading: &str, inner: impl FnOnce(&mut Self)) {
+        let heading = self.say(heading);
+        self.within("details", &[("id", id), ("class", "part")], |out| {
+            out.within("summary", &[], |out| out.element("h2", &[], &heading));
+            inner(out);
+        });
+    }
+
     /// An element without content.
     pub fn empty(&mut self, name: &'static str, attributes: Attributes) {
         self.start(name, attributes);

@@ -67,9 +67,8 @@ fn embedded(id: &str, result: &impl Serialize, out: &mut Markup) {
 /// Every picture of the report, in its order.
 pub fn figures(source: &ReportSource) -> Vec<Figure> {
     let (measurement, language) = (&source.measurement, source.language);
-    let mut all: Vec<Figure> = pictures::court(&measurement.consistency, language)
-        .into_iter()
-        .collect();
+    let mut all: Vec<Figure> = pictures::rig(source).into_iter().collect();
+    all.extend(pictures::consistency(&measurement.consistency, language));
     if let Some(criticism) = source.criticised() {
         all.extend(pictures::causes(&criticism.critique, language));
         all.extend(pictures::against_simulations(&criticism.traces, language));

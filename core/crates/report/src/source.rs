@@ -18,6 +18,10 @@ pub struct ReportSource {
     pub body: BodyFacts,
     /// Dimensions and masses as stated.
     pub stated: Vec<StatedFigure>,
+    /// How the first swing on two lines hung.
+    pub rig: Option<RigFigureData>,
+    /// Phone and recording program, as far as they are known.
+    pub recorded_by: Vec<String>,
     /// What was recorded, thinned for pictures; found by the swing's id.
     pub recordings: Vec<RecordingFigureData>,
     /// Lists of periods with what they follow; found by the swing's id.
@@ -58,6 +62,19 @@ pub struct StatedFigure {
     pub unit: String,
     /// The swings it is stated for.
     pub applies_to: Vec<String>,
+}
+
+/// A hanging on two lines.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RigFigureData {
+    /// The swing's id.
+    pub swing: String,
+    /// Length of the lines, m.
+    pub line_length_m: Quantity,
+    /// Between the points on the body, m.
+    pub spacing_m: Quantity,
+    /// Between the points above, m; that on the body where it is not stated.
+    pub top_spacing_m: Option<Quantity>,
 }
 
 /// A recording's curves.

@@ -9,6 +9,13 @@ report-swings = Schwingungen
 report-measured_by = Gemessen von
 report-date_and_place = Datum und Ort
 report-signature = Unterschrift
+report-measured_on = Gemessen am
+report-recorded_by = Aufgezeichnet mit
+report-analysed_by = Ausgewertet mit
+report-rig = So hing der Körper: { $swing }
+report-rig_read = Maßstäblich; der Körper ist als Ellipse um seinen Schwerpunkt gezeichnet. L: Leinen von { $line }. s: { $spacing } zwischen den Aufhängepunkten.
+report-rig_top = { $spacing } zwischen den Punkten oben.
+report-rig_depth = h: Der Schwerpunkt liegt { $depth } unter den Aufhängepunkten.
 
 report-result = Ergebnis
 report-no_inertia = Die Schwingungen bestimmen keine Massenträgheit: unten stehen die Schwingungsformen, die gefunden wurden.
@@ -76,8 +83,8 @@ report-from = Aus
 report-correlation = { $one } und { $other } { $r }
 report-correlations = Korrelationen der Ergebnisse: { $pairs }.
 
-report-court = Passt die Messung zu sich selbst?
-report-court_empty = Es gab nichts gegeneinander zu halten: jeder Wert wurde nur einmal angegeben oder erschlossen.
+report-consistency = Passt die Messung zu sich selbst?
+report-consistency_empty = Es gab nichts gegeneinander zu halten: jeder Wert wurde nur einmal angegeben oder erschlossen.
 report-compared = Jedes angegebene Maß wurde gegen das gehalten, was die Schwingungen ergeben, und jeder Weg gegen jeden anderen: { $count } Vergleiche.
 report-compared_one = Jedes angegebene Maß wurde gegen das gehalten, was die Schwingungen ergeben, und jeder Weg gegen jeden anderen: 1 Vergleich.
 report-none_differs = Keiner weicht um mehr als drei Standardunsicherheiten ab.
@@ -94,7 +101,7 @@ report-from_sway = Querperiode von { $swing }
 report-from_all = alle Schwingungen zusammen ({ $inputs })
 report-from_route = { $other } gegen { $one }
 report-stated_against_implied = Angegeben gegen erschlossen
-report-court_dots = Jeder Punkt ist, was der Rest der Messung ergibt, weniger dem, was angegeben wurde, in Standardunsicherheiten dieser Differenz; der Strich reicht eine davon nach jeder Seite. Übereinstimmung liegt im grauen Band (zwei), über drei meldet sich der Bericht.
+report-consistency_dots = Jeder Punkt ist, was der Rest der Messung ergibt, weniger dem, was angegeben wurde, in Standardunsicherheiten dieser Differenz; der Strich reicht eine davon nach jeder Seite. Übereinstimmung liegt im grauen Band (zwei), über drei meldet sich der Bericht.
 report-as_stated = angegeben
 report-implied_less_stated = erschlossen − angegeben, Standardunsicherheiten
 

@@ -3,11 +3,12 @@
 mod amplitude;
 mod budget;
 mod causes;
-mod court;
+mod consistency;
 mod ellipsoid;
 mod force;
 mod periods;
 mod recording;
+mod rig;
 mod simulations;
 
 use amplitude::against_amplitude;
@@ -19,9 +20,10 @@ use gyradius_identification::SwingResult;
 
 pub(super) use budget::budgets;
 pub(super) use causes::causes;
-pub(super) use court::{MOST_ROWS, court};
+pub(super) use consistency::{MOST_ROWS, consistency};
 pub(super) use ellipsoid::{ellipsoids, no_ellipsoid_reason};
 pub(super) use force::learned_force;
+pub(super) use rig::rig;
 pub(super) use simulations::against_simulations;
 
 /// The pictures of one swing: its recording, its listed periods, its modes against amplitude.

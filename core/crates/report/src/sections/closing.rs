@@ -17,8 +17,7 @@ const TERMS: [[&str; 2]; 9] = [
 ];
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
-    out.within("footer", &[("id", "terms")], |out| {
-        out.element("h2", &[], &out.say("terms"));
+    out.folded("terms", "terms", |out| {
         out.within("dl", &[], |out| {
             for [term, meaning] in TERMS {
                 out.element("dt", &[], &out.say(term));

@@ -25,14 +25,11 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     let Some(criticism) = &source.criticism else {
         return;
     };
-    out.within("section", &[("id", "critique")], |out| {
-        out.element("h2", &[], &out.say("critique"));
-        match criticism {
-            Ok(criticism) => written(criticism, out),
-            Err(reason) => {
-                let text = out.tell("no_critique", [("reason", plain(reason))]);
-                out.element("p", &[], &text);
-            }
+    out.folded("critique", "critique", |out| match criticism {
+        Ok(criticism) => written(criticism, out),
+        Err(reason) => {
+            let text = out.tell("no_critique", [("reason", plain(reason))]);
+            out.element("p", &[], &text);
         }
     });
 }
@@ -62,7 +59,7 @@ fn is_adequate(critique: &Critique) -> bool {
     critique.verdict.status == Status::Adequate
 }
 
-fn verdict(critique: &Critique, out: &mut Markup) {
+pub(super) fn verdict(critique: &Critique, out: &mut Markup) {
     let (word, class) = match critique.verdict.status {
         Status::Adequate => ("nothing_missing", "verdict pass"),
         Status::Explained => ("explained", "verdict pass"),

@@ -41,6 +41,15 @@ fn facts(source: &ReportSource, out: &mut Markup) {
     }
     let count = source.measurement.swings.len();
     facts.push((out.say("swings"), count.to_string()));
+    if let Some(date) = &source.measured_on {
+        facts.push((out.say("measured_on"), date.clone()));
+    }
+    if !source.recorded_by.is_empty() {
+        facts.push((out.say("recorded_by"), source.recorded_by.join(", ")));
+    }
+    if !source.generated_by.is_empty() {
+        facts.push((out.say("analysed_by"), source.generated_by.clone()));
+    }
     let line: Vec<String> = facts
         .into_iter()
         .map(|(name, value)| format!("{name}: {value}"))

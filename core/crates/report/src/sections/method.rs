@@ -10,8 +10,7 @@ use gyradius_base::language::{Language, minus};
 use gyradius_identification::{Measurement, QuantityName, Route, SwingResult, input};
 
 pub(super) fn write(source: &ReportSource, out: &mut Markup) {
-    out.within("section", &[("id", "method")], |out| {
-        out.element("h2", &[], &out.say("method"));
+    out.folded("method", "method", |out| {
         swings(&source.measurement, out);
         stated(&source.stated, out);
         estimate(&source.measurement, out);

@@ -18,7 +18,7 @@ pub(super) fn body(source: &ReportSource, out: &mut Markup) {
     heading::write(source, out);
     result::write(source, out);
     method::write(source, out);
-    parts::court(source, out);
+    parts::consistency(source, out);
     critique::write(source, out);
     parts::budget(source, out);
     recordings::write(source, out);

@@ -1,4 +1,4 @@
-//! Court, budget and ellipsoids: parts that are mostly pictures.
+//! Consistency, budget and ellipsoids: parts that are mostly pictures.
 
 use crate::digits::{joined, sigmas, with_u};
 use crate::headline::Headline;
@@ -10,16 +10,15 @@ use crate::words::{self, figure, plain, say};
 use gyradius_base::language::Language;
 use gyradius_identification::Claim;
 
-pub(super) fn court(source: &ReportSource, out: &mut Markup) {
+pub(super) fn consistency(source: &ReportSource, out: &mut Markup) {
     let claims = &source.measurement.consistency;
     // Modes alone claim nothing.
     if claims.is_empty() && source.measurement.quantities.is_empty() {
         return;
     }
-    out.within("section", &[("id", "consistency")], |out| {
-        out.element("h2", &[], &out.say("court"));
+    out.folded("consistency", "consistency", |out| {
         if claims.is_empty() {
-            out.element("p", &[], &out.say("court_empty"));
+            out.element("p", &[], &out.say("consistency_empty"));
             return;
         }
         let flagged = claims.iter().filter(|claim| claim.flagged).count();
@@ -31,7 +30,10 @@ pub(super) fn court(source: &ReportSource, out: &mut Markup) {
                 &words::sentence_case(&claim.message.in_language(out.language())),
             );
         }
-        figures(out, pictures::court(claims, out.language()).as_slice());
+        figures(
+            out,
+            pictures::consistency(claims, out.language()).as_slice(),
+        );
         let shown = claims.len().min(pictures::MOST_ROWS);
         let heads = ["claim", "stated_u", "implied_u", "difference", "implied_by"];
         let rows = claims[..shown]
@@ -93,8 +95,7 @@ pub(super) fn budget(source: &ReportSource, out: &mut Markup) {
     if pictures.is_empty() {
         return;
     }
-    out.within("section", &[("id", "budget")], |out| {
-        out.element("h2", &[], &out.say("budget"));
+    out.folded("budget", "budget", |out| {
         out.element("p", &[], &out.say("budget_read"));
         if !Headline::of(source).replaced.is_empty() {
             out.element("p", &[("class", "note")], &out.say("budget_base"));
@@ -108,11 +109,12 @@ pub(super) fn ellipsoids(source: &ReportSource, out: &mut Markup) {
     if quantities.is_empty() {
         return;
     }
-    out.within("section", &[("id", "ellipsoids")], |out| {
-        out.element("h2", &[], &out.say("ellipsoids"));
-        match pictures::no_ellipsoid_reason(&quantities, source.language) {
+    out.folded(
+        "ellipsoids",
+        "ellipsoids",
+        |out| match pictures::no_ellipsoid_reason(&quantities, source.language) {
             Some(reason) => out.element("p", &[], &reason),
             None => figures(out, &pictures::ellipsoids(&quantities, source.language)),
-        }
-    });
+        },
+    );
 }

@@ -13,8 +13,7 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     if source.measurement.swings.is_empty() {
         return;
     }
-    out.within("section", &[("id", "recordings")], |out| {
-        out.element("h2", &[], &out.say("each_swing"));
+    out.folded("recordings", "each_swing", |out| {
         source
             .measurement
             .swings

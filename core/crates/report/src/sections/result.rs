@@ -1,10 +1,12 @@
 //! The result: quantities, verdicts, warnings.
 
+use super::critique;
 use crate::digits::{interval, joined, percent, significant, with_u};
 use crate::headline::Headline;
 use crate::markup::Markup;
+use crate::pictures;
 use crate::source::ReportSource;
-use crate::table::{list, matrix};
+use crate::table::{figures, list, matrix};
 use crate::words::{self, figure, plain};
 use gyradius_base::language::Language;
 use gyradius_identification::{
@@ -17,7 +19,11 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
         out.element("h2", &[], &out.say("result"));
         quantities(&headline, out);
         verdicts(&headline, out);
+        if let Some(criticism) = source.criticised() {
+            critique::verdict(&criticism.critique, out);
+        }
         warnings(source, out);
+        figures(out, pictures::rig(source).as_slice());
         tensor(&headline, out);
     });
 }

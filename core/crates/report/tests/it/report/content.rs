@@ -70,6 +70,72 @@ fn verdicts_contradictions_routes_and_repairs_are_said() {
     }
 }
 
+/// The result heads the page; each other part folds.
+#[test]
+fn the_result_stands_open_and_the_rest_folds() {
+    let page = html(&keelboat());
+    let parts = page.matches("<details id=").count();
+    assert_eq!(parts, page.matches("</details>").count());
+    for id in [
+        "method",
+        "consistency",
+        "budget",
+        "recordings",
+        "ellipsoids",
+        "terms",
+    ] {
+        let part = format!("<details id=\"{id}\" class=\"part\"><summary><h2>");
+        assert!(page.contains(&part), "{id}");
+    }
+    let (result, first) = (page.find("id=\"result\""), page.find("<details"));
+    assert!(result.expect("a result") < first.expect("a part that folds"));
+}
+
+#[test]
+fn the_rig_is_sketched_with_its_dimensions_and_says_who_recorded() {
+    let page = html(&keelboat());
+    for text in [
+        "How it hung: yaw-1",
+        "L: lines of 3.4770 ± 0.0060 m. s: 1.8000 ± 0.0010 m between the points.",
+        "1.9000 ± 0.0010 m between the points above.",
+        "Recorded by: Pixel 9, phyphox",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!html(&bare_recording()).contains("How it hung"));
+}
+
+/// Lines of 3.477 m whose points are 1.9 m apart above and 1.8 m below drop by √(3.477² − 0.05²) m: the
+/// sketch is to one scale.
+#[test]
+fn the_sketch_is_to_scale() {
+    let all = figures(&keelboat());
+    let sketch = all.iter().find(|figure| figure.id == "rig").expect("rig");
+    // The two lines are the only ones of this width.
+    let ends: Vec<[f64; 4]> = sketch
+        .svg
+        .split("<line ")
+        .skip(1)
+        .filter_map(|rest| rest.split("/>").next())
+        .filter(|line| line.contains("stroke-width=\"1.4\""))
+        .map(|line| {
+            ["x1=\"", "y1=\"", "x2=\"", "y2=\""].map(|key| {
+                let from = line.split(key).nth(1).expect("a number");
+                let number = from.split('"').next().expect("a number");
+                number.parse().expect("a number")
+            })
+        })
+        .collect();
+    let [[x1, y1, x2, y2], [right, ..]] = ends[..] else {
+        panic!("two lines: {ends:?}")
+    };
+    let (top_m, drop_m) = (1.9, (3.477f64.powi(2) - 0.05f64.powi(2)).sqrt());
+    let scale = (right - x1) / top_m;
+    // Places have one decimal.
+    assert!(((y2 - y1) - scale * drop_m).abs() < 0.3, "{ends:?}");
+    assert!(((x2 - x1) - scale * 0.05).abs() < 0.2, "{ends:?}");
+}
+
 #[test]
 fn what_is_not_known_is_said() {
     let page = html(&yaw_only());
@@ -83,7 +149,8 @@ fn pictures_come_alone_with_unique_names() {
     let all = figures(&keelboat());
     let mut ids: Vec<&str> = all.iter().map(|figure| &*figure.id).collect();
     for id in [
-        "court",
+        "rig",
+        "consistency-tests",
         "budget-k-yaw-m",
         "yaw-1-fit-1",
         "yaw-1-fit-2",

@@ -17,10 +17,10 @@ use crate::report::samples::{ambiguous, unexplained};
 use crate::report::well_formed::assert_well_formed;
 
 /// What is the same in both languages beside numbers: units, symbols, and words that are alike.
-const ALIKE: [&str; 37] = [
+const ALIKE: [&str; 38] = [
     "kg", "mm", "µm", "Hz", "rad", "dB", "ppm", "tan", "Wind", "Exponent", "P", "F", "a", "b", "c",
     "d", "e", "g", "h", "k", "l", "m", "n", "s", "t", "u", "x", "y", "z", "N", "T", "M", "I", "W",
-    "J", "in", "Lamboley",
+    "J", "L", "in", "Lamboley",
 ];
 /// A title, which is not told in another language.
 const PAPER: &str =

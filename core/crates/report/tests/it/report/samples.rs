@@ -15,8 +15,8 @@ use gyradius_identification::{
 };
 use gyradius_recording::{ModeName, Quantity, Repair, RepairKind, Sensor};
 use gyradius_report::{
-    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, SpectrumFigureData, StatedFigure,
-    Trace, thinned,
+    BodyFacts, Curve, Peak, RecordingFigureData, ReportSource, RigFigureData, SpectrumFigureData,
+    StatedFigure, Trace, thinned,
 };
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -344,6 +344,13 @@ pub fn keelboat() -> ReportSource {
             mass_kg: Some(Quantity::new(622.7, 0.5)),
             length_overall_m: Some(6.35),
         },
+        rig: Some(RigFigureData {
+            swing: "yaw-1".into(),
+            line_length_m: Quantity::new(3.477, 0.006),
+            spacing_m: Quantity::new(1.8, 0.001),
+            top_spacing_m: Some(Quantity::new(1.9, 0.001)),
+        }),
+        recorded_by: vec!["Pixel 9".into(), "phyphox".into()],
         stated: vec![
             stated("line length", Quantity::new(3.477, 0.006), "m", &["yaw-1", "pitch-1"]),
             stated("spacing of the lines", Quantity::new(1.8, 0.001), "m", &[]),
