@@ -7,6 +7,7 @@ Keys are spelled as in ``gyradius-measurement/1``; a key that this version does 
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from . import _core
 from .records import frozen, record, records
 
 if TYPE_CHECKING:
+    import pandas as pd
     from matplotlib.figure import Figure
 
     from .critique import Critique
@@ -198,9 +200,21 @@ class Finding:
     advice: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Measurement:
-    """Everything a session gives."""
+    """The result of a session.
+
+    ::
+
+        measurement = gyradius.load("yngling").measure()
+        k = measurement.quantities["k_yaw_m"]
+        k.value, k.u, k.interval_95  # m, one standard uncertainty, 95 %
+
+    Units are in the names (``k_yaw_m``); axes are x forward, y to port, z up. ``quantities`` holds what the swings
+    determine, ``budget`` the contributions to each uncertainty, ``swings`` the modes, ``consistency`` the tests of the
+    stated dimensions, ``findings`` what is not plausible. ``plot`` and ``to_html`` show it, ``to_dict``, ``to_frame``,
+    ``to_csv`` and ``to_xlsx`` hand it on, ``to_urdf``, ``to_mjcf`` and ``to_sdf`` give the hull to a simulator.
+    """
 
     format: str
     title: str
@@ -231,6 +245,56 @@ class Measurement:
             return self._core.to_html(None, critique, language)
         return self._core.to_html(critique._core, None, language)
 
+    def to_dict(self) -> dict[str, Any]:
+        """What ``to_json`` writes, as dictionaries and lists."""
+        return dict(json.loads(self.to_json()))
+
+    def to_frame(self, table: str = "quantities") -> pd.DataFrame:
+        """A table as a data frame (``pip install gyradius[pandas]``).
+
+        ``table`` is ``quantities`` (a row for each scalar: name, element of a vector or matrix, value, u, low_95,
+        high_95, unit, method), ``modes`` (a row for each mode of each swing), ``budget``, ``consistency`` or
+        ``findings``.
+        """
+        from .datatables import frame
+
+        return frame(self, table)
+
+    def to_csv(self, path: str | os.PathLike[str], table: str = "quantities") -> None:
+        """Write a table of ``to_frame`` as a CSV file; needs no pandas."""
+        from .datatables import write_csv
+
+        write_csv(self, path, table)
+
+    def to_xlsx(self, path: str | os.PathLike[str]) -> None:
+        """Write all tables of ``to_frame`` as an Excel workbook, a sheet each (``pip install gyradius[xlsx]``)."""
+        from .datatables import write_workbook
+
+        write_workbook(self, path)
+
+    def to_urdf(self, *, model: bool = False) -> str:
+        """The hull alone as ``<inertial>`` of URDF; with ``model`` as a robot of one link.
+
+        Mass in kg, inertia about the centre of mass in kg m², along hull axes, whose origin is the mid-point of the
+        suspension points. Comments say what is not known. Raises ``NoResultError`` where the swings do not determine
+        the inertia, or the session does not state the mass.
+        """
+        from .inertial import urdf
+
+        return urdf(self, model=model)
+
+    def to_mjcf(self, *, model: bool = False) -> str:
+        """The same as ``<inertial>`` of MuJoCo's XML; with ``model`` as a model of one free body."""
+        from .inertial import mjcf
+
+        return mjcf(self, model=model)
+
+    def to_sdf(self, *, model: bool = False) -> str:
+        """The same as ``<inertial>`` of SDFormat (Gazebo); with ``model`` as a model of one link."""
+        from .inertial import sdf
+
+        return sdf(self, model=model)
+
     @property
     def recorded_swings(self) -> list[str]:
         """Ids of the swings that have a recording with a fit."""
@@ -246,11 +310,29 @@ class Measurement:
         """Frequencies, Hz (n), and amplitudes (channels, n), thinned for plots."""
         return self._core.spectrum(swing_id)
 
-    def plot(self, swing_id: str | None = None) -> Figure:
-        """Each recording with its fit, the residual and the spectrum (one swing, or all)."""
+    def plot(self, swing_id: str | None = None, *, interactive: bool = False) -> Figure | Any:
+        """Each recording with its fit, the residual and the spectrum (one swing, or all).
+
+        A figure of matplotlib, or with ``interactive`` one of plotly (``pip install gyradius[interactive]``).
+        """
+        if interactive:
+            from .interactive import figure as zoomable
+
+            return zoomable(self, [swing_id] if swing_id else [])
         from .plots import figure
 
         return figure(self, [swing_id] if swing_id else [])
+
+    def __repr__(self) -> str:
+        """Title and scalar quantities in one line."""
+        from .notebook import figures, short_text
+
+        return short_text("Measurement", self.title, figures(self.quantities) or ["no quantity determined"])
+
+    def _repr_html_(self) -> str:
+        from .notebook import measurement_html
+
+        return measurement_html(self)
 
 
 def view(core: _core.Measurement) -> Measurement:

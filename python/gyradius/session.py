@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterable
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from . import critique as critiques
@@ -22,7 +22,7 @@ class Session:
     """One hull, measured in one sitting; or one bare recording, which gives modes alone."""
 
     def __init__(self, core: _core.Session) -> None:
-        """Sessions come from :func:`load`."""
+        """Sessions come from ``gyradius.load``."""
         self._core = core
 
     @property
@@ -43,22 +43,46 @@ class Session:
     def measure(self, limits: Iterable[str] = ()) -> Measurement:
         """Modes, inertia, uncertainty and consistency.
 
-        ``limits`` are class limits such as ``"k_pitch_m>=1.100"``, each of which gets a verdict.
+        Args:
+            limits: Class limits such as ``"k_pitch_m>=1.100"``, in the unit of the quantity; each gets a verdict.
+
+        Returns:
+            The result. A quantity that the swings do not determine is absent from it.
+
+        Raises:
+            NoResultError: The data do not allow any result.
         """
         return view(self._core.measure(list(limits)))
 
     def critique(self, progress: Callable[[float, str], object] | None = None, *, by_sets: bool = False) -> Critique:
-        """What the simulation gets wrong, why, and what mending it gains.
+        """What the simulation gets wrong, why, and what mending it gains; this may take minutes.
 
-        This may take minutes. ``progress`` is told the share that is done and what is being done, and stops the work by
-        answering False (``CancelledError``); Ctrl-C stops it too. ``by_sets`` weighs all sets of up to three causes at
-        once, instead of looking for one cause after another; it is being tried.
+        Args:
+            progress: Called with the fraction that is done, 0 to 1, and what is being done. It stops the work by
+                answering False; Ctrl-C stops it too.
+            by_sets: Weigh all sets of up to three causes at once, instead of looking for one cause after another. This
+                is being tried.
+
+        Returns:
+            Discrepancies, causes, verdict, the extended simulation and its gain.
+
+        Raises:
+            CancelledError: ``progress`` stopped the work.
+            NoResultError: The session holds nothing that can be criticised.
         """
         return critiques.view(self._core.critique(progress, by_sets))
 
-    def plot(self, swing_id: str | None = None) -> Figure:
-        """Each recording with its fit, the residual and the spectrum (one swing, or all)."""
-        return self.measure().plot(swing_id)
+    def plot(self, swing_id: str | None = None, *, interactive: bool = False) -> Figure | Any:
+        """Each recording with its fit, the residual and the spectrum.
+
+        Args:
+            swing_id: One swing; all of them where it is left out.
+            interactive: With plotly (``pip install gyradius[interactive]``).
+
+        Returns:
+            A figure of matplotlib, or one of plotly.
+        """
+        return self.measure().plot(swing_id, interactive=interactive)
 
     def __repr__(self) -> str:
         """Title and swings."""
@@ -68,7 +92,15 @@ class Session:
 def load(path: str | os.PathLike[str], *, mapping: Iterable[str] = ()) -> Session:
     """Read a session folder, a session zip, or a bare recording in any format that can be imported.
 
-    ``mapping`` names the columns of a CSV that is not recognised: ``"gx=xGyro:deg/s"``.
+    Args:
+        path: Folder, zip or recording.
+        mapping: Columns of a CSV that is not recognised, with their units, such as ``"gx=xGyro:deg/s"``.
+
+    Returns:
+        The session. One made of a bare recording gives modes alone.
+
+    Raises:
+        InputError: Something in the file is wrong; ``file`` and ``line`` say where.
     """
     file = os.fspath(path)
     if is_matlab(file):
@@ -84,7 +116,17 @@ def shipped_sessions() -> dict[str, Path]:
 
 
 def shipped_session(name: str) -> Path:
-    """Where a session that comes with the package lies."""
+    """Where a session that comes with the package lies.
+
+    Args:
+        name: One of the names of ``shipped_sessions()``.
+
+    Returns:
+        The session's folder.
+
+    Raises:
+        InputError: There is no session of that name.
+    """
     sessions = shipped_sessions()
     if name not in sessions:
         raise _core.InputError(f"session `{name}`: expected one of {', '.join(sessions) or 'none'}")
