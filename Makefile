@@ -14,7 +14,7 @@ STEP := tests/step $(LOGS)
 # Cargo's library of the Python package.
 MODULE := target/debug/lib_core.$(if $(filter Darwin,$(shell uname)),dylib,so)
 
-.PHONY: help demo check test test-core test-above graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind fuzz plan-check hidden peers blind-tools doc skips report-shots clean
+.PHONY: help demo check test test-core test-above graph schemas lint lint-python release-package bench gallery build package test-cached test-rust test-vectors test-faces test-python generated faces test-kotlin test-swift test-ios test-targets test-android screenshots generate test-blind test-hidden blind fuzz plan-check hidden peers blind-tools doc docs docs-tools skips report-shots clean
 
 help:
 	@echo "make demo    the main job on the sessions that ship, ending in a report"
@@ -30,6 +30,7 @@ help:
 	@echo "make plan-check  predicted against achieved uncertainty on N=100 fresh hulls (8 of them in make test): some ten minutes"
 	@echo "make hidden  whether the critique finds what is hidden in N=200 fresh sessions (4 of them in make test): some hours"
 	@echo "make peers   the same of sparse regression and least squares, on N=20 swings in yaw"
+	@echo "make docs    the documentation site, in build/docs"
 	@echo "make bench   speed of the analysis, and its speed and precision beside other methods"
 
 demo: release-package
@@ -100,7 +101,7 @@ test-faces:
 	@$(MAKE) --no-print-directory test-android
 
 # Python's half: vectors, API and command (pytest), the stubs against the module (a test among them), and the fuzz in short.
-test-python: package
+test-python: package docs-tools
 	@$(STEP) python $(BIN)/python -m pytest -c python/pyproject.toml python/tests tests/fuzz
 
 # The Swift that is committed is what the facade gives.
@@ -187,6 +188,15 @@ graph:
 
 doc:
 	@RUSTDOCFLAGS="-D warnings" $(STEP) doc cargo doc --no-deps --workspace
+
+# The documentation site. What it shows of commands is run while it is built; equations become MathML, and nothing is loaded
+# from another host. Its pages, and what it needs, are in python/docs.
+docs: package docs-tools
+	@NO_MKDOCS_2_WARNING=1 $(STEP) docs $(BIN)/python -m mkdocs build --strict -f python/docs/mkdocs.yml -d $(CURDIR)/build/docs
+	@echo "build/docs/index.html"
+
+docs-tools: $(BIN)/maturin
+	@$(BIN)/python -m pip --quiet install -r python/docs/requirements.txt
 
 # The core's speed by criterion, then ours beside other methods' on one record, all called from Python.
 bench: release-package blind-tools
