@@ -2,10 +2,28 @@
 
 from __future__ import annotations
 
+import math
+import re
+from dataclasses import dataclass
+from decimal import Decimal
 from enum import Enum
-from typing import Any
+from typing import Annotated, Any
 
 import typer
+
+SessionPath = Annotated[str, typer.Argument(metavar="SESSION", help="Session folder, session zip, or a recording.")]
+Json = Annotated[
+    str | None,
+    typer.Option("--json", metavar="FILE", help="Write the same numbers as JSON (- for standard output)."),
+]
+Limits = Annotated[
+    list[str] | None,
+    typer.Option("--limit", metavar="LIMIT", help="Class limit such as k_pitch>=1.100; may be repeated."),
+]
+Map = Annotated[
+    list[str] | None,
+    typer.Option("--map", metavar="FIELD=COLUMN:UNIT", help="A column of a CSV that is not recognised; repeat."),
+]
 
 
 class Suspension(str, Enum):
@@ -38,23 +56,105 @@ class Language(str, Enum):
     de = "de"
 
 
-def quantity(text: str | None) -> tuple[float, float] | None:
-    """``3.477:0.006`` or ``3.477``."""
+# Units that may follow a number, by what is asked for, in SI units or degrees; the first is that of a number alone.
+UNITS = {
+    "metres": {"m": "1", "cm": "0.01", "mm": "0.001", "in": "0.0254", "ft": "0.3048"},
+    "kilograms": {"kg": "1", "g": "0.001", "t": "1000", "lb": "0.45359237"},
+    "degrees": {"deg": "1", "°": "1"},
+    "m/s²": {"m/s²": "1", "m/s2": "1"},
+}
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+UNIT = r"[^\d\s:±,.+-]\S*?"
+ONE = rf"({NUMBER})\s*({UNIT})?"
+FIGURE = re.compile(rf"\s*{ONE}\s*(?:(?::|±|\+/?-)\s*{ONE}\s*)?")
+DECIMAL_COMMA = re.compile(r"(\d),(\d)")
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number that somebody states, SI or degrees, with one standard uncertainty where one is stated."""
+
+    value: float
+    u: float | None
+
+    def stated(self) -> float | tuple[float, float]:
+        """As an import takes it: without an uncertainty it gets the usual one of its kind."""
+        return self.value if self.u is None else (self.value, self.u)
+
+    def exact(self) -> tuple[float, float]:
+        """As a plan takes it: without an uncertainty it is exact."""
+        return self.value, self.u or 0.0
+
+
+def figure(text: str, of: str) -> Figure:
+    """``3.477``, ``3.477:0.006``, ``347.7cm ± 6mm``; ``of`` is a key of :data:`UNITS`.
+
+    A unit after the first number alone is that of both. ValueError says what was expected and how to write it.
+    """
+    known = UNITS[of]
+    found = FIGURE.fullmatch(text)
+    units = (found[2] or next(iter(known)), found[4] or found[2] or next(iter(known))) if found else ("", "")
+    if not found or any(unit not in known for unit in units):
+        raise ValueError(_expected(text, of))
+    value, u = _scaled(found[1], known[units[0]]), found[3]
+    u_si = None if u is None else _scaled(u, known[units[1]])
+    if not math.isfinite(value) or (u_si is not None and not 0.0 <= u_si < math.inf):
+        raise ValueError(_expected(text, of))
+    return Figure(value, u_si)
+
+
+def _scaled(number: str, factor: str) -> float:
+    """Exact in decimals: 150.3 cm are 1.503 m, no digit more."""
+    return float(Decimal(number) * Decimal(factor))
+
+
+def _expected(text: str, of: str) -> str:
+    first, *others = UNITS[of]
+    small = f", 347.7{others[0]}" if of == "metres" else ""
+    point = DECIMAL_COMMA.sub(r"\1.\2", text)
+    hint = "" if point == text else f"; the decimal sign is a point: {point}"
+    accepted = ", ".join(UNITS[of])
+    return (
+        f"expected {of}, such as 3.477{small} or 3.477:0.006 with one standard uncertainty after a colon "
+        f"(units: {accepted}; {first} where none is written), found `{text}`{hint}"
+    )
+
+
+def given(option: str, text: str | None, of: str) -> Figure | None:
+    """The figure of an option; an error names the option."""
     if text is None:
         return None
-    value, _, u = text.partition(":")
     try:
-        return float(value), float(u) if u else 0.0
-    except ValueError:
-        raise typer.BadParameter(f"expected VALUE or VALUE:U, found `{text}`") from None
+        return figure(text, of)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint=option) from None
 
 
-def reading(text: str | None) -> float | tuple[float, float] | None:
-    """The same of a reading, which gets the usual uncertainty of its kind where none is stated."""
-    pair = quantity(text)
-    return pair[0] if pair and text and ":" not in text else pair
+def stated(of: str, note: str) -> Any:
+    """An option that holds a figure."""
+    return typer.Option(metavar="VALUE[:U]", help=f"{of}; {note}" if note else of)
 
 
-def stated(unit: str) -> Any:
-    """An option that holds a quantity."""
-    return typer.Option(metavar="VALUE[:U]", help=f"{unit}; standard uncertainty after a colon.")
+def stated_value(option: str, text: str | None, of: str) -> float | tuple[float, float] | None:
+    """As an import takes the figure of an option."""
+    found = given(option, text, of)
+    return None if found is None else found.stated()
+
+
+def exact_value(option: str, text: str | None, of: str) -> tuple[float, float] | None:
+    """As a plan takes it."""
+    found = given(option, text, of)
+    return None if found is None else found.exact()
+
+
+def plain_value(option: str, text: str | None, of: str) -> float | None:
+    """A figure of which no uncertainty is asked."""
+    found = given(option, text, of)
+    if found is not None and found.u is not None:
+        raise typer.BadParameter(f"expected one number, found `{text}`", param_hint=option)
+    return None if found is None else found.value
+
+
+def with_uncertainty(found: Figure | None) -> dict[str, float] | None:
+    """As the request of a plan holds it."""
+    return None if found is None else {"value": found.value, "u": found.u or 0.0}

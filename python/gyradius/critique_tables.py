@@ -8,9 +8,10 @@ from rich.console import Console, Group, RenderableType
 from rich.text import Text
 
 from .critique import CauseResult, Critique, LearnedForce, ModelResult, NextSwing, ParameterResult
+from .labels import UNITS
 from .measurement import Quantity
 from .numbers import decimals_for, short, with_u
-from .tables import UNITS, elements, grid, spaced, warning_line
+from .tables import elements, grid, spaced, warning_line
 
 STATUS = {
     "adequate": ("Nothing is missing", "bold green"),

@@ -88,13 +88,37 @@ def import_files(
     points_moved: Stated | None = None,
     axis_height: Stated | None = None,
 ) -> list[str]:
-    """Write a session folder from phone exports, one swing for each file; returns what a reader must know.
+    """Write a session folder from phone exports, one swing for each file.
 
-    ``mapping`` says of a CSV that is not recognised which column is which, and its unit: ``"gx=xGyro:deg/s"``.
-    ``trial`` is one of several trials in a file, as the file numbers or names them.
-    ``platform`` is the phone's system where a file's signs depend on it and the file does not say;
-    ``flag_width`` is that of the flag in a light gate's beam. The suspension is bifilar and athwartships where nothing
-    else is stated.
+    A stated figure is a number, or a pair with its standard uncertainty in the same unit.
+
+    Args:
+        files: The exports.
+        output: The session folder to write.
+        mapping: Columns of a CSV that is not recognised, with their units, such as ``"gx=xGyro:deg/s"``.
+        trial: One of several trials in a file, as the file numbers or names them.
+        platform: The phone's system, where a file's signs depend on it and the file does not say.
+        flag_width: m, of the flag in a light gate's beam.
+        replace: Write over files that are there.
+        title: The session's title; the folder's name where it is left out.
+        suspension: How it hung; on two lines where it is left out.
+        orientation: What joins the points, or the axis; athwartships where it is left out.
+        mass: kg, of everything that swings.
+        gravity: m/s².
+        line_length: m, of the lines.
+        spacing: m, between the points on the hull.
+        top_spacing: m, between the points above; as ``spacing`` where it is left out.
+        radius: m, of the circle through the line ends below (three lines).
+        top_radius: m, of the circle through the line ends above (three lines).
+        hull_pitch: Degrees, bow up.
+        points_moved: m, of the points, forward from those of a level hanging.
+        axis_height: m, of the axis above the hull's suspension points (fixed axis).
+
+    Returns:
+        What a reader must know, a sentence each.
+
+    Raises:
+        InputError: A file cannot be read, or files are there already.
     """
     plan = ImportPlan(
         mapping=[*mapping],
@@ -141,12 +165,38 @@ def import_into(
     points_moved: Stated | None = None,
     axis_height: Stated | None = None,
 ) -> list[str]:
-    """Add phone exports to a session folder that is there, one new swing for each; returns what a reader must know.
+    """Add phone exports to a session folder that is there, one new swing for each.
 
     Nothing that the session holds is dropped. A swing that the session has without its recording (from a plan) gets
     the recording of its name, or the one that is imported with its id as ``swing``; dimensions that are stated take the
-    place of the planned ones. ``like`` is the id of a swing that the new ones hung like, but for what is stated. What
-    is stated holds for all of ``files``: files that hung otherwise are imported by another call.
+    place of the planned ones. What is stated holds for all of ``files``: files that hung otherwise are imported by
+    another call. A stated figure is a number, or a pair with its standard uncertainty in the same unit.
+
+    Args:
+        files: The exports.
+        session: The session folder.
+        swing: Id of the planned swing that the file is the recording of.
+        like: Id of a swing that the new ones hung like, but for what is stated.
+        mapping: Columns of a CSV that is not recognised, with their units.
+        trial: One of several trials in a file.
+        platform: The phone's system, where a file's signs depend on it and the file does not say.
+        flag_width: m, of the flag in a light gate's beam.
+        suspension: How it hung.
+        orientation: What joins the points, or the axis.
+        line_length: m, of the lines.
+        spacing: m, between the points on the hull.
+        top_spacing: m, between the points above; as ``spacing`` where it is left out.
+        radius: m, of the circle through the line ends below (three lines).
+        top_radius: m, of the circle through the line ends above (three lines).
+        hull_pitch: Degrees, bow up.
+        points_moved: m, of the points, forward from those of a level hanging.
+        axis_height: m, of the axis above the hull's suspension points (fixed axis).
+
+    Returns:
+        What a reader must know, a sentence each.
+
+    Raises:
+        InputError: A file cannot be read, or the session holds the same samples already.
     """
     plan = ImportPlan(
         mapping=[*mapping],

@@ -28,17 +28,33 @@ class Live:
         gyroscope_full_scale: float | None = None,
         accelerometer_full_scale: float | None = None,
     ) -> None:
-        """``wanted``: relative standard uncertainty of the period that is enough; full scales in rad/s and m/s²."""
+        """Begin with no samples.
+
+        Args:
+            wanted: Relative standard uncertainty of the period that is enough.
+            gyroscope_full_scale: rad/s at which the gyroscope saturates, where it is known.
+            accelerometer_full_scale: m/s² at which the accelerometer saturates, where it is known.
+        """
         self._core = _core.Live(wanted, gyroscope_full_scale, accelerometer_full_scale)
         # Each call has the estimator to itself; another thread's waits for it.
         self._alone = Lock()
 
     def push_gyroscope(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:
-        """Samples of the gyroscope: stamps in ns of the phone's clock (N), rad/s in phone axes (N, 3)."""
+        """Take samples of the gyroscope.
+
+        Args:
+            stamps_ns: Stamps, ns of the phone's clock (N).
+            values: Angular rate, phone axes, rad/s (N, 3).
+        """
         self._push("gyroscope", stamps_ns, values)
 
     def push_accelerometer(self, stamps_ns: ArrayLike, values: ArrayLike) -> None:
-        """Samples of the accelerometer: stamps in ns (N), m/s² of specific force in phone axes (N, 3)."""
+        """Take samples of the accelerometer.
+
+        Args:
+            stamps_ns: Stamps, ns of the phone's clock (N).
+            values: Specific force, phone axes, m/s² (N, 3).
+        """
         self._push("accelerometer", stamps_ns, values)
 
     def _push(self, sensor: str, stamps_ns: ArrayLike, values: ArrayLike) -> None:

@@ -25,13 +25,18 @@ Figure = float | tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class PlannedSwing:
-    """A swing to be made; ``suspension`` as in a session, each dimension with ``value`` and ``u``."""
+    """A swing to be made."""
 
     id: str
+    #: As in a session; each dimension has ``value`` and ``u``.
     suspension: Mapping[str, Any]
+    #: What to set going: ``yaw``, ``sway``, ``surge``, ``pitch``, ``roll``.
     excited: tuple[str, ...]
+    #: Amplitude at the release, degrees.
     amplitude_deg: float
+    #: How long to record after the release, s.
     duration_s: float
+    #: Small-amplitude period by mode, s.
     periods_s: Mapping[str, float]
     #: Relative standard uncertainty of the period that is enough.
     period_u_wanted: float
@@ -41,30 +46,43 @@ class PlannedSwing:
 class PlannedIncline:
     """An incline test to be made."""
 
+    #: Where the weight hangs: ``bow`` or ``stern``.
     end: str
+    #: The weight, kg.
     mass_kg: float
+    #: Horizontal distance from the suspension points to the weight's, m.
     arm_m: float
+    #: Depth of the weight's suspension point below the hull's, m.
     depth_m: float
+    #: The angle to expect, degrees.
     pitch_deg: float
 
 
 @dataclass(frozen=True, slots=True)
 class HangingAdvice:
-    """One way to hang the hull: points of the square frame (Table 4 of the paper) and dimensions."""
+    """One way to hang the hull."""
 
+    #: Points of the square frame, as in Table 4 of the paper.
     frame_points: str
+    #: As in a session; each dimension has ``value`` and ``u``.
     suspension: Mapping[str, Any]
+    #: Names of the quantities that it determines.
     gives: tuple[str, ...]
+    #: Ids of the swings that hang so.
     swings: tuple[str, ...]
+    #: The same in a sentence.
     text: str
 
 
 @dataclass(frozen=True, slots=True)
 class Beat:
-    """The beat of yaw against sway; without a period where they keep step."""
+    """The beat of yaw against sway, eqs. (10) to (12)."""
 
+    #: Beat period, s; None where yaw and sway keep step.
     period_s: float | None
+    #: Oscillations in a beat; None where yaw and sway keep step.
     oscillations: float | None
+    #: Period of the oscillation that beats, s.
     average_period_s: float
 
 
@@ -73,28 +91,39 @@ class PredictedSwing:
     """What a planned swing will show."""
 
     id: str
+    #: Small-amplitude period by mode, s.
     periods_s: Mapping[str, float]
+    #: By how much yaw and sway take longer at the amplitude of the release, parts per million.
     longer_at_release_ppm: Mapping[str, float]
+    #: None where yaw and sway are not both set going.
     beat: Beat | None
 
 
 @dataclass(frozen=True, slots=True)
 class PredictedQuantity:
-    """A quantity as it is assumed, and how well it will be known; ``u`` is None where it will not be determined."""
+    """A quantity as it is assumed, and how well it will be known; its name tells the unit."""
 
+    #: As it is assumed.
     value: float
+    #: Standard uncertainty to expect; None where the swings will not determine it.
     u: float | None
+    #: Standard uncertainty that is wanted; None where none is.
     wanted_u: float | None
+    #: None where nothing is wanted.
     is_reached: bool | None
 
 
 @dataclass(frozen=True, slots=True)
 class PlanWarning:
-    """What to know before the first swing; ``kind`` is the key of the sentence."""
+    """What to know before the first swing."""
 
+    #: Key of the sentence, such as ``yaw_near_in_phase`` or ``slack_line``.
     kind: str
+    #: The swing that is meant; None where it is all of them.
     swing: str | None
+    #: Numbers in the sentence.
     numbers: Mapping[str, float]
+    #: Names in the sentence.
     names: Mapping[str, str]
     text: str
 
@@ -105,15 +134,25 @@ class Plan:
 
     format: str
     title: str
+    #: The hull as it is assumed.
     hull: Mapping[str, Any]
+    #: What is taken to be at hand: room, tape, sensors.
     means: Mapping[str, Any]
+    #: Ways to hang the hull.
     suspensions: tuple[HangingAdvice, ...]
+    #: What to do, in order.
     steps: tuple[PlannedSwing | PlannedIncline, ...]
+    #: What each swing will show.
     predicted: tuple[PredictedSwing, ...]
+    #: How well each quantity will be known, by name.
     quantities: Mapping[str, PredictedQuantity]
+    #: What the uncertainty of each quantity will come from.
     budget: Mapping[str, tuple[BudgetLine, ...]]
+    #: Line lengths, spacing and axis heights that would be best, m; None where there is none.
     optima: Mapping[str, float | None]
+    #: Time that it takes, rigging included, s.
     effort_s: float
+    #: The swing that tells two causes apart, where that was asked.
     tells_apart: NextSwing | None
     warnings: tuple[PlanWarning, ...]
     _core: _core.Plan
@@ -131,7 +170,7 @@ class Plan:
         return self._core.session_toml()
 
     def rig_toml(self) -> str:
-        """A rig file that rehearses the plan (:func:`gyradius.read_rig`, ``gyradius simulate``)."""
+        """A rig file that rehearses the plan (``gyradius.read_rig``, ``gyradius simulate``)."""
         return self._core.rig_toml()
 
 
@@ -155,14 +194,34 @@ def plan(
 ) -> Plan:
     """Recommend suspension, swings, amplitudes and durations, and predict periods, beat and uncertainties.
 
-    The hull is told by ``mass`` (kg, everything that hangs), ``length`` and ``beam`` (m) and a ``boat_type`` (keelboat,
-    dinghy, model_keelboat, uniform_bar), or by its gyradii and the depth of its centre of mass (m, each a number or a
-    pair with its standard uncertainty); or by a ``session`` that measured it so far. ``wanted`` are standard
-    uncertainties such as ``"k_yaw=0.1%"`` or ``"psi=1deg"``. ``means`` replaces what is taken to be at hand, by the
-    names of ``Plan.means`` (``most_line_length_m``, ``u_spacing_m``, ``amplitude_deg``, …).
+    The hull is told by mass, length, beam and type, or by its gyradii and the depth of its centre of mass, or by a
+    session that measured it so far. A figure is a number, or a pair with its standard uncertainty.
 
-    With ``tell_apart``, two causes by the names of the criticism, the plan is the one swing that would tell them apart
-    for the ``session``; this may take a minute, is told to ``progress`` and can be stopped as ``Session.critique`` can.
+    Args:
+        session: What measured the hull so far.
+        mass: kg, of everything that hangs.
+        length: m, overall.
+        beam: m, the largest.
+        boat_type: ``keelboat``, ``dinghy``, ``model_keelboat`` or ``uniform_bar``.
+        k_yaw: Yaw gyradius, m, where it is known.
+        k_pitch: Pitch gyradius, m, where it is known.
+        k_roll: Roll gyradius, m, where it is known.
+        depth: m, of the centre of mass below the suspension points, where it is known.
+        psi: Tilt of the principal axes, degrees, bow up, where it is known.
+        wanted: Standard uncertainties such as ``"k_yaw=0.1%"`` or ``"psi=1deg"``.
+        means: What is at hand, by the names of ``Plan.means``: ``most_line_length_m``, ``u_spacing_m``,
+            ``amplitude_deg``, …
+        title: What the plan is for.
+        tell_apart: Two causes by the names of the criticism. The plan is then the one swing that would tell them apart
+            for the session; this may take a minute.
+        progress: Called with the fraction that is done, 0 to 1, and what is being done; False stops the work.
+
+    Returns:
+        What to do, and what to expect of it.
+
+    Raises:
+        InputError: Too little is known of the hull, or a figure is not possible.
+        CancelledError: ``progress`` stopped the work.
     """
     hull = {
         "mass_kg": mass,

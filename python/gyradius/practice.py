@@ -25,13 +25,20 @@ COMPARED = {
 class Practice:
     """A procedure on a simulated hull and phone: hang it, let it swing, judge, measure.
 
-    Time goes by only in :meth:`advance`; the same rig, seed and events give the same session.
+    Time goes by only in ``advance``; the same rig, seed and events give the same session.
     """
 
     def __init__(
         self, rig: Rig, folder: str | os.PathLike[str], *, seed: int | None = None, resume: bool = False
     ) -> None:
-        """Begin in ``folder``, or go on there with what was left; all chance comes from ``seed``."""
+        """Begin in a folder, or go on there with what was left.
+
+        Args:
+            rig: The hull and what is planned for it; its swings are the steps.
+            folder: Where the journal, the recordings and the session go.
+            seed: Of all chance; one is drawn where it is left out.
+            resume: Go on with what is in the folder.
+        """
         self.seed = secrets.randbits(32) if seed is None else seed
         self._core = _core.Practice(rig._core, os.fspath(folder), self.seed, resume)
 
@@ -41,11 +48,26 @@ class Practice:
         return dict(json.loads(self._core.state()))
 
     def handle(self, event: str, **data: Any) -> None:
-        """Tell what the operator did: one of ``state["actions"]``."""
+        """Tell what the operator did.
+
+        Args:
+            event: One of ``state["actions"]``.
+            data: What the event carries, by name.
+
+        Raises:
+            InputError: The event is not offered now; the message says what is.
+        """
         self._core.handle(json.dumps({"event": event, **data}))
 
     def advance(self, seconds: float) -> float:
-        """Let time go by, s; returns what did: none while nobody listens to the phone."""
+        """Let time go by.
+
+        Args:
+            seconds: How long, s.
+
+        Returns:
+            The time that went by, s: none while nobody listens to the phone.
+        """
         return self._core.advance(seconds)
 
     def by_the_book(self) -> dict[str, Any] | None:
@@ -54,20 +76,35 @@ class Practice:
         return None if event is None else dict(json.loads(event))
 
     def mishap(self, step: str, take: int, what: str) -> None:
-        """Let something go wrong: ``bad_release``, ``sway``, ``touch``, ``slip`` or ``silence``."""
+        """Let something go wrong.
+
+        Args:
+            step: Id of the step.
+            take: Number of the recording of that step, from 1.
+            what: ``bad_release``, ``sway``, ``touch``, ``slip`` or ``silence``.
+        """
         self._core.mishap(step, take, what)
 
     def work(self, progress: Callable[[float, str], object] | None = None) -> None:
-        """Do the work that ``state["work"]`` names: measure (seconds) or criticise (minutes)."""
+        """Do the work that ``state["work"]`` names: measure (seconds) or criticise (minutes).
+
+        Args:
+            progress: Called with the fraction that is done, 0 to 1, and what is being done; False stops it.
+        """
         self._core.work(progress)
 
     @property
     def truth(self) -> dict[str, float]:
-        """What is true of the hull, by name."""
+        """What is true of the hull, by name, in the unit that the name ends in."""
         return self._core.truth()
 
     def compared(self) -> list[dict[str, Any]]:
-        """Every figure that was measured beside the true one; ``sigma`` counts stated uncertainties."""
+        """Every figure that was measured beside the true one.
+
+        Returns:
+            Rows with ``name``, ``title``, ``unit``, ``value``, ``u``, ``true`` and ``sigma``, the difference in
+            standard uncertainties.
+        """
         result = self.state["result"] or {"quantities": {}}
         truth, rows = self.truth, []
         for name, (title, unit) in COMPARED.items():

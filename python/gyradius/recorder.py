@@ -25,8 +25,11 @@ class RecordedSamples:
 class RecordedSensor:
     """One sensor as the phone describes it."""
 
+    #: ``gyroscope``, ``accelerometer`` or ``gyroscope_bias``.
     stream: str
+    #: The phone's name for it.
     name: str
+    #: Where it saturates, rad/s or m/s²; None where the phone does not say.
     full_scale: float | None
 
 
@@ -34,13 +37,17 @@ class RecordedSensor:
 class RecorderFile:
     """All of a recorder's file."""
 
+    #: Model of the phone.
     phone: str
+    #: The sensors that were recorded.
     sensors: tuple[RecordedSensor, ...]
+    #: What the recorder noted, by name.
     notes: dict[str, str]
-    #: None where the phone gave none.
+    #: Angular rate, rad/s; None where the phone gave none.
     gyroscope: RecordedSamples | None
+    #: Specific force, m/s²; None where the phone gave none.
     accelerometer: RecordedSamples | None
-    #: The phone's own estimate of an uncalibrated gyroscope's bias, which is not taken off the samples.
+    #: The phone's own estimate of an uncalibrated gyroscope's bias, rad/s, which is not taken off the samples.
     gyroscope_bias: RecordedSamples | None
     #: Stamp, ns, and key of every mark: ``release``, ``end`` …
     events: tuple[tuple[int, str], ...]
@@ -49,9 +56,18 @@ class RecorderFile:
 
 
 def read_recorder(path: str | os.PathLike[str]) -> RecorderFile:
-    """Read a recorder's file, however it was cut or damaged; ``damage`` tells what is missing.
+    """Read a recorder's file, however it was cut or damaged.
 
     ``gyradius.import_files([path], folder, …)`` makes it a session.
+
+    Args:
+        path: The file (``.gyr``).
+
+    Returns:
+        All that can be read; ``damage`` tells what is missing.
+
+    Raises:
+        InputError: It is no recorder's file.
     """
     core = _core.read_recorder(os.fspath(path))
     tracks = {stream: RecordedSamples(stamps_ns, values) for stream, stamps_ns, values in core.tracks()}

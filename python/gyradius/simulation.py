@@ -28,8 +28,9 @@ class Simulation:
     hangs; positions in it count from the mid-point of the suspension points.
     """
 
+    #: Id of the swing.
     swing: str
-    #: Time stamps, s (N).
+    #: Time stamps of the phone, s (N).
     t_s: NDArray[np.float64]
     #: Angular rate, phone axes, rad/s (N, 3).
     gyro_rad_s: NDArray[np.float64]
@@ -63,7 +64,7 @@ class Rig:
     """What a rig file says: a session as it is stated, and what is true of it."""
 
     def __init__(self, core: _core.Rig) -> None:
-        """Rigs come from :func:`read_rig`."""
+        """Rigs come from ``gyradius.read_rig``."""
         self._core = core
 
     @property
@@ -72,7 +73,15 @@ class Rig:
         return self._core.swing_ids
 
     def numbers(self, swing: str | None = None) -> dict[str, float]:
-        """Every number of a swing by its name; effects read ``effect.number``, the phone ``phone.position_x_m``."""
+        """Every number that a swing is simulated with.
+
+        Args:
+            swing: Id of the swing; may be left out where there is one only.
+
+        Returns:
+            Values by name, in the unit that the name ends in. Those of effects are called ``effect.number``, those of
+            the phone ``phone.position_x_m`` and so on.
+        """
         return {name: value for name, value, _ in self._core.numbers(self._one(swing))}
 
     def simulate(
@@ -84,10 +93,20 @@ class Rig:
         t_s: ArrayLike | None = None,
         seed: int | None = None,
     ) -> Simulation:
-        """Simulate one swing, as the phone samples it or at the times given, on the phone's clock.
+        """Simulate one swing, as the phone samples it or at the times given.
 
-        ``values`` replace numbers by name; ``derivatives`` names the numbers to differentiate the readings by. Chance
-        (noise, jitter, lost samples) comes from ``seed``; without one there is none.
+        Args:
+            swing: Id of the swing; may be left out where there is one only.
+            values: Numbers that replace those of the rig, by the names of ``numbers()``.
+            derivatives: Names of the numbers to differentiate the readings by (P).
+            t_s: Times on the phone's clock, s (N); the phone's own where they are left out.
+            seed: Of all chance (noise, jitter, lost samples); without one there is none.
+
+        Returns:
+            The readings, the motion and the derivatives.
+
+        Raises:
+            InputError: A name or a value is not possible.
         """
         swing = self._one(swing)
         replaced = {name: float(value) for name, value in (values or {}).items()}
@@ -120,11 +139,21 @@ class Rig:
         seed: int | None = None,
         replace: bool = False,
     ) -> tuple[Path, int]:
-        """Simulate every swing and write the session into a folder; returns the truth file and the seed.
+        """Simulate every swing and write the session into a folder. The same seed gives the same files.
 
-        What is true goes to ``truth``, next to the folder where nothing else is said, never into it: the session can be
-        handed over blind. Without a ``seed`` one is drawn. The same seed gives the same files. ``InputError`` where
-        another program is writing there.
+        What is true is never written into the folder: the session can be handed over blind.
+
+        Args:
+            folder: The session folder to write.
+            truth: File for what is true; ``FOLDER.truth.json`` where it is left out.
+            seed: Of all chance; one is drawn where it is left out.
+            replace: Write over files that are there.
+
+        Returns:
+            The truth file, and the seed.
+
+        Raises:
+            InputError: Files are there already, or another program is writing there.
         """
         drawn = secrets.randbits(53) if seed is None else seed
         file = Path(f"{os.path.normpath(folder)}.truth.json") if truth is None else Path(truth)
@@ -141,7 +170,17 @@ class Rig:
 
 
 def read_rig(rig: str | os.PathLike[str] | Mapping[str, Any]) -> Rig:
-    """Read a rig file; a mapping with the same keys will do, and may leave ``format`` out."""
+    """Read a rig.
+
+    Args:
+        rig: A rig file, or a mapping with the same keys; that may leave ``format`` out.
+
+    Returns:
+        The rig.
+
+    Raises:
+        InputError: Something in it is wrong; ``file`` and ``line`` say where.
+    """
     if isinstance(rig, Mapping):
         return Rig(_core.read_rig("rig", _toml({"format": FORMAT, **rig})))
     return Rig(_core.read_rig(os.fspath(rig)))
@@ -156,7 +195,19 @@ def simulate(
     t_s: ArrayLike | None = None,
     seed: int | None = None,
 ) -> Simulation:
-    """Simulate a swing of a rig file, or of a mapping with its keys; arguments as of :meth:`Rig.simulate`."""
+    """Simulate a swing of a rig.
+
+    Args:
+        rig: A rig file, or a mapping with the same keys.
+        swing: Id of the swing; may be left out where there is one only.
+        values: Numbers that replace those of the rig, by name.
+        derivatives: Names of the numbers to differentiate the readings by (P).
+        t_s: Times on the phone's clock, s (N); the phone's own where they are left out.
+        seed: Of all chance; without one there is none.
+
+    Returns:
+        The readings, the motion and the derivatives.
+    """
     return read_rig(rig).simulate(swing, values=values, derivatives=derivatives, t_s=t_s, seed=seed)
 
 

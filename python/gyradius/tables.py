@@ -9,21 +9,11 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from .labels import UNITS, label
 from .measurement import Claim, Measurement, ModeResult, OneMotion, PeriodTrend, Quantity, SwingResult
 from .numbers import interval, short, with_u
+from .summary import notes, show_findings, show_result
 
-UNITS = {
-    "k_yaw_m": "m",
-    "k_pitch_m": "m",
-    "k_roll_m": "m",
-    "cm_depth_m": "m",
-    "psi_deg": "°",
-    "principal_gyradii_m": "m",
-    "inertia_kg_m2": "kg m²",
-    "inertia_yaw_kg_m2": "kg m²",
-    "inertia_pitch_kg_m2": "kg m²",
-    "inertia_roll_kg_m2": "kg m²",
-}
 # Lines of a budget that are worth a row; the rest is in the JSON and the report.
 BUDGET_ROWS = 5
 # Columns that hold words wherever they stand.
@@ -33,26 +23,21 @@ FLAGGED_SENTENCES = 5
 
 
 def show(console: Console, measurement: Measurement) -> None:
-    """Print everything."""
-    console.rule(Text(measurement.title or "measurement", style="bold"))
+    """Print everything, the result first."""
+    show_result(console, measurement)
+    show_findings(console, measurement)
+    console.print()
     for part in _parts(measurement):
         console.print(part)
         console.print()
-    # A flagged claim has its sentence under the table of claims already.
-    said = {claim.text for claim in measurement.consistency if claim.flagged}
-    for warning in measurement.warnings:
-        if warning not in said:
-            console.print(warning_line(warning))
-    # What is more than noted is among the warnings.
-    for finding in measurement.findings:
-        if finding.severity == "noted":
-            console.print(Text(f"note: {finding.text}. {finding.advice}", style="dim"))
+    for finding in notes(measurement):
+        console.print(Text(f"note: {finding.text}. {finding.advice}", style="dim"))
 
 
 def _parts(measurement: Measurement) -> list[RenderableType]:
     parts: list[RenderableType] = [_swings(measurement.swings)]
-    if measurement.quantities:
-        parts.append(_quantities(measurement))
+    if any(isinstance(quantity.value, tuple) for quantity in measurement.quantities.values()):
+        parts.append(_tensors(measurement))
     if measurement.alternatives:
         parts.append(_alternatives(measurement))
     if measurement.budget:
@@ -125,24 +110,14 @@ def _mode_cells(mode: ModeResult) -> tuple[str, ...]:
     )
 
 
-def _quantities(measurement: Measurement) -> Table:
-    table = grid("Result", "quantity", "value ± u", "95 %", "method", left=1)
+def _tensors(measurement: Measurement) -> Table:
+    table = grid("Inertia about the centre of mass, hull axes", "quantity", "element", "value ± u", left=2)
     for name, quantity in measurement.quantities.items():
-        for cells in _quantity_rows(name, quantity):
-            table.add_row(*cells)
+        if isinstance(quantity.value, tuple):
+            for place, (element, value, u) in enumerate(elements(quantity)):
+                table.add_row("" if place else label(name), element, with_u(value, u, UNITS.get(name, "")))
+            table.add_section()
     return table
-
-
-def _quantity_rows(name: str, quantity: Quantity) -> list[tuple[str, str, str, str]]:
-    unit = UNITS.get(name, "")
-    if not isinstance(quantity.value, tuple):
-        value = with_u(quantity.value, quantity.u, unit)
-        return [(name, value, interval(quantity.interval_95, quantity.u), quantity.method)]
-    rows = [(label, with_u(value, u, unit)) for label, value, u in elements(quantity)]
-    return [
-        (f"{name} {label}" if i == 0 else label.rjust(len(f"{name} {label}")), text, "", "" if i else quantity.method)
-        for i, (label, text) in enumerate(rows)
-    ]
 
 
 def elements(quantity: Quantity) -> list[tuple[str, Any, Any]]:
@@ -156,33 +131,42 @@ def elements(quantity: Quantity) -> list[tuple[str, Any, Any]]:
 
 
 def _alternatives(measurement: Measurement) -> Table:
-    table = grid("Single routes", "quantity", "route", "equation", "from", "value", left=4)
-    for name, routes in measurement.alternatives.items():
-        for route in routes:
-            value = with_u(route.value, route.u, UNITS.get(name, ""))
+    table = grid("Closed-form estimates", "estimator", "equation", "from", "value", left=3)
+    table.columns[0].no_wrap = True
+    for name, estimates in measurement.alternatives.items():
+        table.add_row(_heading(name))
+        for estimate in estimates:
+            value = with_u(estimate.value, estimate.u, UNITS.get(name, ""))
             if name == "psi_deg":
                 # Never without its interval: a millimetre of a gyradius turns it by tenths of a degree.
-                value += f" ({interval(route.interval_95, route.u)})"
-            table.add_row(name, spaced(route.method), route.equation, ", ".join(route.sources), value)
+                value += f" ({interval(estimate.interval_95, estimate.u)})"
+            method = spaced(estimate.method)
+            table.add_row(f"  {method}", estimate.equation, ", ".join(estimate.sources), value)
     return table
 
 
 def _budget(measurement: Measurement) -> Table:
-    table = grid("Where the uncertainty comes from", "quantity", "input", "contribution", left=2)
+    table = grid("Uncertainty budget", "input", "contribution", left=1)
     for name, lines in measurement.budget.items():
+        table.add_row(_heading(name))
         for line in lines[:BUDGET_ROWS]:
-            table.add_row(name, spaced(line.input), f"{line.u_contribution:.2g} {UNITS.get(name, '')}")
+            table.add_row(f"  {spaced(line.input)}", f"{line.u_contribution:.2g} {UNITS.get(name, '')}")
     return table
 
 
+def _heading(name: str) -> Text:
+    """A row of its own for what the rows below it are of."""
+    return Text(label(name), style="bold")
+
+
 def _consistency(measurement: Measurement) -> RenderableType:
-    table = grid("Consistency", "claim", "stated", "implied", "sigma", "from")
+    table = grid("Consistency tests", "tested", "stated", "implied", "sigma", "from")
     for claim in measurement.consistency:
         table.add_row(*_claim_cells(claim), style="bold red" if claim.flagged else "")
     flagged = [claim for claim in measurement.consistency if claim.flagged]
     said = [Text(f"  ! {claim.text}", style="red") for claim in flagged[:FLAGGED_SENTENCES]]
     rest = len(flagged) - len(said)
-    more = [Text(f"  ! {rest} more contradictions stand in red above", style="red")] if rest else []
+    more = [Text(f"  ! {rest} more contradictions are marked red above", style="red")] if rest else []
     return Group(table, *said, *more)
 
 
@@ -190,7 +174,7 @@ def _claim_cells(claim: Claim) -> tuple[str, ...]:
     stated = with_u(claim.stated, claim.stated_u)
     low, high = claim.sigma_range or (claim.sigma, claim.sigma)
     sigma = f"{high:.1f}" if claim.pairs == 1 else f"{low:.1f} … {high:.1f}"
-    return spaced(claim.claim), stated, with_u(claim.implied, claim.implied_u), sigma, claim.source
+    return label(claim.claim), stated, with_u(claim.implied, claim.implied_u), sigma, claim.source
 
 
 def _verdicts(measurement: Measurement) -> Table:
@@ -200,7 +184,7 @@ def _verdicts(measurement: Measurement) -> Table:
         limit = f"{verdict.relation} {verdict.limit:g}"
         band, probability = f"{verdict.guard_band:.2g}", f"{verdict.conformance_probability:.4f}"
         colour = colours.get(verdict.verdict, "yellow")
-        table.add_row(verdict.quantity, limit, band, probability, Text(verdict.verdict, style=colour))
+        table.add_row(label(verdict.quantity), limit, band, probability, Text(verdict.verdict, style=colour))
     return table
 
 

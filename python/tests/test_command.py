@@ -62,7 +62,7 @@ def test_json_file_has_the_bytes_of_the_api(tmp_path: Path) -> None:
     done = run("measure", path, "--json", target)
     assert done.returncode == 0, done.stderr
     assert target.read_text(encoding="utf-8").rstrip("\n") == gyradius.load(path).measure().to_json().rstrip("\n")
-    assert "k_yaw_m" in done.stdout
+    assert "Yaw gyradius" in done.stdout
 
 
 def test_json_has_the_keys_of_the_contract() -> None:
@@ -196,7 +196,7 @@ def test_terminal_gets_tables_and_nothing_breaks() -> None:
             break
         shown += block
     assert done.wait() == 0
-    assert b"k_yaw_m" in shown
+    assert b"Yaw gyradius" in shown
 
 
 # What a user can hand over that is not a session, and the words that must come back.

@@ -23,7 +23,7 @@ from conftest import TYPED, assert_refused, parsed, run, swing_csv
 from typer.testing import CliRunner
 
 import gyradius
-from gyradius import cli, practise_screen
+from gyradius import cli, practise_screen, tasks
 from gyradius.console import lookalike, output_console
 from gyradius.files import only_writer, write_whole
 
@@ -215,7 +215,7 @@ def test_markup_in_messages_and_while_the_work_runs(folder: Callable[..., Path])
 def test_any_encoding_is_readable(encoding: str, folder: Callable[..., Path]) -> None:
     session = folder(TYPED.replace("typed in", "Jürgens Böt — ψ 船"))
     environment = {**os.environ, "PYTHONIOENCODING": encoding, "COLUMNS": "200"}
-    done = subprocess.run([*COMMAND, "measure", str(session)], capture_output=True, env=environment, check=False)
+    done = subprocess.run([*COMMAND, "measure", "-v", str(session)], capture_output=True, env=environment, check=False)
     assert done.returncode == 0, done.stderr
     text = done.stdout.decode(encoding)
     assert "typed in" not in text
@@ -302,7 +302,7 @@ def test_ctrl_c_while_a_library_loads(module: str, tmp_path: Path) -> None:
 def test_ctrl_c_while_the_core_works_and_hears_nothing(tmp_path: Path) -> None:
     code = """
         import signal, time
-        from gyradius import cli
+        from gyradius import tasks
         from gyradius.__main__ import main
 
         def deaf(*_, **__):
@@ -310,7 +310,7 @@ def test_ctrl_c_while_the_core_works_and_hears_nothing(tmp_path: Path) -> None:
             print("here", flush=True)
             time.sleep(600)
 
-        cli.load = deaf
+        tasks.load = deaf
         main()
     """
     assert interrupted_when_told(code, "measure", KEELBOAT, cwd=tmp_path) == (130, INTERRUPTED)
@@ -324,7 +324,7 @@ def test_a_panic_of_the_core_is_one_line_and_status_70(monkeypatch: pytest.Monke
     def panics(*_: object, **__: object) -> None:
         raise PanicException("index out of bounds")
 
-    monkeypatch.setattr(cli, "load", panics)
+    monkeypatch.setattr(tasks, "load", panics)
     done = CliRunner().invoke(cli.app, ["measure", "x", "--json", "-"])
     assert done.exit_code == 70
     assert done.stderr.count("\n") == 1

@@ -104,7 +104,7 @@ def test_a_wrong_number_is_noticed(paper: Paper) -> None:
         assert replace(check, printed=wrong).verdict == "differs", check.label
 
 
-@pytest.mark.skipif(not PAPER_TEXT.is_file(), reason="the paper's text is not here")
+@pytest.mark.skipif(not PAPER_TEXT.is_file(), reason="no ../shared/paper beside this clone")
 def test_printed_numbers_stand_in_the_paper() -> None:
     numbers = set(re.findall(r"\d+(?:\.\d+)?", PAPER_TEXT.read_text(encoding="utf-8").replace(",", "")))
     whole = {number for number in numbers if "." not in number}

@@ -1,0 +1,91 @@
+"""What is missing, implausible or weak in a session, before anybody relies on it or starts a long run."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+
+from rich.console import Console
+from rich.padding import Padding
+from rich.text import Text
+
+from .labels import UNITS, label
+from .measurement import BudgetLine, Measurement, Quantity
+from .numbers import short
+from .summary import grave_findings, notes, show_result
+
+FORMAT = "gyradius-check/1"
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """The input that limits a quantity most, and its fraction of the variance."""
+
+    quantity: str
+    relative_u: float | None
+    input: str
+    u_contribution: float
+    fraction: float
+
+
+def limits(measurement: Measurement) -> tuple[Limit, ...]:
+    """The largest contribution to each scalar quantity that has a budget."""
+    found = []
+    for name, lines in measurement.budget.items():
+        quantity = measurement.quantities.get(name)
+        if quantity is not None and lines and not isinstance(quantity.value, tuple):
+            found.append(_limit(name, quantity, lines))
+    return tuple(found)
+
+
+def _limit(name: str, quantity: Quantity, lines: tuple[BudgetLine, ...]) -> Limit:
+    most = max(lines, key=lambda line: abs(line.u_contribution))
+    variance = sum(line.u_contribution**2 for line in lines)
+    # An angle has no size of its own to be compared with.
+    is_relative = bool(quantity.value) and UNITS.get(name) != "°"
+    return Limit(
+        quantity=name,
+        relative_u=quantity.u / abs(quantity.value) if is_relative else None,
+        input=most.input,
+        u_contribution=most.u_contribution,
+        fraction=most.u_contribution**2 / variance if variance else 0.0,
+    )
+
+
+def check_json(measurement: Measurement) -> str:
+    """Findings and limits as JSON."""
+    severe = [{"severity": severity, "text": text} for severity, text in grave_findings(measurement)]
+    noted = [{"severity": one.severity, "text": f"{one.text}. {one.advice}"} for one in notes(measurement)]
+    body = {
+        "format": FORMAT,
+        "title": measurement.title,
+        "findings": severe + noted,
+        "limits": [asdict(limit) for limit in limits(measurement)],
+    }
+    return json.dumps(body, ensure_ascii=False, indent=2)
+
+
+def show_check(console: Console, measurement: Measurement) -> None:
+    """What is wrong, what nothing would show, and what limits each quantity."""
+    show_result(console, measurement)
+    severe = [text for _, text in grave_findings(measurement)]
+    noted = [f"{finding.text}. {finding.advice}" for finding in notes(measurement)]
+    _section(console, "To mend", severe, "yellow")
+    _section(console, "To know", noted, "dim")
+    _section(console, "What limits each quantity", [_sentence(limit) for limit in limits(measurement)], "dim")
+    if not severe:
+        console.print(Text("Nothing is missing or implausible.", style="green"))
+
+
+def _section(console: Console, title: str, texts: list[str], style: str) -> None:
+    if texts:
+        console.print(Text(f"{title}:", style="bold"))
+    for text in texts:
+        console.print(Padding(Text("- ", style=style).append(text, style="default"), (0, 0, 0, 2)))
+
+
+def _sentence(limit: Limit) -> str:
+    """``Yaw gyradius, u 0.042 %: spacing (73 % of the variance)``."""
+    size = f", u {short(100.0 * limit.relative_u, 2)} %" if limit.relative_u is not None else ""
+    cause = limit.input.replace("_", " ")
+    return f"{label(limit.quantity)}{size}: {cause} ({100.0 * limit.fraction:.0f} % of the variance)"
