@@ -17,6 +17,7 @@ class Question:
     name: str
     of: str
     words: str
+    without: str = "leave out"
 
     @property
     def option(self) -> str:
@@ -50,7 +51,7 @@ KINDS = {
     "4": ("free", "anything else: periods and damping alone"),
 }
 DIRECTIONS = {"1": ("athwartships", "across the body"), "2": ("fore_and_aft", "along the body")}
-PHONE_PLACE = "place of the phone: forward, to port, up from the middle of the points (metres; three numbers)"
+PHONE_PLACE = "place of the phone: forward, to port, up from the middle of the points (metres, Enter: leave out)"
 Ask = Callable[[str], str]
 Say = Callable[[str], None]
 
@@ -85,7 +86,7 @@ class Dialogue:
         return self._asked(self._ask, question, is_required)
 
     def _asked(self, ask: Ask, question: Question, is_required: bool) -> Figure | None:
-        skip = "" if is_required else ", Enter: leave out"
+        skip = "" if is_required else f", Enter: {question.without}"
         while True:
             answer = ask(f"{question.words} ({question.of}{skip})").strip()
             if not answer and not is_required:
@@ -103,9 +104,7 @@ class Dialogue:
         if known is not None or self._ask is None:
             return known
         while True:
-            answer = self._ask(
-                "phone: forward, to port, up from the middle of the points (metres; three numbers)"
-            ).strip()
+            answer = self._ask(PHONE_PLACE).strip()
             if not answer:
                 return None
             try:

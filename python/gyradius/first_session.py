@@ -18,7 +18,6 @@ from .imports import SESSION_FILE, import_files, import_into
 from .session import load
 
 REPORT = "report.html"
-TILT = Question("hull_pitch", "degrees", "hung alike; tilt, bow up, where it was tilted otherwise")
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,8 +95,8 @@ def _tilt(dialogue: Dialogue, file: str, kind: str, known: Mapping[str, Figure |
     """The tilt of a further recording, where it hung otherwise than the first."""
     if kind not in ("bifilar", "compound") or known.get("hull_pitch") is not None:
         return None
-    words = f"{os.path.basename(file)}: {TILT.words}"
-    return dialogue.figure(Question(TILT.name, TILT.of, words), None, False)
+    words = f"{os.path.basename(file)}: tilt of the body, bow up, if it was another"
+    return dialogue.figure(Question("hull_pitch", "degrees", words, "hung as the first"), None, False)
 
 
 def _phone(dialogue: Dialogue, known: Known, body: Figure | None) -> Phone | None:

@@ -27,6 +27,8 @@ GYRADII = ("k_roll_m", "k_pitch_m", "k_yaw_m")
 DIGITS = 9
 # Moments of a flat body that miss the triangle inequality by rounding alone.
 SLACK = 1e-9
+# Masses by three axes that differ by no more than this are one, rounded.
+SAME_MASS = 1e-6
 # Elements of the matrix by their names, in the order of URDF and SDFormat.
 PLACES = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 FULL_INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
@@ -39,6 +41,8 @@ class RigidBody:
     title: str
     mass_kg: float
     inertia: Quantity
+    #: By how much the mass differs between the three axes, relative; only where the core averaged over solutions.
+    mass_spread: float
     #: Of the centre of mass below the suspension points; None where the swings do not determine it.
     depth: Quantity | None
     warnings: int
@@ -63,8 +67,10 @@ def rigid_body(measurement: Measurement) -> RigidBody:
     _check(inertia)
     # By the definition of a gyradius, I = m k². Where the core averages over solutions, the mean of k² exceeds the
     # square of the mean of k; the least of the three is the nearest.
-    mass_kg = min(float(inertia.value[i][i]) / found[name].value ** 2 for i, name in enumerate(GYRADII))
-    return RigidBody(measurement.title, mass_kg, inertia, found.get("cm_depth_m"), len(measurement.warnings))
+    masses_kg = [float(inertia.value[i][i]) / found[name].value ** 2 for i, name in enumerate(GYRADII)]
+    spread = max(masses_kg) / min(masses_kg) - 1.0
+    depth = found.get("cm_depth_m")
+    return RigidBody(measurement.title, min(masses_kg), inertia, spread, depth, len(measurement.warnings))
 
 
 def _missing(measurement: Measurement) -> str:
@@ -150,6 +156,8 @@ def _commented(body: RigidBody) -> Element:
 def _about_frame(body: RigidBody) -> list[str]:
     axes = "Axes: x forward, y to port, z up, of the hull as it hung level."
     mass = "Mass: as the session states it, less its attachments."
+    if body.mass_spread > SAME_MASS:
+        mass += f" Known to {100.0 * body.mass_spread:.2g} % only: the session contradicts itself."
     if body.depth is None:
         origin = "Origin: the centre of mass. Its depth below the suspension points is UNKNOWN: no swing determines it."
         return [axes, origin, mass]

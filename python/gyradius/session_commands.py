@@ -15,7 +15,7 @@ from .console import error_console, output_console
 from .dialogue import MASS, OPTIONAL, PHONE_MASS, REQUIRED, Dialogue, position
 from .first_session import REPORT, Known, Recordings, made_json, make_session, open_in_browser
 from .outcome import end_without_result, reason_without_result, reported, write_json
-from .summary import show_summary
+from .summary import show_summary, show_swings
 from .tasks import loaded, measured, write_report
 
 FIGURES = {one.name: one for kinds in (REQUIRED, OPTIONAL) for kind in kinds.values() for one in kind}
@@ -82,6 +82,8 @@ def new(
         for note in notes:
             console.print(f"  note: {note}", soft_wrap=True)
         measurement = measured(loaded(str(folder)))
+        console.print("Found:")
+        show_swings(console, measurement)
         show_summary(console, measurement)
         report = folder / REPORT
         write_report(measurement, report)

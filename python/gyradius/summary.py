@@ -57,6 +57,14 @@ def show_findings(console: Console, measurement: Measurement, most: int | None =
         console.print(Text(f"  {_count(rest, 'more warning')}: -v shows all", style="yellow"))
 
 
+def show_swings(console: Console, measurement: Measurement) -> None:
+    """A line for each swing: how long it swung freely, and the modes that were found in it."""
+    for swing in measurement.swings:
+        lasting = f"{swing.span_s[1] - swing.span_s[0]:.0f} s; " if swing.span_s else ""
+        modes = [f"{label(mode.mode)} {mode.period_s:.4g} s" for mode in swing.modes if not mode.parasitic]
+        console.print(Text(f"  {swing.id}: {lasting}{', '.join(modes) or 'no oscillation found'}"))
+
+
 def grave_findings(measurement: Measurement) -> list[tuple[str, str]]:
     """Severity and text of what a reader must know, the gravest first.
 

@@ -369,3 +369,12 @@ def test_command_on_what_gives_modes_alone(tmp_path: Path, folder: Callable[...,
 
 def test_the_choices_of_the_command_are_the_tables() -> None:
     assert [table.value for table in Table] == list(TABLES)
+
+
+def test_a_mass_that_the_axes_do_not_agree_on_is_told(keelboat: gyradius.Measurement) -> None:
+    """1 % of a gyradius is 2 % of the mass."""
+    measurement = made_of_points(keelboat)
+    assert "Known to" not in measurement.to_urdf()
+    k = measurement.quantities["k_yaw_m"]
+    other = {**measurement.quantities, "k_yaw_m": replace(k, value=k.value / 1.01)}
+    assert "Known to 2 % only" in replace(measurement, quantities=other).to_urdf()

@@ -126,6 +126,8 @@ def test_recordings_become_a_result_and_a_report(recorded: Path, tmp_path: Path)
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
     assert any(line.startswith("  Yaw gyradius") for line in lines)
+    # The rig's yaw takes 4.391 s, Table 1 of the paper.
+    assert any(line.startswith("  yaw-sway: ") and "yaw 4.39" in line for line in lines), lines
     assert (tmp_path / "boat" / "report.html").read_text(encoding="utf-8").startswith("<!")
     found = json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))
     assert found["report"].endswith("report.html")
