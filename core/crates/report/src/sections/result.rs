@@ -17,13 +17,17 @@ pub(super) fn write(source: &ReportSource, out: &mut Markup) {
     let headline = Headline::of(source);
     out.within("section", &[("id", "result")], |out| {
         out.element("h2", &[], &out.say("result"));
-        quantities(&headline, out);
-        verdicts(&headline, out);
-        if let Some(criticism) = source.criticised() {
-            critique::verdict(&criticism.critique, out);
-        }
-        warnings(source, out);
-        figures(out, pictures::rig(source).as_slice());
+        out.within("div", &[("class", "columns")], |out| {
+            out.within("div", &[], |out| {
+                quantities(&headline, out);
+                verdicts(&headline, out);
+                if let Some(criticism) = source.criticised() {
+                    critique::verdict(&criticism.critique, out);
+                }
+                warnings(source, out);
+            });
+            figures(out, pictures::rig(source).as_slice());
+        });
         tensor(&headline, out);
     });
 }
