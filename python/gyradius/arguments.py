@@ -11,23 +11,23 @@ from typing import Annotated, Any
 
 import typer
 
-SessionPath = Annotated[str, typer.Argument(metavar="SESSION", help="Session folder, session zip, or a recording.")]
+SessionPath = Annotated[str, typer.Argument(metavar="SESSION", help="Session folder, session zip or bare recording.")]
 Json = Annotated[
     str | None,
-    typer.Option("--json", metavar="FILE", help="Write the same numbers as JSON (- for standard output)."),
+    typer.Option("--json", metavar="FILE", help="Also write the numbers as JSON (- for standard output)."),
 ]
 Limits = Annotated[
     list[str] | None,
-    typer.Option("--limit", metavar="LIMIT", help="Class limit such as k_pitch>=1.100; may be repeated."),
+    typer.Option("--limit", metavar="LIMIT", help="Class limit, such as k_pitch>=1.100; repeatable."),
 ]
 Map = Annotated[
     list[str] | None,
-    typer.Option("--map", metavar="FIELD=COLUMN:UNIT", help="A column of a CSV that is not recognised; repeat."),
+    typer.Option("--map", metavar="FIELD=COLUMN:UNIT", help="Column of an unrecognised table; repeatable."),
 ]
 
 
 class Suspension(str, Enum):
-    """How it hung."""
+    """How the body hung."""
 
     bifilar = "bifilar"
     compound = "compound"
@@ -56,12 +56,18 @@ class Language(str, Enum):
     de = "de"
 
 
-# Units that may follow a number, by what is asked for, in SI units or degrees; the first is that of a number alone.
+# Units that may follow a number, by kind of figure, in SI units or degrees; the first is the default.
 UNITS = {
     "metres": {"m": "1", "cm": "0.01", "mm": "0.001", "in": "0.0254", "ft": "0.3048"},
-    "kilograms": {"kg": "1", "g": "0.001", "t": "1000", "lb": "0.45359237"},
+    "kilograms": {"kg": "1", "g": "0.001", "t": "1000", "lb": "0.45359237", "lbs": "0.45359237"},
     "degrees": {"deg": "1", "°": "1"},
     "m/s²": {"m/s²": "1", "m/s2": "1"},
+}
+EXAMPLES = {
+    "metres": "3.477, 347.7cm or 3.477:0.006",
+    "kilograms": "622.7, 622.7kg or 622.7:0.5",
+    "degrees": "12.5 or 12.5:0.2",
+    "m/s²": "9.81 or 9.8127:0.0005",
 }
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 UNIT = r"[^\d\s:±,.+-]\S*?"
@@ -72,28 +78,30 @@ DECIMAL_COMMA = re.compile(r"(\d),(\d)")
 
 @dataclass(frozen=True)
 class Figure:
-    """A number that somebody states, SI or degrees, with one standard uncertainty where one is stated."""
+    """A stated number in SI units or degrees, with its standard uncertainty if one is stated."""
 
     value: float
     u: float | None
 
     def stated(self) -> float | tuple[float, float]:
-        """As an import takes it: without an uncertainty it gets the usual one of its kind."""
+        """For an import: a figure without an uncertainty gets the usual one of its kind."""
         return self.value if self.u is None else (self.value, self.u)
 
     def exact(self) -> tuple[float, float]:
-        """As a plan takes it: without an uncertainty it is exact."""
+        """For a plan: a figure without an uncertainty is exact."""
         return self.value, self.u or 0.0
 
 
 def figure(text: str, of: str) -> Figure:
     """``3.477``, ``3.477:0.006``, ``347.7cm ± 6mm``; ``of`` is a key of :data:`UNITS`.
 
-    A unit after the first number alone is that of both. ValueError says what was expected and how to write it.
+    A unit after the first number alone applies to both. ValueError says what was expected and how to write it.
     """
     known = UNITS[of]
     found = FIGURE.fullmatch(text)
-    units = (found[2] or next(iter(known)), found[4] or found[2] or next(iter(known))) if found else ("", "")
+    first = next(iter(known))
+    written = (found[2] or first, found[4] or found[2] or first) if found else ("", "")
+    units = [unit.lower() for unit in written]
     if not found or any(unit not in known for unit in units):
         raise ValueError(_expected(text, of))
     value, u = _scaled(found[1], known[units[0]]), found[3]
@@ -104,19 +112,17 @@ def figure(text: str, of: str) -> Figure:
 
 
 def _scaled(number: str, factor: str) -> float:
-    """Exact in decimals: 150.3 cm are 1.503 m, no digit more."""
+    """Exact in decimals: 150.3 cm is 1.503 m, without a rounding error."""
     return float(Decimal(number) * Decimal(factor))
 
 
 def _expected(text: str, of: str) -> str:
-    first, *others = UNITS[of]
-    small = f", 347.7{others[0]}" if of == "metres" else ""
     point = DECIMAL_COMMA.sub(r"\1.\2", text)
-    hint = "" if point == text else f"; the decimal sign is a point: {point}"
+    hint = "" if point == text or "." in text else f"; write a decimal point: {point}"
     accepted = ", ".join(UNITS[of])
     return (
-        f"expected {of}, such as 3.477{small} or 3.477:0.006 with one standard uncertainty after a colon "
-        f"(units: {accepted}; {first} where none is written), found `{text}`{hint}"
+        f"expected {of}, such as {EXAMPLES[of]} with one standard uncertainty after a colon "
+        f"(units: {accepted}; {next(iter(UNITS[of]))} where none is written), found `{text}`{hint}"
     )
 
 
@@ -136,19 +142,19 @@ def stated(of: str, note: str) -> Any:
 
 
 def stated_value(option: str, text: str | None, of: str) -> float | tuple[float, float] | None:
-    """As an import takes the figure of an option."""
+    """The figure of an option, for an import."""
     found = given(option, text, of)
     return None if found is None else found.stated()
 
 
 def exact_value(option: str, text: str | None, of: str) -> tuple[float, float] | None:
-    """As a plan takes it."""
+    """The figure of an option, for a plan."""
     found = given(option, text, of)
     return None if found is None else found.exact()
 
 
 def plain_value(option: str, text: str | None, of: str) -> float | None:
-    """A figure of which no uncertainty is asked."""
+    """The figure of an option that takes no uncertainty."""
     found = given(option, text, of)
     if found is not None and found.u is not None:
         raise typer.BadParameter(f"expected one number, found `{text}`", param_hint=option)
@@ -156,5 +162,5 @@ def plain_value(option: str, text: str | None, of: str) -> float | None:
 
 
 def with_uncertainty(found: Figure | None) -> dict[str, float] | None:
-    """As the request of a plan holds it."""
+    """A figure in the form that a plan's request holds."""
     return None if found is None else {"value": found.value, "u": found.u or 0.0}

@@ -23,7 +23,7 @@ from .measurement import FORMAT, Measurement
 
 NO_RESULT = 1
 BAD_INPUT = 2
-# Not one of the statuses of the contract: a mistake of this program (EX_SOFTWARE of sysexits.h).
+# Not one of the statuses of the contract: an internal error (EX_SOFTWARE of sysexits.h).
 INTERNAL = 70
 # What the core raises when one of its own assertions fails; the class cannot be imported.
 PANIC = "PanicException"
@@ -56,6 +56,8 @@ def _end(error: BaseException, errors: Console, json_to: str | None, form: str) 
     if isinstance(error, BrokenPipeError):
         silence_standard_output()
         raise typer.Exit(0) from None
+    if isinstance(error, typer.BadParameter) and json_to is not None:
+        write_json(error_json(form, error.message, BAD_INPUT, None, None), json_to)
     if isinstance(error, typer.Exit | typer.Abort | typer.BadParameter):
         raise error
     if isinstance(error, GyradiusError):
@@ -70,7 +72,7 @@ def _end(error: BaseException, errors: Console, json_to: str | None, form: str) 
     if not (is_panic or isinstance(error, Exception)) or os.environ.get("GYRADIUS_TRACEBACK"):
         raise error
     found = f"the core failed: {error}" if is_panic else f"{type(error).__name__}: {error}"
-    _fail(errors, json_to, form, f"a mistake of this program, please report it: {found}", INTERNAL)
+    _fail(errors, json_to, form, f"internal error; please report it: {found}", INTERNAL)
 
 
 def _of_system(error: OSError) -> str:
@@ -109,7 +111,7 @@ def write_json(text: str, target: str) -> None:
 
 
 def error_json(form: str, message: str, status: int, file: str | None, line: int | None) -> str:
-    """The result that there is not: the reason in its place."""
+    """The JSON in place of a result: the reason why there is none."""
     return json.dumps({"format": form, "error": _error(message, status, file, line)}, ensure_ascii=False, indent=2)
 
 

@@ -1,4 +1,4 @@
-"""The first screen of a measurement: what was found, and what to look at before one relies on it."""
+"""The first screen of a measurement: the result, and what to check before relying on it."""
 
 from __future__ import annotations
 
@@ -13,20 +13,21 @@ from .labels import LABELS, UNITS, label
 from .measurement import Finding, Measurement, SwingResult, Verdict
 from .numbers import interval, with_u
 
-# Shown unasked; the rest is in the details.
+# How many warnings are shown without -v.
+NARROW = 76
 FINDINGS = 4
-# The gravest first; what is only noted is a detail.
+# The most severe first; notes are shown with -v.
 GRAVE = {"refused": "not given", "widened": "uncertainty widened", "warned": "warning"}
 COLOURS = {"refused": "bold red", "widened": "yellow", "warned": "yellow"}
 VERDICTS = {"pass": "green", "fail": "bold red"}
 
 
-def show_summary(console: Console, measurement: Measurement) -> None:
-    """The result, then the findings that matter."""
+def show_summary(console: Console, measurement: Measurement, details: str = "-v") -> None:
+    """The result, then the findings that matter; ``details`` is how to see the rest."""
     show_result(console, measurement)
     show_findings(console, measurement, FINDINGS)
     hidden = _hidden(measurement)
-    console.print(Text(f"Details (-v): {hidden}.", style="dim"))
+    console.print(Text(f"Details ({details}): {hidden}.", style="dim"))
 
 
 def show_brief(console: Console, measurement: Measurement) -> None:
@@ -40,14 +41,19 @@ def show_brief(console: Console, measurement: Measurement) -> None:
 def show_result(console: Console, measurement: Measurement) -> None:
     """Title, quantities, verdicts on limits and what they rest on."""
     console.print(Text(measurement.title or "measurement", style="bold"))
-    console.print(Padding(_result(measurement), (0, 0, 0, 2)))
+    rows = list(_rows(measurement))
+    if console.width < NARROW:
+        for row in rows:
+            console.print(Text("  " + " ".join(filter(None, row))), soft_wrap=False)
+    else:
+        console.print(Padding(_table(rows), (0, 0, 0, 2)))
     for verdict in measurement.verdicts:
         console.print(_verdict(verdict))
     console.print(Text(f"  {basis(measurement)}", style="dim"))
 
 
 def show_findings(console: Console, measurement: Measurement, most: int | None = None) -> None:
-    """Findings by severity, each with what to do; at most so many."""
+    """Findings by severity, each with advice; ``most`` limits how many."""
     found = grave_findings(measurement)
     for severity, text in found[:most]:
         line = Text(f"{GRAVE[severity].capitalize()}: ", style=COLOURS[severity])
@@ -58,7 +64,7 @@ def show_findings(console: Console, measurement: Measurement, most: int | None =
 
 
 def show_swings(console: Console, measurement: Measurement) -> None:
-    """A line for each swing: how long it swung freely, and the modes that were found in it."""
+    """One line per swing: how long it swung freely, and the modes found in it."""
     for swing in measurement.swings:
         lasting = f"{swing.span_s[1] - swing.span_s[0]:.0f} s; " if swing.span_s else ""
         modes = [f"{label(mode.mode)} {mode.period_s:.4g} s" for mode in swing.modes if not mode.parasitic]
@@ -66,9 +72,9 @@ def show_swings(console: Console, measurement: Measurement) -> None:
 
 
 def grave_findings(measurement: Measurement) -> list[tuple[str, str]]:
-    """Severity and text of what a reader must know, the gravest first.
+    """Severity and text of the warnings, the most severe first.
 
-    A contradiction is told once: what the single tests of it say is in the table of consistency.
+    A contradiction is reported once; its individual tests are in the table of consistency tests.
     """
     found = [(finding.severity, _told(finding)) for finding in measurement.findings if finding.severity in GRAVE]
     known = [text for _, text in found]
@@ -82,7 +88,7 @@ def grave_findings(measurement: Measurement) -> list[tuple[str, str]]:
 
 
 def notes(measurement: Measurement) -> list[Finding]:
-    """What is only noted."""
+    """The findings that are only notes."""
     return [finding for finding in measurement.findings if finding.severity not in GRAVE]
 
 
@@ -99,24 +105,29 @@ def basis(measurement: Measurement) -> str:
     return "; ".join(parts)
 
 
-def _result(measurement: Measurement) -> Table:
+def _table(rows: Iterable[tuple[str, ...]]) -> Table:
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     for justify in ("left", "right", "left", "left"):
         table.add_column(justify=justify, no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
+    return table
+
+
+def _rows(measurement: Measurement) -> Iterable[tuple[str, ...]]:
+    """Name, value, unit and interval of each scalar quantity; of the modes where there is none."""
     if not measurement.quantities:
-        for row in _modes(measurement.swings):
-            table.add_row(*row)
+        yield from _modes(measurement.swings)
     for name in sorted(measurement.quantities, key=_rank):
         quantity = measurement.quantities[name]
         if not isinstance(quantity.value, tuple):
             bounds = interval(quantity.interval_95, quantity.u)
             value = with_u(quantity.value, quantity.u)
-            table.add_row(label(name), value, UNITS.get(name, ""), bounds and f"95 %: {bounds}")
-    return table
+            yield label(name), value, UNITS.get(name, ""), bounds and f"95 %: {bounds}"
 
 
 def _rank(name: str) -> int:
-    """The order in which people ask for quantities; what is not in it comes last."""
+    """The usual order of quantities; an unknown one comes last."""
     order = list(LABELS)
     return order.index(name) if name in order else len(order)
 

@@ -22,6 +22,8 @@ FORMS = (".html", ".htm", ".pdf")
 
 def report_form(output: Path) -> str:
     """The end of a report's name; InputError where it is that of another document."""
+    if str(output) == "-":
+        raise _core.InputError("-o: a report goes to a file whose name ends in .html or .pdf")
     form = output.suffix.lower()
     if form and form not in FORMS:
         raise _core.InputError(f"{output}: expected a name that ends in .html or .pdf")

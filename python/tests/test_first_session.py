@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 from collections.abc import Callable, Iterator
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from conftest import assert_refused, run
+from rich.console import Console
 from typer.testing import CliRunner
 
 import gyradius
@@ -17,6 +19,7 @@ from gyradius.arguments import Figure, figure
 from gyradius.checking import limits
 from gyradius.cli import app
 from gyradius.dialogue import Dialogue, Question, hanging, position
+from gyradius.summary import show_summary
 
 LINE = Question("line_length", "metres", "length of the lines")
 
@@ -98,6 +101,10 @@ def test_what_is_stated_is_not_asked() -> None:
 
 def test_without_a_terminal_the_options_that_are_missing_are_named(recorded: Path, tmp_path: Path) -> None:
     done = run("new", recorded / "yaw-sway.csv", "-o", tmp_path / "s")
+    assert_refused(done, 2, "--suspension", "bifilar")
+    done = run("new", recorded / "yaw-sway.csv", "-o", tmp_path / "s", "--suspension", "bifilar")
+    assert_refused(done, 2, "--orientation", "athwartships")
+    done = run("new", recorded / "yaw-sway.csv", "-o", tmp_path / "s", *HUNG)
     assert_refused(done, 2, "--line-length", "metres")
     assert not (tmp_path / "s").exists()
 
@@ -116,7 +123,8 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-FIGURES = ("--line-length", "347.7cm:3mm", "--spacing", "1.8:0.001", "--mass", "622.7:0.5", "--no-open")
+HUNG = ("--suspension", "bifilar", "--orientation", "athwartships")
+FIGURES = (*HUNG, "--line-length", "347.7cm:3mm", "--spacing", "1.8:0.001", "--mass", "622.7:0.5", "--no-open")
 
 
 def test_recordings_become_a_result_and_a_report(recorded: Path, tmp_path: Path) -> None:
@@ -158,7 +166,7 @@ def test_the_questions_on_a_terminal(recorded: Path, tmp_path: Path, monkeypatch
     monkeypatch.setattr(session_commands, "is_terminal", lambda json: True)
     monkeypatch.setattr(session_commands, "open_in_browser", opened.append)
     files = [str(recorded / "yaw-sway.csv"), str(recorded / "surge-pitch.csv")]
-    given = "\n".join(["1", "1", "3.477:0.003", "1.8", "", "", "", ""]) + "\n"
+    given = "\n".join(["1", "1", "3.477:0.003", "-1.8", "1.8", "", "", "", "", ""]) + "\n"
     done = CliRunner().invoke(app, ["new", *files, "-o", str(tmp_path / "asked")], input=given)
     assert done.exit_code == 0, done.output
     assert opened == [tmp_path / "asked" / "report.html"]
@@ -216,3 +224,62 @@ def test_the_demo_fits_on_a_screen(tmp_path: Path) -> None:
     done = run("demo", "-o", tmp_path)
     assert done.returncode == 0, done.stderr
     assert len(done.stdout.splitlines()) <= 40
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--axis-height", "1.2"), ("--axis-height", "bifilar")),
+        (("--spacing", "-1.8"), ("--spacing", "above 0")),
+        (("--line-length", "3.477:4"), ("--line-length", "uncertainty below")),
+        (("--hull-pitch", "100"), ("--hull-pitch", "below 90")),
+        (("--phone-mass", "800", "--phone-position", "0 0 0"), ("--phone-mass", "not less")),
+        (("--phone-mass", "0.2"), ("--phone-position",)),
+    ],
+)
+def test_what_no_body_can_have_is_refused_and_leaves_nothing(
+    options: tuple[str, ...], words: tuple[str, ...], recorded: Path, tmp_path: Path
+) -> None:
+    done = run("new", recorded / "yaw-sway.csv", "-o", tmp_path / "s", *FIGURES, *options)
+    assert_refused(done, 2, *words)
+    assert not (tmp_path / "s").exists()
+
+
+def test_what_cannot_end_well_is_refused_before_anything_is_asked(recorded: Path, tmp_path: Path) -> None:
+    one, other = recorded / "yaw-sway.csv", recorded / "surge-pitch.csv"
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "letter.txt").write_text("dear")
+    for words, args in {
+        "twice": [one, one, "-o", tmp_path / "s"],
+        "missing.zip": [one, tmp_path / "missing.zip", "-o", tmp_path / "s"],
+        "--replace": [one, "-o", tmp_path / "full"],
+        "every recording": [one, other, "-o", tmp_path / "s", "--hull-pitch", "12"],
+    }.items():
+        assert_refused(run("new", *args, *FIGURES), 2, words)
+        assert not (tmp_path / "s").exists()
+
+
+def test_json_holds_the_reason_of_a_figure_that_cannot_be_read(recorded: Path) -> None:
+    done = run("new", recorded / "yaw-sway.csv", "--spacing", "1,8", "--json", "-")
+    assert done.returncode == 2
+    error = json.loads(done.stdout)["error"]
+    assert error["kind"] == "input"
+    assert "1.8" in error["message"]
+
+
+def test_the_end_of_the_input_ends_the_questions(
+    recorded: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(session_commands, "is_terminal", lambda json: True)
+    arguments = ["new", str(recorded / "yaw-sway.csv"), "-o", str(tmp_path / "s")]
+    assert CliRunner().invoke(app, arguments, input="1\n").exit_code == 130
+    assert not (tmp_path / "s").exists()
+
+
+def test_a_narrow_terminal_cuts_no_figure() -> None:
+    session = gyradius.shipped_session("keelboat")
+    value = gyradius.load(session).measure().quantities["k_yaw_m"]
+    console = Console(width=40, file=io.StringIO())
+    show_summary(console, gyradius.load(session).measure())
+    shown = " ".join(console.file.getvalue().split())  # type: ignore[attr-defined]
+    assert f"{value.value:.4f} ± {value.u:.4f} m" in shown
