@@ -1,4 +1,4 @@
-"""The core on arrays: oscillations in any record, and the paper's routes one by one."""
+"""The core on arrays: oscillations in any record, and the paper's equations one by one."""
 
 from __future__ import annotations
 
@@ -76,14 +76,14 @@ class Decomposition:
 def decompose(t_s: ArrayLike, channels: Sequence[ArrayLike]) -> Decomposition:
     """Find the damped oscillations of channels that share one clock.
 
-    Arrays that are contiguous float64 cross without a copy.
+    Contiguous float64 arrays are passed without a copy.
 
     Args:
         t_s: Time stamps, s (N); they need not be evenly spaced.
         channels: C arrays of readings, each in any unit (N).
 
     Returns:
-        The oscillations; how many there are is decided from the data.
+        The oscillations; the data decide how many.
 
     Raises:
         InputError: The arrays differ in length, or the stamps do not rise.
@@ -108,13 +108,13 @@ def routes() -> list[dict[str, Any]]:
     """The equations of the paper that can be evaluated one by one.
 
     Returns:
-        For each its ``name``, ``equation``, ``inputs`` and ``outputs``; units are in the names.
+        The ``name``, ``equation``, ``inputs`` and ``outputs`` of each; units are in the names.
     """
     return list(json.loads(_core.routes()))
 
 
 def evaluate_route(name: str, inputs: Mapping[str, float]) -> dict[str, float]:
-    """One equation of the paper for given inputs.
+    """Evaluate one equation of the paper.
 
     Args:
         name: One of the names of ``routes()``.
@@ -124,7 +124,7 @@ def evaluate_route(name: str, inputs: Mapping[str, float]) -> dict[str, float]:
         The outputs by name, in the unit that the name ends in.
 
     Raises:
-        InputError: There is no such route, or an input is missing or not possible.
+        InputError: There is no such route, or an input is missing or impossible.
     """
     return _core.evaluate_route(name, {key: float(value) for key, value in inputs.items()})
 

@@ -1,4 +1,4 @@
-"""What is missing, implausible or weak in a session, before anybody relies on it or starts a long run."""
+"""What is missing, implausible or weak in a session, to be checked before a long run or a report."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def limits(measurement: Measurement) -> tuple[Limit, ...]:
 def _limit(name: str, quantity: Quantity, lines: tuple[BudgetLine, ...]) -> Limit:
     most = max(lines, key=lambda line: abs(line.u_contribution))
     variance = sum(line.u_contribution**2 for line in lines)
-    # An angle has no size of its own to be compared with.
+    # An uncertainty relative to an angle means nothing.
     is_relative = bool(quantity.value) and UNITS.get(name) != "°"
     return Limit(
         quantity=name,
@@ -66,12 +66,12 @@ def check_json(measurement: Measurement) -> str:
 
 
 def show_check(console: Console, measurement: Measurement) -> None:
-    """What is wrong, what nothing would show, and what limits each quantity."""
+    """Print the result, what to fix, what to note, and what limits each quantity."""
     show_result(console, measurement)
     severe = [text for _, text in grave_findings(measurement)]
     noted = [f"{finding.text}. {finding.advice}" for finding in notes(measurement)]
-    _section(console, "To mend", severe, "yellow")
-    _section(console, "To know", noted, "dim")
+    _section(console, "To fix", severe, "yellow")
+    _section(console, "To note", noted, "dim")
     _section(console, "What limits each quantity", [_sentence(limit) for limit in limits(measurement)], "dim")
     if not severe:
         console.print(Text("Nothing is missing or implausible.", style="green"))

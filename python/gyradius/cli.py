@@ -56,24 +56,22 @@ def every_command(
         bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Show the version and exit.")
     ] = False,
 ) -> None:
-    """Inertia of a hull hung on two lines, from the recordings of a phone that swings with it."""
+    """Measure the inertia of a hull hung on two lines, from the recordings of a phone that swings with it."""
 
 
 @app.command()
 def demo(
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where reports and JSON go.")] = Path(
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for reports and JSON.")] = Path(
         "gyradius-demo"
     ),
-    critique: Annotated[
-        bool, typer.Option("--critique", help="Criticise the simulation too: minutes, not seconds.")
-    ] = False,
+    critique: Annotated[bool, typer.Option("--critique", help="Also criticise the simulation; takes minutes.")] = False,
     json: Json = None,
 ) -> None:
-    """Run the main job on the sessions that come with the package."""
+    """Measure the sessions that ship with the package and write their reports."""
     with reported(error_console(), json):
         sessions = shipped_sessions()
         if not sessions:
-            raise _core.InputError("no sessions came with this package")
+            raise _core.InputError("this package contains no sessions: install it again")
         output.mkdir(parents=True, exist_ok=True)
         console = output_console(json)
         found = {name: _demo_one(console, name, path, output, critique) for name, path in sessions.items()}
@@ -91,10 +89,11 @@ def measure(
     limit: Limits = None,
     map_: Map = None,
     verbose: Annotated[
-        bool, typer.Option("-v", "--verbose", help="Swings, estimators, uncertainty budget and consistency tests too.")
+        bool,
+        typer.Option("-v", "--verbose", help="Also show swings, estimates, uncertainty budget and consistency tests."),
     ] = False,
 ) -> None:
-    """Gyradii, centre of mass and principal axes with uncertainties; what to look at first."""
+    """Measure gyradii, centre of mass and principal axes, with uncertainties and warnings."""
     with reported(error_console(), json):
         measurement = measured(loaded(session, map_), limit)
         reason = written(measurement, json)
@@ -109,10 +108,10 @@ def critique(
     json: Json = None,
     by_sets: Annotated[
         bool,
-        typer.Option("--by-sets", help="Weigh all sets of causes at once, not one cause after another (being tried)."),
+        typer.Option("--by-sets", help="Weigh all sets of causes at once instead of one by one (experimental)."),
     ] = False,
 ) -> None:
-    """What the simulation gets wrong, why, the extended model and the gain."""
+    """Find what the simulation gets wrong and why, and extend it; takes minutes."""
     with reported(error_console(), json, CRITIQUE):
         found = criticised(loaded(session), by_sets)
         if json is not None:
@@ -125,16 +124,16 @@ def report(
     session: SessionPath,
     output: Annotated[
         Path,
-        typer.Option("-o", "--output", metavar="FILE", help="The report: .html, or PDF where it ends in .pdf."),
+        typer.Option("-o", "--output", metavar="FILE", help="The report: .html or .pdf."),
     ],
     json: Json = None,
     limit: Limits = None,
     critique: Annotated[
-        bool, typer.Option("--critique/--no-critique", help="With what the simulation gets wrong, which takes minutes.")
+        bool, typer.Option("--critique/--no-critique", help="Include the criticism of the simulation; takes minutes.")
     ] = True,
     language: Annotated[Language, typer.Option(help="The report's language: English or German.")] = Language.en,
 ) -> None:
-    """Write one self-contained HTML file with pictures, or a PDF."""
+    """Write the report as a self-contained HTML file with pictures, or as a PDF."""
     with reported(error_console(), json):
         report_form(output)
         can_be_written(output)
@@ -160,12 +159,12 @@ def simulate(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="The session folder to write.")],
     seed: Annotated[int | None, typer.Option(metavar="N", min=0, max=2**64 - 1, help="Of all chance.")] = None,
     truth: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="What is true; DIR.truth.json where it is left out.")
+        Path | None, typer.Option(metavar="FILE", help="File for the true values (default: DIR.truth.json).")
     ] = None,
     replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
     json: Json = None,
 ) -> None:
-    """Write a session that was never swung, and beside it what is true."""
+    """Write a synthetic session, and the true values beside it."""
     with reported(error_console(), json):
         with working(error_console(), f"simulating {rig}"):
             file, drawn = heard_during(read_rig(rig).write, output, truth=truth, seed=seed, replace=replace)
@@ -180,33 +179,34 @@ def simulate(
 @app.command()
 def practise(
     rig: Annotated[
-        str | None, typer.Argument(metavar="RIG", help="The hull to practise on; the keelboat that ships otherwise.")
+        str | None, typer.Argument(metavar="RIG", help="The hull to practise on (default: the keelboat that ships).")
     ] = None,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Where everything goes.")] = Path(
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for everything.")] = Path(
         "gyradius-practice"
     ),
     speed: Annotated[
-        float | None, typer.Option(metavar="X", min=0.01, help="Times real time: 1, or as fast as can be by itself.")
+        float | None,
+        typer.Option(
+            metavar="X", min=0.01, help="Multiple of real time (default: 1; with --auto, as fast as possible)."
+        ),
     ] = None,
-    auto: Annotated[bool, typer.Option("--auto", help="A careful operator plays it; nothing is asked.")] = False,
+    auto: Annotated[bool, typer.Option("--auto", help="Play a careful operator; ask nothing.")] = False,
     seed: Annotated[int | None, typer.Option(metavar="N", min=0, max=2**64 - 1, help="Of all chance.")] = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Go on with what was left in DIR.")] = False,
+    resume: Annotated[bool, typer.Option("--resume", help="Continue what was left in DIR.")] = False,
     mishap: Annotated[
         list[str] | None,
         typer.Option(
             metavar="STEP:TAKE:WHAT",
-            help="Let go wrong: bad_release, sway, touch, slip or silence, as in yaw-sway:1:touch; repeat.",
+            help="Make a recording go wrong (yaw-sway:1:touch): bad_release, sway, touch, slip, silence; repeatable.",
         ),
     ] = None,
-    critique: Annotated[
-        bool, typer.Option("--critique", help="Criticise the result too, which takes minutes.")
-    ] = False,
+    critique: Annotated[bool, typer.Option("--critique", help="Also criticise the simulation; takes minutes.")] = False,
     json: Json = None,
 ) -> None:
     """Practise the whole measurement on a simulated hull, from hanging it to the result."""
     with reported(error_console(), json):
         if not auto and not (sys.stdin.isatty() and sys.stdout.isatty()):
-            raise _core.InputError("practise: expected a terminal, or --auto, which asks nothing")
+            raise _core.InputError("practise: needs a terminal; without one use --auto, which asks nothing")
         with only_writer(output):
             practice = Practice(read_rig(rig or shipped_rigs()["keelboat"]), output, seed=seed, resume=resume)
             for one in mishap or []:
@@ -216,7 +216,7 @@ def practise(
             try:
                 play(console, practice, speed=speed, auto=auto, critique=critique)
             except Left:
-                console.print(f"Left; go on with: gyradius practise -o {output} --resume")
+                console.print(f"Stopped. To continue: gyradius practise -o {output} --resume")
                 raise typer.Exit(0) from None
             if practice.state["result"] is None:
                 raise _core.NoResultError(practice.state["instruction"]["english"])
@@ -238,7 +238,7 @@ def _mishap(text: str) -> tuple[str, int, str]:
 
 @app.command()
 def routes(json: Json = None) -> None:
-    """List the paper's equations and what each needs."""
+    """List the paper's equations and the inputs of each."""
     with reported(error_console(), json):
         found = catalogue()
         if json is not None:
@@ -273,7 +273,7 @@ def _demo_one(console: Console, name: str, path: Path, output: Path, critique: b
 
 
 def _joined(measured: dict[str, Measurement]) -> str:
-    # The core's own texts, put side by side without reading a number.
+    # The core's own JSON texts, joined without parsing a number.
     members = ",\n".join(f'"{name}": {measurement.to_json()}' for name, measurement in measured.items())
     return "{\n" + members + "\n}"
 
@@ -281,6 +281,6 @@ def _joined(measured: dict[str, Measurement]) -> str:
 def run() -> None:
     """Run the command."""
     if not os.environ.get("GYRADIUS_TRACEBACK"):
-        # A panic becomes an exception, which is told in one line.
+        # A panic becomes an exception, which is reported in one line.
         _core.silence_panics()
     app(prog_name="gyradius")

@@ -1,4 +1,4 @@
-"""What the simulation gets wrong, why, and what mending it gains: views over the JSON that the core writes.
+"""What the simulation gets wrong, why, and what extending it gains: views of the JSON that the core writes.
 
 Keys are spelled as in ``gyradius-critique/1``; a key that this version does not know is ignored here and kept in
 ``Critique.to_json()``, which gives the core's own bytes.
@@ -180,11 +180,11 @@ class SwingTrace:
 
 @dataclass(frozen=True, repr=False)
 class Critique:
-    """What the simulation gets wrong, why, and what mending it gains: ``gyradius.load("yngling").critique()``.
+    """What the simulation gets wrong, why, and what extending it gains: ``gyradius.load("yngling").critique()``.
 
     ``verdict`` names the causes, ``causes`` are all that were tried, with their probabilities. ``baseline`` and
     ``extended`` hold the quantities without and with the causes named; ``discrepancies`` is what the base simulation
-    gets wrong. To look at it: ``plot``, and ``Measurement.to_html(critique)``. To go on with it: ``to_dict``.
+    gets wrong. ``plot`` and ``Measurement.to_html(critique)`` show it; ``to_dict`` gives its data.
     """
 
     format: str
@@ -227,7 +227,7 @@ class Critique:
         """Each swing against both simulations, and their residuals in units of the noise.
 
         Args:
-            swing_id: One swing; all of them where it is left out.
+            swing_id: The swing to draw; all swings if omitted.
             interactive: With plotly (``pip install gyradius[interactive]``).
 
         Returns:

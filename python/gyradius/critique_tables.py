@@ -173,7 +173,7 @@ def _gain(critique: Critique) -> RenderableType:
 
 def _next_swing(following: NextSwing) -> RenderableType:
     table = grid("The next swing", "what", "set to")
-    table.add_row("hung like the swing", following.like)
+    table.add_row("same suspension as swing", following.like)
     table.add_row("length of the lines", f"{short(following.line_length_m, 4)} m")
     table.add_row("spacing of the lines", f"{short(following.spacing_m, 4)} m")
     table.add_row("bow-up angle", f"{short(following.hull_pitch_deg)} °")

@@ -33,7 +33,7 @@ def kind_of(output: Path, table: Table | None = None) -> str:
     if kind not in ENDINGS:
         raise InputError(f"{output}: expected a name that ends in one of {', '.join(ENDINGS)}")
     if table is not None and kind != ".csv":
-        raise InputError(f"--table {table.value}: it chooses what a .csv holds; {output} is none")
+        raise InputError(f"--table {table.value}: only for a .csv; {output} is not one")
     if kind == ".xlsx":
         excel_library()
     can_be_written(output)

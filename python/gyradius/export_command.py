@@ -19,10 +19,13 @@ def export(
     output: Annotated[
         Path,
         typer.Option(
-            "-o", "--output", metavar="FILE", help="By its ending: .csv, .xlsx, .urdf, .sdf, or .xml for MuJoCo."
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="The extension decides: .csv, .xlsx, .urdf, .sdf, or .xml for MuJoCo.",
         ),
     ],
-    table: Annotated[Table | None, typer.Option(help="What a .csv holds (quantities); an .xlsx holds all.")] = None,
+    table: Annotated[Table | None, typer.Option(help="The table in a .csv (quantities); an .xlsx holds all.")] = None,
     json: Json = None,
     map_: Map = None,
 ) -> None:

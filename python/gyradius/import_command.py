@@ -20,22 +20,27 @@ def import_(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Exports of phones and loggers.")],
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", metavar="DIR", help="The session folder to write; without it, what is found."),
+        typer.Option(
+            "-o", "--output", metavar="DIR", help="The session folder to write; without it, only describe FILEs."
+        ),
     ] = None,
     into: Annotated[
-        Path | None, typer.Option(metavar="SESSION", help="A session folder that is there: swings are added to it.")
+        Path | None, typer.Option(metavar="SESSION", help="Add the swings to this existing session folder.")
     ] = None,
     swing: Annotated[
-        str | None, typer.Option(metavar="ID", help="With --into: the planned swing that FILE is the recording of.")
+        str | None, typer.Option(metavar="ID", help="With --into: the planned swing that FILE records.")
     ] = None,
     like: Annotated[
-        str | None, typer.Option(metavar="ID", help="With --into: hung like this swing, but for what is stated.")
+        str | None,
+        typer.Option(metavar="ID", help="With --into: same suspension as this swing, except what is stated."),
     ] = None,
     map_: Map = None,
     trial: Annotated[str | None, typer.Option(metavar="K", help="One of several trials in a file.")] = None,
-    platform: Annotated[Platform | None, typer.Option(help="The phone's system, where a file does not say.")] = None,
-    flag_width: Annotated[str | None, typer.Option(metavar="M", help="Flag in a light gate.")] = None,
-    replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
+    platform: Annotated[Platform | None, typer.Option(help="The phone's system, if a file does not say.")] = None,
+    flag_width: Annotated[
+        str | None, typer.Option(metavar="M", help="Width of the flag that breaks a light gate's beam.")
+    ] = None,
+    replace: Annotated[bool, typer.Option("--replace", help="Overwrite existing files.")] = False,
     title: Annotated[str, typer.Option(help="The session's title.")] = "",
     suspension: Annotated[Suspension | None, typer.Option(help="How all FILEs hung (bifilar).")] = None,
     orientation: Annotated[Orientation | None, typer.Option(help="What joins the points (athwartships).")] = None,
@@ -44,16 +49,16 @@ def import_(
     line_length: Annotated[str | None, stated("metres", "")] = None,
     spacing: Annotated[str | None, stated("metres", "between the points on the hull")] = None,
     top_spacing: Annotated[str | None, stated("metres", "between the points above")] = None,
-    radius: Annotated[str | None, stated("metres", "of the circle through the line ends below (trifilar)")] = None,
-    top_radius: Annotated[str | None, stated("metres", "of the circle above (trifilar)")] = None,
+    radius: Annotated[str | None, stated("metres", "of the circle through the lower line ends (trifilar)")] = None,
+    top_radius: Annotated[str | None, stated("metres", "of the circle through the upper line ends (trifilar)")] = None,
     hull_pitch: Annotated[str | None, stated("degrees", "bow up")] = None,
-    points_moved: Annotated[str | None, stated("metres", "of the points, forward from level hanging")] = None,
+    points_moved: Annotated[str | None, stated("metres", "of the points, forward of their place when level")] = None,
     axis_height: Annotated[str | None, stated("metres", "of the swing axis (compound)")] = None,
     json: Json = None,
 ) -> None:
     """Write a session from phone exports, add them to one, or say what they hold.
 
-    Options hold for all FILEs: import files that hung otherwise by themselves, with --into.
+    Options apply to all FILEs: import swings on another suspension separately, with --into.
     """
     with reported(error_console(), json):
         of_session: dict[str, object] = {"--replace": replace, "--title": title, "--mass": mass, "--gravity": gravity}
@@ -109,9 +114,9 @@ def _refuse_options(
 ) -> None:
     """Refuse options of a new session for one that is there, and the other way round."""
     if output is not None and into is not None:
-        raise _core.InputError("--into: expected it without -o, which writes a new session")
+        raise _core.InputError("--into: cannot be used together with -o, which writes a new session")
     wrong = of_into if into is None else of_output
     for name, value in wrong.items():
         if value:
-            reason = "--into is missing" if into is None else "the session is there already and keeps its own"
+            reason = "--into is missing" if into is None else "cannot be used with --into; the session keeps its own"
             raise _core.InputError(f"{name}: {reason}")

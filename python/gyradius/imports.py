@@ -41,7 +41,7 @@ STATED = frozenset(
 
 @dataclass(frozen=True)
 class ImportPlan:
-    """What is known of the session beside its recordings; lengths in m, each with its standard uncertainty."""
+    """What is known of the session besides its recordings; lengths in m, each with its standard uncertainty."""
 
     mapping: list[str]
     trial: str | None = None
@@ -165,7 +165,7 @@ def import_into(
     points_moved: Stated | None = None,
     axis_height: Stated | None = None,
 ) -> list[str]:
-    """Add phone exports to a session folder that is there, one new swing for each.
+    """Add phone exports to an existing session folder, one new swing for each.
 
     Nothing that the session holds is dropped. A swing that the session has without its recording (from a plan) gets
     the recording of its name, or the one that is imported with its id as ``swing``; dimensions that are stated take the
@@ -225,7 +225,7 @@ def import_into(
 
 
 def describe_exports(files: Iterable[str | os.PathLike[str]], plan: ImportPlan) -> list[str]:
-    """What exports hold, what an import would tell and the command for it, line by line; nothing is written.
+    """What exports hold, what an import would note, and the command for it, line by line; nothing is written.
 
     A table that is not recognised is an error that proposes a mapping.
     """

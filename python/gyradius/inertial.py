@@ -78,7 +78,7 @@ def _missing(measurement: Measurement) -> str:
     lead = f"{measurement.title}: no <inertial> can be written: "
     if missing:
         return f"{lead}the swings do not determine {', '.join(missing)}; `gyradius plan` says which swings would"
-    return f"{lead}without the mass there are gyradii and no moments of inertia; state `mass` in [body]"
+    return f"{lead}without the mass there are gyradii but no moments of inertia; state `mass` in [body]"
 
 
 def _check(inertia: Quantity) -> None:
@@ -87,7 +87,7 @@ def _check(inertia: Quantity) -> None:
     if moments[0] <= 0.0 or moments[2] > (moments[0] + moments[1]) * (1.0 + SLACK):
         listed = ", ".join(f"{moment:.5g}" for moment in moments)
         raise NoResultError(
-            f"no <inertial> can be written: principal moments {listed} kg m² belong to no body, as one exceeds the sum"
+            f"no <inertial> can be written: no body has the principal moments {listed} kg m², as one exceeds the sum"
             " of the others or is not positive; check the stated dimensions and attachments, or swing again"
         )
 
@@ -154,7 +154,7 @@ def _commented(body: RigidBody) -> Element:
 
 
 def _about_frame(body: RigidBody) -> list[str]:
-    axes = "Axes: x forward, y to port, z up, of the hull as it hung level."
+    axes = "Axes: x forward, y to port, z up, fixed to the hull as it hung level."
     mass = "Mass: as the session states it, less its attachments."
     if body.mass_spread > SAME_MASS:
         mass += f" Known to {100.0 * body.mass_spread:.2g} % only: the session contradicts itself."

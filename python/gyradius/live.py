@@ -1,4 +1,4 @@
-"""What is known while the hull swings, from the samples so far."""
+"""The online estimator: what the samples so far say while the hull swings."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ class Quantity:
 
 @dataclass(frozen=True, slots=True)
 class Route:
-    """A single route to a quantity."""
+    """A closed-form estimate of a quantity."""
 
     method: str
     value: float
@@ -155,7 +155,7 @@ class BudgetLine:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """One stated dimension or route against what the rest of the session implies."""
+    """One stated dimension or closed-form estimate compared with what the rest of the session implies."""
 
     claim: str
     stated: float
@@ -186,7 +186,7 @@ class Verdict:
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Something that is not plausible, or that the data cannot hold.
+    """Something that is implausible, or that the data cannot determine.
 
     ``severity`` is ``noted``, ``warned``, ``widened`` or ``refused``: what is refused is not stated.
     """
@@ -212,7 +212,7 @@ class Measurement:
 
     Units are in the names (``k_yaw_m``); axes are x forward, y to port, z up. ``quantities`` holds what the swings
     determine, ``budget`` the contributions to each uncertainty, ``swings`` the modes, ``consistency`` the tests of the
-    stated dimensions, ``findings`` what is not plausible. ``plot`` and ``to_html`` show it, ``to_dict``, ``to_frame``,
+    stated dimensions, ``findings`` what is implausible. ``plot`` and ``to_html`` show it, ``to_dict``, ``to_frame``,
     ``to_csv`` and ``to_xlsx`` hand it on, ``to_urdf``, ``to_mjcf`` and ``to_sdf`` give the hull to a simulator.
     """
 
@@ -232,7 +232,7 @@ class Measurement:
     def to_json(self, critique: Critique | None = None) -> str:
         """The JSON text, byte for byte as the core writes it.
 
-        With the same session's criticism its verdicts are those after it, as the report has them.
+        If the same session's criticism is given, the verdicts take it into account, as in the report.
         """
         return self._core.to_json() if critique is None else self._core.to_json(critique._core)
 

@@ -1,4 +1,4 @@
-"""A measurement and a criticism as notebooks show them: one small table in HTML."""
+"""A measurement and a criticism as notebooks show them: a small HTML table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers as a measurer writes them: as many digits as the uncertainty allows."""
+"""Numbers with as many digits as their uncertainty justifies."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ PAPER = "gyradius-paper/1"
 
 def paper(
     output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="DIR", help="Where the page, the figures and the tables go.")
+        Path, typer.Option("-o", "--output", metavar="DIR", help="Folder for the page, the figures and the tables.")
     ] = Path("gyradius-paper"),
     json: Json = None,
 ) -> None:

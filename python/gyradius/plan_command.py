@@ -22,9 +22,9 @@ from .tasks import loaded
 
 def plan(
     session: Annotated[
-        str | None, typer.Argument(metavar="[SESSION]", help="A session that has measured the hull so far.")
+        str | None, typer.Argument(metavar="[SESSION]", help="A session that has already measured the hull.")
     ] = None,
-    mass: Annotated[str | None, typer.Option(metavar="KG", help="Everything that hangs.")] = None,
+    mass: Annotated[str | None, typer.Option(metavar="KG", help="Mass of everything that hangs.")] = None,
     length: Annotated[str | None, typer.Option(metavar="M", help="Length overall.")] = None,
     beam: Annotated[str | None, typer.Option(metavar="M", help="Largest beam.")] = None,
     type_: Annotated[
@@ -36,26 +36,33 @@ def plan(
     depth: Annotated[str | None, stated("metres", "of the centre of mass below the points, where known")] = None,
     wanted: Annotated[
         list[str] | None,
-        typer.Option(metavar="QUANTITY=U", help="Such as k_yaw=0.1%, k_pitch=2mm, depth=5mm, psi=1deg; repeat."),
+        typer.Option(
+            metavar="QUANTITY=U", help="Wanted u, such as k_yaw=0.1%, k_pitch=2mm, depth=5mm, psi=1deg; repeatable."
+        ),
     ] = None,
-    max_height: Annotated[str | None, typer.Option(metavar="M", help="Room for the lines (3).")] = None,
-    max_spacing: Annotated[str | None, typer.Option(metavar="M", help="Between the points (1.25 beams).")] = None,
-    u_line_length: Annotated[str | None, typer.Option(metavar="M", help="Tape on the lines (0.003).")] = None,
-    u_spacing: Annotated[str | None, typer.Option(metavar="M", help="Tape between the points (0.001).")] = None,
-    amplitude: Annotated[str | None, typer.Option(metavar="DEG", help="Of a release (5).")] = None,
-    gravity: Annotated[str | None, stated("m/s²", "9.80665:0.015 where it is not stated")] = None,
+    max_height: Annotated[str | None, typer.Option(metavar="M", help="Height available for the lines (3).")] = None,
+    max_spacing: Annotated[
+        str | None, typer.Option(metavar="M", help="Largest distance between the points (1.25 beams).")
+    ] = None,
+    u_line_length: Annotated[
+        str | None, typer.Option(metavar="M", help="Uncertainty of the line length (0.003).")
+    ] = None,
+    u_spacing: Annotated[str | None, typer.Option(metavar="M", help="Uncertainty of the spacing (0.001).")] = None,
+    amplitude: Annotated[str | None, typer.Option(metavar="DEG", help="Amplitude of a release (5).")] = None,
+    gravity: Annotated[str | None, stated("m/s²", "default: 9.80665:0.015")] = None,
     tell_apart: Annotated[
-        str | None, typer.Option(metavar="CAUSE,CAUSE", help="The swing that tells two causes of `critique` apart.")
+        str | None,
+        typer.Option(metavar="CAUSE,CAUSE", help="Plan the swing that tells two causes of `critique` apart."),
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a session.toml to fill in.")
     ] = None,
     rig: Annotated[Path | None, typer.Option(metavar="FILE", help="Write a rig file to rehearse with.")] = None,
-    replace: Annotated[bool, typer.Option("--replace", help="Write over files that are there.")] = False,
+    replace: Annotated[bool, typer.Option("--replace", help="Overwrite existing files.")] = False,
     title: Annotated[str, typer.Option(help="What the plan is for.")] = "",
     json: Json = None,
 ) -> None:
-    """What to hang and swing for a wanted uncertainty, and what to expect; warns of resonances."""
+    """Plan the suspensions and swings for a wanted uncertainty; warns of resonances."""
     with reported(error_console(), json, PLAN):
         for file in (output, rig):
             if file is not None:
@@ -105,11 +112,11 @@ def _two(text: str | None) -> tuple[str, str] | None:
         return None
     one, comma, other = (part.strip() for part in text.partition(","))
     if not (one and comma and other):
-        raise _core.InputError(f"--tell-apart: expected two causes with a comma between, found `{text}`")
+        raise _core.InputError(f"--tell-apart: expected two causes separated by a comma, found `{text}`")
     return one, other
 
 
 def _can_be_made(file: Path, replace: bool) -> None:
     can_be_written(file)
     if file.exists() and not replace:
-        raise _core.InputError(f"{file}: it exists already and is not overwritten (--replace does)")
+        raise _core.InputError(f"{file}: it exists already; use --replace to overwrite it")

@@ -53,7 +53,7 @@ def _parts(plan: Plan) -> list[RenderableType]:
 
 def _hull(hull: Mapping[str, Any]) -> RenderableType:
     size = f"{hull['mass_kg']:.4g} kg, {hull['length_m']:.3g} m by {hull['beam_m']:.3g} m"
-    table = grid("The hull as it is assumed", size, "value", left=1)
+    table = grid("The hull as assumed", size, "value", left=1)
     by_source: dict[str, list[str]] = {}
     for name in ("k_yaw_m", "k_pitch_m", "k_roll_m", "cm_depth_m"):
         table.add_row(_name(name), with_u(hull[name]["value"], hull[name]["u"], "m"))
@@ -71,7 +71,7 @@ def _hangings(hangings: tuple[HangingAdvice, ...]) -> RenderableType:
 
 def _swings(plan: Plan) -> RenderableType:
     hung = {swing: hanging for hanging in plan.suspensions for swing in hanging.swings}
-    table = grid("Swings", "swing", "on", "set going", "release", "record", "periods at small amplitude", left=3)
+    table = grid("Swings", "swing", "on", "excited", "release", "record", "periods at small amplitude", left=3)
     for step in plan.steps:
         if isinstance(step, PlannedSwing):
             periods = [mode for mode in MODES if mode in step.periods_s]
@@ -97,8 +97,8 @@ def _shown(swing: PredictedSwing) -> str:
 
 def _beat(beat: Beat) -> str:
     if beat.period_s is None or beat.oscillations is None:
-        return "yaw and sway keep step and do not beat"
-    return f"yaw and sway beat every {beat.period_s:.1f} s, {beat.oscillations:.1f} oscillations to a beat"
+        return "yaw and sway stay in step and do not beat"
+    return f"yaw and sway beat every {beat.period_s:.1f} s, {beat.oscillations:.1f} oscillations per beat"
 
 
 def _incline(step: PlannedIncline) -> Text:
@@ -140,12 +140,12 @@ def _optima(plan: Plan) -> Text:
     best = plan.optima
     said = [
         f"lines of {short(best['line_length_joint_m'])} m for the pitch gyradius with the depth solved for too "
-        f"({short(best['line_length_depth_known_m'])} m were the depth known: the paper's Fig. 17)",
+        f"({short(best['line_length_depth_known_m'])} m if the depth were known: the paper's Fig. 17)",
         f"a spacing near {short(best['spacing_m'])} m, twice the yaw gyradius",
         f"as a compound pendulum an axis {short(best['compound_pitch_axis_to_cm_m'])} m above the centre of mass in "
         f"pitch and {short(best['compound_roll_axis_to_cm_m'])} m in roll",
     ]
-    return Text("Best, were there room for it: " + "; ".join(said) + ".")
+    return Text("Best, if there were room for it: " + "; ".join(said) + ".")
 
 
 def _warning(warning: PlanWarning) -> Text:

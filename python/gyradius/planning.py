@@ -1,4 +1,4 @@
-"""What to do before anything swings: views over the plan that the core writes.
+"""A measurement plan: views of the plan that the core writes.
 
 Keys are spelled as in ``gyradius-plan/1``; a key that this version does not know is ignored here and kept in
 ``Plan.to_json()``, which gives the core's own bytes.
@@ -194,11 +194,11 @@ def plan(
 ) -> Plan:
     """Recommend suspension, swings, amplitudes and durations, and predict periods, beat and uncertainties.
 
-    The hull is told by mass, length, beam and type, or by its gyradii and the depth of its centre of mass, or by a
-    session that measured it so far. A figure is a number, or a pair with its standard uncertainty.
+    The hull is described by mass, length, beam and type, or by its gyradii and the depth of its centre of mass, or by a
+    session that has already measured it. A figure is a number, or a pair with its standard uncertainty.
 
     Args:
-        session: What measured the hull so far.
+        session: A session that has already measured the hull.
         mass: kg, of everything that hangs.
         length: m, overall.
         beam: m, the largest.
@@ -209,18 +209,18 @@ def plan(
         depth: m, of the centre of mass below the suspension points, where it is known.
         psi: Tilt of the principal axes, degrees, bow up, where it is known.
         wanted: Standard uncertainties such as ``"k_yaw=0.1%"`` or ``"psi=1deg"``.
-        means: What is at hand, by the names of ``Plan.means``: ``most_line_length_m``, ``u_spacing_m``,
+        means: The equipment available, by the names of ``Plan.means``: ``most_line_length_m``, ``u_spacing_m``,
             ``amplitude_deg``, …
         title: What the plan is for.
         tell_apart: Two causes by the names of the criticism. The plan is then the one swing that would tell them apart
             for the session; this may take a minute.
-        progress: Called with the fraction that is done, 0 to 1, and what is being done; False stops the work.
+        progress: Called with the completed fraction, 0 to 1, and the current task; returning False stops the work.
 
     Returns:
         What to do, and what to expect of it.
 
     Raises:
-        InputError: Too little is known of the hull, or a figure is not possible.
+        InputError: Too little is known of the hull, or a figure is impossible.
         CancelledError: ``progress`` stopped the work.
     """
     hull = {

@@ -52,7 +52,7 @@ def traced(critique: Critique, swing_ids: Sequence[str] = ()) -> list[SwingTrace
     """The swings to draw: those that the simulation was fitted to, or the named ones among them."""
     drawn = [trace for trace in critique.traces if not swing_ids or trace.swing in swing_ids]
     if not drawn:
-        raise _core.NoResultError("no swing to draw: none was fitted by the simulation")
+        raise _core.NoResultError("no swing to draw: the simulation was fitted to none")
     return drawn
 
 

@@ -25,7 +25,7 @@ COMPARED = {
 class Practice:
     """A procedure on a simulated hull and phone: hang it, let it swing, judge, measure.
 
-    Time goes by only in ``advance``; the same rig, seed and events give the same session.
+    Time passes only in ``advance``; the same rig, seed and events give the same session.
     """
 
     def __init__(
@@ -48,35 +48,35 @@ class Practice:
         return dict(json.loads(self._core.state()))
 
     def handle(self, event: str, **data: Any) -> None:
-        """Tell what the operator did.
+        """Report what the operator did.
 
         Args:
             event: One of ``state["actions"]``.
             data: What the event carries, by name.
 
         Raises:
-            InputError: The event is not offered now; the message says what is.
+            InputError: The event is not possible now; the message says which are.
         """
         self._core.handle(json.dumps({"event": event, **data}))
 
     def advance(self, seconds: float) -> float:
-        """Let time go by.
+        """Let time pass.
 
         Args:
             seconds: How long, s.
 
         Returns:
-            The time that went by, s: none while nobody listens to the phone.
+            The time that passed, s; zero while nothing reads the phone.
         """
         return self._core.advance(seconds)
 
     def by_the_book(self) -> dict[str, Any] | None:
-        """What an operator who plays by the book does now; None while there is to be waited or worked."""
+        """What a careful operator does now; None while time has to pass or work has to be done."""
         event = self._core.by_the_book(datetime.now(timezone.utc).isoformat(timespec="seconds"))
         return None if event is None else dict(json.loads(event))
 
     def mishap(self, step: str, take: int, what: str) -> None:
-        """Let something go wrong.
+        """Make something go wrong.
 
         Args:
             step: Id of the step.
@@ -95,11 +95,11 @@ class Practice:
 
     @property
     def truth(self) -> dict[str, float]:
-        """What is true of the hull, by name, in the unit that the name ends in."""
+        """The true values of the hull, by name, in the unit that the name ends in."""
         return self._core.truth()
 
     def compared(self) -> list[dict[str, Any]]:
-        """Every figure that was measured beside the true one.
+        """Every measured figure beside the true one.
 
         Returns:
             Rows with ``name``, ``title``, ``unit``, ``value``, ``u``, ``true`` and ``sigma``, the difference in

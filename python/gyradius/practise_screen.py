@@ -1,4 +1,4 @@
-"""The command ``practise`` on a terminal: what the procedure says, live, and one key for each action."""
+"""The command ``practise`` on a terminal: the procedure's instructions, live, and one key for each action."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Left(Exception):
 
 
 def play(console: Console, practice: Practice, *, speed: float | None, auto: bool, critique: bool) -> None:
-    """Play the procedure to its end; by the book where ``auto`` is true, else as the operator's keys say."""
+    """Play the procedure to its end: automatically if ``auto`` is true, else by the operator's keys."""
     if auto:
         _by_itself(console, practice, speed, critique)
     else:
@@ -244,7 +244,7 @@ def _keys() -> Iterator[Callable[[float], str]]:
 
 
 def show_compared(console: Console, practice: Practice) -> None:
-    """What was measured beside what is true."""
+    """Print the measured values beside the true ones."""
     for sentence in _compared(practice):
         console.print(Text(sentence), soft_wrap=True)
 

@@ -1,4 +1,4 @@
-"""The recorder's file: what a phone wrote while a hull swung, read past whatever is damaged."""
+"""The recorder's file: what a phone wrote while a hull swung; damaged parts are skipped."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class RecordedSensor:
 
 @dataclass(frozen=True)
 class RecorderFile:
-    """All of a recorder's file."""
+    """The whole content of a recorder's file."""
 
     #: Model of the phone.
     phone: str
@@ -56,7 +56,7 @@ class RecorderFile:
 
 
 def read_recorder(path: str | os.PathLike[str]) -> RecorderFile:
-    """Read a recorder's file, however it was cut or damaged.
+    """Read a recorder's file, even if it is truncated or damaged.
 
     ``gyradius.import_files([path], folder, …)`` makes it a session.
 
@@ -64,10 +64,10 @@ def read_recorder(path: str | os.PathLike[str]) -> RecorderFile:
         path: The file (``.gyr``).
 
     Returns:
-        All that can be read; ``damage`` tells what is missing.
+        All that can be read; ``damage`` says what is missing.
 
     Raises:
-        InputError: It is no recorder's file.
+        InputError: It is not a recorder's file.
     """
     core = _core.read_recorder(os.fspath(path))
     tracks = {stream: RecordedSamples(stamps_ns, values) for stream, stamps_ns, values in core.tracks()}

@@ -1,4 +1,4 @@
-"""Sessions: a folder, a zip or a bare recording, and what is measured from it."""
+"""Sessions: a folder, a zip or a bare recording, and the results measured from it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Session:
-    """One hull, measured in one sitting; or one bare recording, which gives modes alone."""
+    """One hull, measured on one occasion; or one bare recording, which gives modes only."""
 
     def __init__(self, core: _core.Session) -> None:
         """Sessions come from ``gyradius.load``."""
@@ -55,13 +55,12 @@ class Session:
         return view(self._core.measure(list(limits)))
 
     def critique(self, progress: Callable[[float, str], object] | None = None, *, by_sets: bool = False) -> Critique:
-        """What the simulation gets wrong, why, and what mending it gains; this may take minutes.
+        """Find what the simulation gets wrong, why, and what extending it gains; this may take minutes.
 
         Args:
-            progress: Called with the fraction that is done, 0 to 1, and what is being done. It stops the work by
-                answering False; Ctrl-C stops it too.
-            by_sets: Weigh all sets of up to three causes at once, instead of looking for one cause after another. This
-                is being tried.
+            progress: Called with the completed fraction, 0 to 1, and the current task. It stops the work by returning
+                False; Ctrl-C stops it too.
+            by_sets: Weigh all sets of up to three causes at once, instead of one cause after another (experimental).
 
         Returns:
             Discrepancies, causes, verdict, the extended simulation and its gain.
@@ -76,7 +75,7 @@ class Session:
         """Each recording with its fit, the residual and the spectrum.
 
         Args:
-            swing_id: One swing; all of them where it is left out.
+            swing_id: The swing to draw; all swings if omitted.
             interactive: With plotly (``pip install gyradius[interactive]``).
 
         Returns:
@@ -97,7 +96,7 @@ def load(path: str | os.PathLike[str], *, mapping: Iterable[str] = ()) -> Sessio
         mapping: Columns of a CSV that is not recognised, with their units, such as ``"gx=xGyro:deg/s"``.
 
     Returns:
-        The session. One made of a bare recording gives modes alone.
+        The session. One made from a bare recording gives modes only.
 
     Raises:
         InputError: Something in the file is wrong; ``file`` and ``line`` say where.

@@ -22,7 +22,7 @@ FORMAT = "gyradius-rig/1"
 
 @dataclass(frozen=True)
 class Simulation:
-    """A simulated swing: what the phone says, and what is true. N stamps, P numbers differentiated by.
+    """A simulated swing: the phone's readings and the true motion. N stamps; derivatives with respect to P numbers.
 
     World axes: z up, origin mid-way between the upper ends of the lines. Hull axes here are those of the hull as it
     hangs; positions in it count from the mid-point of the suspension points.
@@ -61,7 +61,7 @@ class Simulation:
 
 
 class Rig:
-    """What a rig file says: a session as it is stated, and what is true of it."""
+    """The content of a rig file: a session as stated, and its true values."""
 
     def __init__(self, core: _core.Rig) -> None:
         """Rigs come from ``gyradius.read_rig``."""
@@ -100,7 +100,7 @@ class Rig:
             values: Numbers that replace those of the rig, by the names of ``numbers()``.
             derivatives: Names of the numbers to differentiate the readings by (P).
             t_s: Times on the phone's clock, s (N); the phone's own where they are left out.
-            seed: Of all chance (noise, jitter, lost samples); without one there is none.
+            seed: Seed of the random errors (noise, jitter, lost samples); without one there are none.
 
         Returns:
             The readings, the motion and the derivatives.
@@ -141,13 +141,13 @@ class Rig:
     ) -> tuple[Path, int]:
         """Simulate every swing and write the session into a folder. The same seed gives the same files.
 
-        What is true is never written into the folder: the session can be handed over blind.
+        The true values are never written into the folder, so the session can be used for a blind test.
 
         Args:
             folder: The session folder to write.
-            truth: File for what is true; ``FOLDER.truth.json`` where it is left out.
-            seed: Of all chance; one is drawn where it is left out.
-            replace: Write over files that are there.
+            truth: File for the true values; ``FOLDER.truth.json`` if omitted.
+            seed: Seed of all random errors; drawn at random if omitted.
+            replace: Overwrite existing files.
 
         Returns:
             The truth file, and the seed.
@@ -203,7 +203,7 @@ def simulate(
         values: Numbers that replace those of the rig, by name.
         derivatives: Names of the numbers to differentiate the readings by (P).
         t_s: Times on the phone's clock, s (N); the phone's own where they are left out.
-        seed: Of all chance; without one there is none.
+        seed: Seed of the random errors; without one there are none.
 
     Returns:
         The readings, the motion and the derivatives.

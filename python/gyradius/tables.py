@@ -14,11 +14,11 @@ from .measurement import Claim, Measurement, ModeResult, OneMotion, PeriodTrend,
 from .numbers import interval, short, with_u
 from .summary import notes, show_findings, show_result
 
-# Lines of a budget that are worth a row; the rest is in the JSON and the report.
+# Lines of a budget that get a row; the rest is in the JSON and the report.
 BUDGET_ROWS = 5
 # Columns that hold words wherever they stand.
 WORDS = ("method", "from")
-# Contradictions that are spelled out; one wrong dimension contradicts many routes at once.
+# Contradictions written out in words; one wrong dimension contradicts many estimators at once.
 FLAGGED_SENTENCES = 5
 
 
@@ -50,7 +50,7 @@ def _parts(measurement: Measurement) -> list[RenderableType]:
 
 
 def grid(title: str, *columns: str, left: int = 1, words: tuple[str, ...] = WORDS) -> Table:
-    """An empty table; the first columns, and those that hold words, stand to the left."""
+    """An empty table; the first columns and those with words are left-aligned."""
     table = Table(
         title=title, title_justify="left", title_style="bold", header_style="dim", box=box.SIMPLE_HEAD, pad_edge=False
     )
@@ -86,7 +86,7 @@ def _trend(trend: PeriodTrend) -> str:
 
 
 def _motion(motion: OneMotion) -> str:
-    """What brings a body back that turns about one axis, and what damps it, in one line."""
+    """Restoring law and damping of a body that turns about one axis, in one line."""
     parts = (
         ("restoring law κ", motion.hardness, motion.hardness_se, ""),
         ("damping α", motion.damping_per_s, motion.damping_per_s_se, "1/s"),
@@ -138,7 +138,7 @@ def _alternatives(measurement: Measurement) -> Table:
         for estimate in estimates:
             value = with_u(estimate.value, estimate.u, UNITS.get(name, ""))
             if name == "psi_deg":
-                # Never without its interval: a millimetre of a gyradius turns it by tenths of a degree.
+                # Never without its interval: a millimetre in a gyradius changes it by tenths of a degree.
                 value += f" ({interval(estimate.interval_95, estimate.u)})"
             method = spaced(estimate.method)
             table.add_row(f"  {method}", estimate.equation, ", ".join(estimate.sources), value)
@@ -155,7 +155,7 @@ def _budget(measurement: Measurement) -> Table:
 
 
 def _heading(name: str) -> Text:
-    """A row of its own for what the rows below it are of."""
+    """A heading row: the quantity of the rows below."""
     return Text(label(name), style="bold")
 
 
@@ -166,7 +166,7 @@ def _consistency(measurement: Measurement) -> RenderableType:
     flagged = [claim for claim in measurement.consistency if claim.flagged]
     said = [Text(f"  ! {claim.text}", style="red") for claim in flagged[:FLAGGED_SENTENCES]]
     rest = len(flagged) - len(said)
-    more = [Text(f"  ! {rest} more contradictions are marked red above", style="red")] if rest else []
+    more = [Text(f"  ! {rest} more contradictions are marked in red above", style="red")] if rest else []
     return Group(table, *said, *more)
 
 
@@ -189,10 +189,10 @@ def _verdicts(measurement: Measurement) -> Table:
 
 
 def spaced(key: str) -> str:
-    """A key of the format as words; the name of a quantity stays, its unit is part of it."""
+    """A key of the format as words; the name of a quantity is kept, because its unit is part of it."""
     return key if key in UNITS else key.replace("_", " ")
 
 
 def warning_line(text: str) -> Text:
-    """What a reader must know."""
+    """A warning as a line of text."""
     return Text(f"  warning: {text}", style="yellow")

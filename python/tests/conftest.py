@@ -59,7 +59,7 @@ def assert_refused(done: subprocess.CompletedProcess[str], status: int, *words: 
     """A clear message on standard error, the right status, and never a traceback."""
     assert done.returncode == status, done.stdout + done.stderr
     assert "Traceback" not in done.stderr + done.stdout
-    assert "mistake of this program" not in done.stderr
+    assert "internal error" not in done.stderr
     for word in words:
         assert word in done.stderr
 

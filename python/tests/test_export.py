@@ -284,7 +284,7 @@ def test_without_pitch_and_roll_there_is_no_inertial(keelboat: gyradius.Measurem
 
 def test_moments_of_no_body_are_refused(model_hull: gyradius.Measurement) -> None:
     inertia = replace(model_hull.quantities["inertia_kg_m2"], value=((1.0, 0, 0), (0, 3.0, 0), (0, 0, 1.0)))
-    with pytest.raises(gyradius.NoResultError, match="belong to no body"):
+    with pytest.raises(gyradius.NoResultError, match="no body has the principal moments"):
         replace(model_hull, quantities={**model_hull.quantities, "inertia_kg_m2": inertia}).to_urdf()
 
 

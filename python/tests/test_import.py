@@ -145,7 +145,7 @@ def test_a_planned_swing_gets_its_recording(tmp_path: Path) -> None:
     ("options", "told"),
     [
         (["--into", "s"], "line_length and spacing"),
-        (["--into", "s", *SIZES, "-o", "t"], "without -o"),
+        (["--into", "s", *SIZES, "-o", "t"], "together with -o"),
         (["--into", "s", *SIZES, "--title", "T"], "--title"),
         (["--into", "gone", *SIZES], "gone"),
         (["--like", "yaw", "-o", "t"], "--into is missing"),
