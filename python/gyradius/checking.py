@@ -12,7 +12,7 @@ from rich.text import Text
 from .labels import UNITS, label
 from .measurement import BudgetLine, Measurement, Quantity
 from .numbers import short
-from .summary import grave_findings, notes, show_result
+from .summary import grave_findings, notes, sentence, show_result
 
 FORMAT = "gyradius-check/1"
 
@@ -39,7 +39,8 @@ def limits(measurement: Measurement) -> tuple[Limit, ...]:
 
 
 def _limit(name: str, quantity: Quantity, lines: tuple[BudgetLine, ...]) -> Limit:
-    most = max(lines, key=lambda line: abs(line.u_contribution))
+    # A budget begins with its largest line.
+    most = lines[0]
     variance = sum(line.u_contribution**2 for line in lines)
     # An uncertainty relative to an angle means nothing.
     is_relative = bool(quantity.value) and UNITS.get(name) != "°"
@@ -55,7 +56,7 @@ def _limit(name: str, quantity: Quantity, lines: tuple[BudgetLine, ...]) -> Limi
 def check_json(measurement: Measurement) -> str:
     """Findings and limits as JSON."""
     severe = [{"severity": severity, "text": text} for severity, text in grave_findings(measurement)]
-    noted = [{"severity": one.severity, "text": f"{one.text}. {one.advice}"} for one in notes(measurement)]
+    noted = [{"severity": one.severity, "text": sentence(one)} for one in notes(measurement)]
     body = {
         "format": FORMAT,
         "title": measurement.title,
@@ -69,10 +70,10 @@ def show_check(console: Console, measurement: Measurement) -> None:
     """Print the result, what to fix, what to note, and what limits each quantity."""
     show_result(console, measurement)
     severe = [text for _, text in grave_findings(measurement)]
-    noted = [f"{finding.text}. {finding.advice}" for finding in notes(measurement)]
+    noted = [sentence(finding) for finding in notes(measurement)]
     _section(console, "To fix", severe, "yellow")
     _section(console, "To note", noted, "dim")
-    _section(console, "What limits each quantity", [_sentence(limit) for limit in limits(measurement)], "dim")
+    _section(console, "What limits each quantity", [_limiting(limit) for limit in limits(measurement)], "dim")
     if not severe:
         console.print(Text("Nothing is missing or implausible.", style="green"))
 
@@ -84,7 +85,7 @@ def _section(console: Console, title: str, texts: list[str], style: str) -> None
         console.print(Padding(Text("- ", style=style).append(text, style="default"), (0, 0, 0, 2)))
 
 
-def _sentence(limit: Limit) -> str:
+def _limiting(limit: Limit) -> str:
     """``Yaw gyradius, u 0.042 %: spacing (73 % of the variance)``."""
     size = f", u {short(100.0 * limit.relative_u, 2)} %" if limit.relative_u is not None else ""
     cause = limit.input.replace("_", " ")

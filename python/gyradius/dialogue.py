@@ -66,7 +66,10 @@ KINDS = {
     "3": ("trifilar", "three lines"),
     "4": ("free", "anything else: periods and damping only"),
 }
-OF_SUSPENSIONS = {one.name for kinds in (REQUIRED, OPTIONAL) for kind in kinds.values() for one in kind}
+OF_SUSPENSIONS = {one.name: one for kinds in (REQUIRED, OPTIONAL) for kind in kinds.values() for one in kind}
+QUESTIONS = OF_SUSPENSIONS | {one.name: one for one in (MASS, GRAVITY, PHONE_MASS)}
+# Where the points, or the axis, have a direction, and a tilt shows.
+DIRECTED = ("bifilar", "compound")
 DIRECTIONS = {"1": ("athwartships", "across the body"), "2": ("fore_and_aft", "along the body")}
 PHONE_PLACE = "position of the phone: forward, to port, up from the middle of the two points (metres, Enter: skip)"
 SEPARATORS = re.compile(r"[;\s]+|,\s+")
@@ -155,9 +158,9 @@ def _shown(found: Figure, of: str) -> str:
 def hanging(dialogue: Dialogue, kind: str, known: Mapping[str, Figure | None]) -> dict[str, Any]:
     """The figures of a suspension, for an import."""
     own = {question.name for question in (*REQUIRED[kind], *OPTIONAL[kind])}
-    for name in OF_SUSPENSIONS:
+    for name, question in OF_SUSPENSIONS.items():
         if known.get(name) is not None and name not in own:
-            raise _core.InputError(f"--{name.replace('_', '-')}: a {kind} suspension has no such figure")
+            raise _core.InputError(f"{question.option}: a {kind} suspension has no such figure")
     wanted = [(question, True) for question in REQUIRED[kind]] + [(question, False) for question in OPTIONAL[kind]]
     found = {one.name: dialogue.figure(one, known.get(one.name), required) for one, required in wanted}
     return {name: value.stated() for name, value in found.items() if value is not None}

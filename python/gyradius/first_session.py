@@ -14,10 +14,11 @@ from typing import Any
 
 from . import _core
 from .arguments import Figure
-from .dialogue import DIRECTIONS, GRAVITY, KINDS, MASS, PHONE_MASS, Dialogue, Question, hanging
+from .dialogue import DIRECTED, DIRECTIONS, GRAVITY, KINDS, MASS, PHONE_MASS, Dialogue, Question, hanging
 from .files import write_whole
 from .imports import SESSION_FILE, ImportPlan, describe_exports, import_files, import_into
-from .session import load
+from .interrupt import heard_during
+from .session import Session, load
 
 FORMAT = "gyradius-new/1"
 REPORT = "report.html"
@@ -72,13 +73,12 @@ def make_session(
     *,
     title: str,
     replace: bool,
-) -> list[str]:
-    """Ask for what is not known and write the session; returns notes for the user."""
+) -> tuple[Session, list[str]]:
+    """Ask for what is not known and write the session; returns it with notes for the user."""
     kind = dialogue.choice("--suspension", "How did the body hang", known.suspension, KINDS)
-    has_direction = kind in ("bifilar", "compound")
-    direction = (
-        dialogue.choice("--orientation", "The points lie", known.orientation, DIRECTIONS) if has_direction else None
-    )
+    direction = None
+    if kind in DIRECTED:
+        direction = dialogue.choice("--orientation", "The points lie", known.orientation, DIRECTIONS)
     hung: dict[str, Any] = {"suspension": kind, "orientation": direction, **hanging(dialogue, kind, known.figures)}
     mass = dialogue.figure(MASS, known.figures.get("mass"), False)
     gravity = dialogue.figure(GRAVITY, known.figures.get("gravity"), False)
@@ -94,14 +94,13 @@ def make_session(
     }
     with _whole_or_nothing(folder):
         found = import_files([first, *alike], folder, **hung, **of_body, **recordings.options())
-        for file, tilt in zip(others, tilts, strict=True):
-            if tilt is not None:
-                like = load(folder).swing_ids[0]
-                found += import_into([file], folder, like=like, hull_pitch=tilt.stated(), **recordings.options())
+        tilted = [(file, tilt) for file, tilt in zip(others, tilts, strict=True) if tilt is not None]
+        like = load(folder).swing_ids[0] if tilted else None
+        for file, tilt in tilted:
+            found += import_into([file], folder, like=like, hull_pitch=tilt.stated(), **recordings.options())
         if phone is not None:
             _append(folder / SESSION_FILE, phone.toml())
-        load(folder)
-    return found
+        return heard_during(load, folder), found
 
 
 def check_before(recordings: Recordings, folder: Path, known: Known, is_asked: bool, replace: bool) -> None:
@@ -110,7 +109,7 @@ def check_before(recordings: Recordings, folder: Path, known: Known, is_asked: b
     for place, file in enumerate(files):
         if file in files[:place]:
             raise _core.InputError(f"{recordings.files[place]}: named twice; name each recording once")
-    if folder in (Path(), Path(".")):
+    if folder == Path():
         raise _core.InputError("-o: expected the name of a new folder")
     is_taken = folder.is_file() or (folder.is_dir() and any(folder.iterdir()))
     if is_taken and (folder.is_file() or not replace):
@@ -137,7 +136,7 @@ def _whole_or_nothing(folder: Path) -> Iterator[None]:
 
 def _tilt(dialogue: Dialogue, file: str, kind: str) -> Figure | None:
     """The tilt of a further recording, if it differs from that of the first."""
-    if kind not in ("bifilar", "compound"):
+    if kind not in DIRECTED:
         return None
     words = f"{os.path.basename(file)}: tilt of the body, bow up, if different from the first"
     return dialogue.figure(Question("hull_pitch", "degrees", words, "same as the first"), None, False)

@@ -12,15 +12,12 @@ from .arguments import Json, Map, Orientation, Platform, SessionPath, Suspension
 from .checking import FORMAT as CHECK
 from .checking import check_json, show_check
 from .console import error_console, output_console
-from .dialogue import GRAVITY, MASS, OPTIONAL, PHONE_MASS, REQUIRED, Dialogue, position
+from .dialogue import QUESTIONS, Dialogue, position
 from .first_session import FORMAT as NEW
 from .first_session import REPORT, Known, Recordings, check_before, made_json, make_session, open_in_browser
 from .outcome import end_without_result, reason_without_result, reported, write_json
 from .summary import show_summary, show_swings
 from .tasks import loaded, measured, write_report
-
-FIGURES = {one.name: one for kinds in (REQUIRED, OPTIONAL) for kind in kinds.values() for one in kind}
-FIGURES |= {one.name: one for one in (MASS, GRAVITY, PHONE_MASS)}
 
 
 def new(
@@ -78,7 +75,9 @@ def new(
         known = Known(
             suspension=None if suspension is None else suspension.value,
             orientation=None if orientation is None else orientation.value,
-            figures={name: given(FIGURES[name].option, text, FIGURES[name].of) for name, text in stated_texts.items()},
+            figures={
+                name: given(QUESTIONS[name].option, text, QUESTIONS[name].of) for name, text in stated_texts.items()
+            },
             phone_position_m=_place(phone_position),
         )
         recordings = Recordings(tuple(files), tuple(map_ or ()), trial, None if platform is None else platform.value)
@@ -88,10 +87,10 @@ def new(
         is_asked = ask and has_terminal
         check_before(recordings, folder, known, is_asked, replace)
         dialogue = Dialogue(_prompt if is_asked else None, lambda line: console.print(line, soft_wrap=True))
-        notes = make_session(dialogue, recordings, folder, known, title=title or folder.name, replace=replace)
+        session, notes = make_session(dialogue, recordings, folder, known, title=title or folder.name, replace=replace)
         for note in notes:
             console.print(f"  note: {note}", soft_wrap=True)
-        measurement = measured(loaded(str(folder)))
+        measurement = measured(session)
         console.print("Found:")
         show_swings(console, measurement)
         show_summary(console, measurement, f"gyradius measure {folder} -v")

@@ -145,9 +145,14 @@ def _verdict(verdict: Verdict) -> Text:
     return text.append(f" (probability {verdict.conformance_probability:.4f})", style="dim")
 
 
+def sentence(finding: Finding) -> str:
+    """What was found, and what to do about it."""
+    return f"{finding.text}. {finding.advice}"
+
+
 def _told(finding: Finding) -> str:
     where = f"{finding.swing}: " if finding.swing else ""
-    return f"{where}{finding.text}. {finding.advice}"
+    return where + sentence(finding)
 
 
 def _is_among(text: str, known: list[str]) -> bool:

@@ -12,7 +12,7 @@ from rich.text import Text
 from .labels import UNITS, label
 from .measurement import Claim, Measurement, ModeResult, OneMotion, PeriodTrend, Quantity, SwingResult
 from .numbers import interval, short, with_u
-from .summary import notes, show_findings, show_result
+from .summary import VERDICTS, notes, sentence, show_findings, show_result
 
 # Lines of a budget that get a row; the rest is in the JSON and the report.
 BUDGET_ROWS = 5
@@ -31,7 +31,7 @@ def show(console: Console, measurement: Measurement) -> None:
         console.print(part)
         console.print()
     for finding in notes(measurement):
-        console.print(Text(f"note: {finding.text}. {finding.advice}", style="dim"))
+        console.print(Text(f"note: {sentence(finding)}", style="dim"))
 
 
 def _parts(measurement: Measurement) -> list[RenderableType]:
@@ -179,11 +179,10 @@ def _claim_cells(claim: Claim) -> tuple[str, ...]:
 
 def _verdicts(measurement: Measurement) -> Table:
     table = grid("Class limits", "quantity", "limit", "guard band", "probability", "verdict")
-    colours = {"pass": "green", "fail": "bold red"}
     for verdict in measurement.verdicts:
         limit = f"{verdict.relation} {verdict.limit:g}"
         band, probability = f"{verdict.guard_band:.2g}", f"{verdict.conformance_probability:.4f}"
-        colour = colours.get(verdict.verdict, "yellow")
+        colour = VERDICTS.get(verdict.verdict, "yellow")
         table.add_row(label(verdict.quantity), limit, band, probability, Text(verdict.verdict, style=colour))
     return table
 

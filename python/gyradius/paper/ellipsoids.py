@@ -138,15 +138,19 @@ def _psi_checks() -> list[Check]:
     ]
 
 
-def one_tilt(row: int, output: str) -> Computed:
-    """What the level, the roll and one tilted gyradius of Table 3 give by (4)."""
-    inputs: Inputs = {
+def tilt_inputs(row: int) -> Inputs:
+    """The level, the roll and one tilted gyradius of Table 3, as (4) takes them."""
+    return {
         "k_roll_m": printed("table3.7.k_roll"),
         "k_yaw_m": printed("table3.7.k_yaw"),
         "k_tilted_m": printed(f"table3.{row}.k_yaw"),
         "pitch_rad": printed(f"table3.{row}.pitch"),
     }
-    return by_route("principal_from_one_tilt", output, inputs, "(4)")
+
+
+def one_tilt(row: int, output: str) -> Computed:
+    """What they give by (4)."""
+    return by_route("principal_from_one_tilt", output, tilt_inputs(row), "(4)")
 
 
 def _roll_uncertainty() -> Check:

@@ -10,7 +10,7 @@ from ..arrays import decompose, evaluate_route
 from ..simulation import simulate
 from .checks import Check, Inputs, by_function, by_route, compared, returned
 from .double_pendulum import double_pendulum
-from .ellipsoids import tilted
+from .ellipsoids import tilt_inputs, tilted
 from .parts import PaperTable, Words
 from .print_data import printed
 from .rigs import bifilar, keelboat, keelboat_lines, model, model_lines, rig, simulated_swing
@@ -57,15 +57,11 @@ def table_3() -> PaperTable:
 
 def _other_tilt(row: int, other: int) -> Check:
     """A tilted yaw gyradius from the level, the roll and the other tilted one, by (4) and (3)."""
-    inputs: Inputs = {
-        "k_roll_m": printed("table3.7.k_roll"),
-        "k_yaw_m": printed("table3.7.k_yaw"),
-        "k_tilted_m": printed(f"table3.{other}.k_yaw"),
-        "pitch_rad": printed(f"table3.{other}.pitch"),
-    }
     pitch = printed(f"table3.{row}.pitch")
     found = by_function(
-        lambda given: tilted(evaluate_route("principal_from_one_tilt", given), pitch.value), inputs, "(4), (3)"
+        lambda given: tilted(evaluate_route("principal_from_one_tilt", given), pitch.value),
+        tilt_inputs(other),
+        "(4), (3)",
     )
     tilt = pitch.text.replace("-", "−")
     return compared(f"row {row}: k_y tilted by {tilt}°, from row {other}", f"table3.{row}.k_yaw", found)

@@ -175,6 +175,24 @@ pub(super) fn dot(out: &mut Markup, x: f64, y: f64, radius: f64, fill: &str) {
     );
 }
 
+/// The outline of a body, filled; `turned` is a rotation as SVG writes it.
+pub(super) fn ellipse(
+    out: &mut Markup,
+    centre: (f64, f64),
+    radii: (f64, f64),
+    turned: Option<&str>,
+) {
+    let [cx, cy, rx, ry] = [centre.0, centre.1, radii.0, radii.1].map(number);
+    let mut attributes = vec![("cx", &*cx), ("cy", &*cy), ("rx", &*rx), ("ry", &*ry)];
+    attributes.extend(turned.map(|turned| ("transform", turned)));
+    attributes.extend([
+        ("fill", "#dce8f3"),
+        ("stroke", colour::MODEL),
+        ("stroke-width", "1.4"),
+    ]);
+    out.empty("ellipse", &attributes);
+}
+
 /// Width of a text, about.
 pub(super) fn text_width(text: &str) -> f64 {
     LETTER_WIDTH * text.chars().count() as f64

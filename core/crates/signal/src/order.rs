@@ -88,8 +88,7 @@ impl Search<'_> {
         if most < 2 {
             return false;
         }
-        let flat = self.whiten(&self.fit).over_mean_power();
-        let Some(peak) = flat.peak(self.band(), &[], &self.fit) else {
+        let Some(peak) = self.strongest() else {
             return false;
         };
         let before = self.make_cells_for(peak.k * std::f64::consts::TAU);
@@ -97,8 +96,7 @@ impl Search<'_> {
         let first = proposals(self, &peak, true, &[]).into_iter().next();
         let pair = first.and_then(|(_, first)| {
             self.fit = first;
-            let flat = self.whiten(&self.fit).over_mean_power();
-            let other = flat.peak(self.band(), &[], &self.fit)?;
+            let other = self.strongest()?;
             self.best_trial(&other, &[])
         });
         self.fit = none;
@@ -117,11 +115,16 @@ impl Search<'_> {
         }
     }
 
+    /// The strongest line of what the fit leaves, the floor taken as flat.
+    fn strongest(&self) -> Option<Peak> {
+        let flat = self.whiten(&self.fit).over_mean_power();
+        flat.peak(self.band(), &[], &self.fit)
+    }
+
     /// The strongest line of all, where none was found: its own skirts may have passed for the
     /// floor that hides it.
     fn add_strongest_line(&mut self) -> bool {
-        let flat = self.whiten(&self.fit).over_mean_power();
-        let Some(peak) = flat.peak(self.band(), &[], &self.fit) else {
+        let Some(peak) = self.strongest() else {
             return false;
         };
         let Some((fit, Some(after))) = self.improve(&peak, &[]) else {

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use super::Figure;
-use crate::chart::{self, WIDTH, colour, dashed, dot, line, number, text};
+use crate::chart::{self, WIDTH, colour, dashed, dot, ellipse, line, number, text};
 use crate::digits::significant;
 use crate::markup::Markup;
 use crate::words::{figure as number_of, plain, say};
@@ -242,17 +242,7 @@ impl Views {
     ) {
         let degrees = -turn.to_degrees();
         let turned = format!("rotate({} {} {})", number(degrees), number(cx), number(cy));
-        let attributes = [
-            ("cx", &*number(cx)),
-            ("cy", &*number(cy)),
-            ("rx", &*number(rx)),
-            ("ry", &*number(ry)),
-            ("transform", &*turned),
-            ("fill", "#dce8f3"),
-            ("stroke", colour::MODEL),
-            ("stroke-width", "1.4"),
-        ];
-        out.empty("ellipse", &attributes);
+        ellipse(out, (cx, cy), (rx, ry), Some(&turned));
         let (sin, cos) = turn.sin_cos();
         if turn != 0.0 {
             dashed(out, (cx - rx, cy), (cx + rx, cy), colour::MUTED, 0.8, "4 3");

@@ -5,7 +5,7 @@
 //! about its centre of mass: its outline is not known.
 
 use super::Figure;
-use crate::chart::{self, LETTER, WIDTH, colour, dashed, dot, line, number, rectangle, text};
+use crate::chart::{self, LETTER, WIDTH, colour, dashed, dot, ellipse, line, rectangle, text};
 use crate::digits::{significant, with_u};
 use crate::headline::Headline;
 use crate::markup::Markup;
@@ -141,16 +141,7 @@ impl Sketch {
 
     fn draw_body(&self, out: &mut Markup, middle: f64) {
         let [rx, ry] = self.semi_axes();
-        let attributes = [
-            ("cx", &*number(middle)),
-            ("cy", &*number(self.centre_y())),
-            ("rx", &*number(rx)),
-            ("ry", &*number(ry)),
-            ("fill", "#dce8f3"),
-            ("stroke", colour::MODEL),
-            ("stroke-width", "1.4"),
-        ];
-        out.empty("ellipse", &attributes);
+        ellipse(out, (middle, self.centre_y()), (rx, ry), None);
         for side in [-1.0, 1.0] {
             // From the points to the body, which may be lower.
             let point = (middle + side * self.half_spacing, self.points_y());
